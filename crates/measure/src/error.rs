@@ -1,0 +1,97 @@
+//! The one error type of the crate: what was wrong, where, and what to do about it.
+
+use std::path::PathBuf;
+
+/// What can go wrong while measuring, reporting, or reading the files of either.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum MeasureError {
+    /// A file could not be opened, read, written or renamed.
+    #[error("cannot {action} {path}: {source}", path = path.display())]
+    File {
+        /// What was tried: "read", "write", ...
+        action: &'static str,
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// A file is larger than its kind may be; nothing past the limit was read.
+    #[error("{path} is larger than {limit} bytes, the most a {kind} may have", path = path.display())]
+    TooLarge {
+        /// The file.
+        path: PathBuf,
+        /// What the file should have been.
+        kind: &'static str,
+        /// The limit in bytes.
+        limit: u64,
+    },
+    /// A file is not the JSON it should be.
+    #[error("{path} is no valid {kind}: {reason}", path = path.display())]
+    Malformed {
+        /// The file.
+        path: PathBuf,
+        /// What the file should have been.
+        kind: &'static str,
+        /// What is wrong, with the line or the pose.
+        reason: String,
+    },
+    /// A number that is NaN or infinite stood where a measurement belongs.
+    #[error("report field {field} is not a finite number: leave a value out that was not measured")]
+    NotFinite {
+        /// The field, e.g. `strategies[2].frame_ms.median`.
+        field: String,
+    },
+    /// A report contradicts itself.
+    #[error("report field {field} {problem}")]
+    Report {
+        /// The field, e.g. `strategies[2].worst.images.marked`.
+        field: String,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// A camera path that cannot be flown.
+    #[error("camera path {name:?}: {problem}")]
+    Path {
+        /// The path's name.
+        name: String,
+        /// What is wrong, with the number of the pose (the first is 0).
+        problem: String,
+    },
+    /// A statistic was asked of values that do not have it.
+    #[error("cannot take the {statistic}: {problem}")]
+    Statistics {
+        /// The statistic's name.
+        statistic: &'static str,
+        /// What is wrong with the values, with the index of the first bad one.
+        problem: String,
+    },
+    /// Two images or buffers that should be of one size are not.
+    #[error(
+        "{what}: {got} where {expected} was expected; both must come from the same view and size"
+    )]
+    SizeMismatch {
+        /// What was compared.
+        what: &'static str,
+        /// The size that was found.
+        got: String,
+        /// The size that was needed.
+        expected: String,
+    },
+    /// An image could not be decoded or encoded.
+    #[error("image {path}: {source}", path = path.display())]
+    Image {
+        /// The image's file.
+        path: PathBuf,
+        /// What the decoder or encoder said.
+        source: image::ImageError,
+    },
+    /// A plot could not be drawn.
+    #[error("cannot draw the plot {plot:?}: {reason}")]
+    Plot {
+        /// The plot's title.
+        plot: &'static str,
+        /// What the plotter said.
+        reason: String,
+    },
+}

@@ -1,0 +1,84 @@
+//! Wrong pixels made visible: the frame in grey, what is wrong in magenta, and a halo so that one pixel of a large frame is still found.
+
+use image::{Rgba, RgbaImage};
+
+use crate::MeasureError;
+
+const WRONG: [u8; 3] = [255, 0, 255];
+
+/// The picture desaturated and dimmed, each wrong pixel in full magenta, with a half-magenta halo around it that grows with the image:
+/// shrunk to a thumbnail of 128 pixels, a single wrong pixel still shows.
+///
+/// `mask` is a flag a pixel, row by row from the top left, as [`WrongPixels`](super::WrongPixels) has it.
+///
+/// # Errors
+/// When the mask has another number of pixels than the image.
+pub fn mark_wrong(image: &RgbaImage, mask: &[bool]) -> Result<RgbaImage, MeasureError> {
+    let (width, height) = image.dimensions();
+    let pixels = width as usize * height as usize;
+    if mask.len() != pixels {
+        return Err(MeasureError::SizeMismatch {
+            what: "mask of wrong pixels",
+            got: format!("{} pixels", mask.len()),
+            expected: format!("{pixels} pixels"),
+        });
+    }
+    let radius = (width.max(height) as usize).div_ceil(256);
+    let halo = dilate(mask, width as usize, radius);
+    let mut marked = image.clone();
+    for ((pixel, &wrong), &near) in marked.pixels_mut().zip(mask).zip(&halo) {
+        let grey = dimmed(*pixel);
+        let rgb = match (wrong, near) {
+            (true, _) => WRONG,
+            (false, true) => WRONG.map(|c| ((u16::from(c) + u16::from(grey)) / 2) as u8),
+            (false, false) => [grey; 3],
+        };
+        *pixel = Rgba([rgb[0], rgb[1], rgb[2], 255]);
+    }
+    Ok(marked)
+}
+
+/// Rec. 709 luma, pressed into the middle of the scale so that magenta stands out on black and on white.
+fn dimmed(Rgba([r, g, b, _]): Rgba<u8>) -> u8 {
+    let luma = (u32::from(r) * 54 + u32::from(g) * 183 + u32::from(b) * 19) / 256;
+    (40 + luma * 160 / 255) as u8
+}
+
+/// A square dilation, one direction after the other.
+fn dilate(mask: &[bool], width: usize, radius: usize) -> Vec<bool> {
+    if width == 0 {
+        return Vec::new();
+    }
+    let height = mask.len() / width;
+    let mut rows = vec![false; mask.len()];
+    for (from, to) in mask.chunks(width).zip(rows.chunks_mut(width)) {
+        spread(from.iter().copied(), radius, |x| {
+            if let Some(cell) = to.get_mut(x) {
+                *cell = true;
+            }
+        });
+    }
+    let mut out = vec![false; mask.len()];
+    for x in 0..width {
+        let column = rows.iter().skip(x).step_by(width).copied();
+        spread(column, radius, |y| {
+            if y < height
+                && let Some(cell) = out.get_mut(y * width + x)
+            {
+                *cell = true;
+            }
+        });
+    }
+    out
+}
+
+/// Calls `set` with every index within `radius` of a `true`, each at most once, possibly past the end.
+fn spread(line: impl Iterator<Item = bool>, radius: usize, mut set: impl FnMut(usize)) {
+    let mut done = 0;
+    for (i, _) in line.enumerate().filter(|(_, wrong)| *wrong) {
+        for at in done.max(i.saturating_sub(radius))..=i + radius {
+            set(at);
+        }
+        done = i + radius + 1;
+    }
+}

@@ -1,0 +1,13 @@
+//! Camera paths, the oracle, image errors, and the report.
+//!
+//! A comparison flies a [`path`], holds every frame against the reference ([`image_error`]), reduces the times ([`stats`]) and lands in one
+//! [`report`]; the terminal [`table`], the [`plots`] and the page ([`html`]) are drawn from that report alone.
+
+mod error;
+pub mod image_error;
+pub mod path;
+pub mod report;
+pub mod stats;
+mod store;
+
+pub use error::MeasureError;

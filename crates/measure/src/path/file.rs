@@ -1,0 +1,248 @@
+//! Camera paths as JSON files, read as if somebody meant harm:
+//!
+//! ```json
+//! { "projection": { "perspective": { "fov_y_degrees": 45, "near": 0.1 } },
+//!   "poses": [ { "eye": [0, 10, 40], "target": [0, 0, 0] },
+//!              { "eye": [5, 10, 40], "target": [0, 0, 0], "up": [0, 1, 0], "cut": true },
+//!              { "eye": [6, 10, 40], "rotation": [0, 0, 0, 1] } ] }
+//! ```
+//!
+//! A pose looks at a `target` or has a `rotation` (a unit quaternion x, y, z, w), which is how paths are saved: to the last bit.
+
+use std::fmt;
+
+use glam::{DQuat, DVec3};
+use serde::de::{self, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
+
+use super::{Path, Pose, Projection, is_unit};
+use crate::MeasureError;
+use crate::store::{read_limited, write_beside};
+
+/// The most bytes a path file may have.
+pub const MAX_PATH_BYTES: u64 = 32 << 20;
+/// The most poses a path may have.
+pub const MAX_POSES: usize = 100_000;
+
+const KIND: &str = "camera path";
+
+impl Path {
+    /// Reads a path file; its name is the file's without the folder.
+    ///
+    /// # Errors
+    /// When the file cannot be read, is larger than [`MAX_PATH_BYTES`], is no valid JSON, or holds no valid path; what is wrong with a pose names
+    /// the pose by its number, the first is 0.
+    pub fn load(path: impl AsRef<std::path::Path>) -> Result<Self, MeasureError> {
+        let path = path.as_ref();
+        let bytes = read_limited(path, KIND, MAX_PATH_BYTES)?;
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        Self::from_json(&name, &bytes).map_err(|error| match error {
+            MeasureError::Malformed { kind, reason, .. } => MeasureError::Malformed {
+                path: path.to_owned(),
+                kind,
+                reason,
+            },
+            other => other,
+        })
+    }
+
+    /// Reads a path from the text of a path file.
+    ///
+    /// # Errors
+    /// As [`Path::load`], but for the file.
+    pub fn from_json(name: &str, json: &[u8]) -> Result<Self, MeasureError> {
+        let malformed = |reason| MeasureError::Malformed {
+            path: name.into(),
+            kind: KIND,
+            reason,
+        };
+        let file: FileIn = serde_json::from_slice(json).map_err(|e| malformed(e.to_string()))?;
+        let projection = file.projection.read().map_err(malformed)?;
+        Self::new(name, projection, file.poses.0)
+    }
+
+    /// Writes the path so that reading it gives the same poses to the last bit; whole or not at all.
+    ///
+    /// # Errors
+    /// When the file cannot be written.
+    pub fn save(&self, path: impl AsRef<std::path::Path>) -> Result<(), MeasureError> {
+        let path = path.as_ref();
+        let out = FileOut {
+            projection: ProjectionFile::write(self.projection),
+            poses: self
+                .poses
+                .iter()
+                .map(|pose| PoseOut {
+                    eye: pose.position.to_array(),
+                    rotation: pose.rotation.to_array(),
+                    cut: pose.cut,
+                })
+                .collect(),
+        };
+        let text = serde_json::to_vec_pretty(&out).map_err(|e| MeasureError::Malformed {
+            path: path.to_owned(),
+            kind: KIND,
+            reason: e.to_string(),
+        })?;
+        write_beside(path, &text)
+    }
+}
+
+#[derive(Deserialize)]
+struct FileIn {
+    projection: ProjectionFile,
+    poses: Poses,
+}
+
+#[derive(Serialize)]
+struct FileOut {
+    projection: ProjectionFile,
+    poses: Vec<PoseOut>,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+enum ProjectionFile {
+    Perspective {
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        fov_y_degrees: Option<f64>,
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        fov_y_radians: Option<f64>,
+        near: f64,
+    },
+    Orthographic {
+        height: f64,
+        near: f64,
+        far: f64,
+    },
+}
+
+impl ProjectionFile {
+    fn read(self) -> Result<Projection, String> {
+        match self {
+            Self::Perspective {
+                fov_y_degrees,
+                fov_y_radians,
+                near,
+            } => match (fov_y_degrees, fov_y_radians) {
+                (Some(degrees), None) => Ok(Projection::Perspective {
+                    fov_y: degrees.to_radians(),
+                    near,
+                }),
+                (None, Some(fov_y)) => Ok(Projection::Perspective { fov_y, near }),
+                _ => Err(
+                    "a perspective needs fov_y_degrees or fov_y_radians, one of them".to_owned(),
+                ),
+            },
+            Self::Orthographic { height, near, far } => {
+                Ok(Projection::Orthographic { height, near, far })
+            }
+        }
+    }
+
+    fn write(projection: Projection) -> Self {
+        match projection {
+            Projection::Perspective { fov_y, near } => {
+                // Radians: degrees and back would not give the same bits.
+                Self::Perspective {
+                    fov_y_degrees: None,
+                    fov_y_radians: Some(fov_y),
+                    near,
+                }
+            }
+            Projection::Orthographic { height, near, far } => {
+                Self::Orthographic { height, near, far }
+            }
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct PoseOut {
+    eye: [f64; 3],
+    rotation: [f64; 4],
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    cut: bool,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PoseIn {
+    eye: [f64; 3],
+    target: Option<[f64; 3]>,
+    up: Option<[f64; 3]>,
+    rotation: Option<[f64; 4]>,
+    #[serde(default)]
+    cut: bool,
+}
+
+impl PoseIn {
+    fn read(self) -> Result<Pose, &'static str> {
+        let eye = DVec3::from_array(self.eye);
+        let pose = match (self.target, self.up, self.rotation) {
+            (Some(target), None, None) => {
+                Pose::look_at(eye, DVec3::from_array(target)).ok_or("target coincides with eye")?
+            }
+            (Some(target), Some(up), None) => {
+                Pose::look_at_with_up(eye, DVec3::from_array(target), DVec3::from_array(up)).ok_or(
+                    "target coincides with eye, or up is 0 or lies along the line of sight",
+                )?
+            }
+            (None, None, Some(rotation)) => {
+                let rotation = DQuat::from_array(rotation);
+                if !is_unit(rotation) {
+                    return Err("rotation is no unit quaternion x, y, z, w");
+                }
+                Pose {
+                    position: eye,
+                    rotation,
+                    cut: false,
+                }
+            }
+            _ => return Err("give a target (and perhaps an up), or a rotation"),
+        };
+        Ok(Pose {
+            cut: self.cut,
+            ..pose
+        })
+    }
+}
+
+/// The poses, read one by one: an error knows its pose, and a file with too many is left before memory is.
+struct Poses(Vec<Pose>);
+
+impl<'de> Deserialize<'de> for Poses {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_seq(PosesVisitor)
+    }
+}
+
+struct PosesVisitor;
+
+impl<'de> Visitor<'de> for PosesVisitor {
+    type Value = Poses;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a list of poses")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Poses, A::Error> {
+        let mut poses = Vec::new();
+        loop {
+            let i = poses.len();
+            let next = seq.next_element::<PoseIn>();
+            match next.map_err(|e| de::Error::custom(format!("pose {i}: {e}")))? {
+                None => return Ok(Poses(poses)),
+                Some(_) if i == MAX_POSES => {
+                    return Err(de::Error::custom(format!("more than {MAX_POSES} poses")));
+                }
+                Some(pose) => {
+                    poses.push(
+                        pose.read()
+                            .map_err(|e| de::Error::custom(format!("pose {i}: {e}")))?,
+                    );
+                }
+            }
+        }
+    }
+}

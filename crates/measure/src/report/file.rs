@@ -1,0 +1,125 @@
+//! `report.json` on disk: loaded with limits and checked, saved whole or not at all, and never with a number that is none.
+
+use std::path::{Component, Path};
+
+use serde_json::Value;
+
+use super::Report;
+use crate::MeasureError;
+use crate::store::{read_limited, write_beside};
+
+/// The most bytes a `report.json` may have when read: far above a hundred strategies at ten thousand poses.
+pub const MAX_REPORT_BYTES: u64 = 64 << 20;
+
+impl Report {
+    /// Reads and checks a `report.json`. Fields it does not know are skipped.
+    ///
+    /// # Errors
+    /// When the file cannot be read, is larger than [`MAX_REPORT_BYTES`], is no report, or contradicts itself (see [`Report::check`]).
+    pub fn load(path: impl AsRef<Path>) -> Result<Self, MeasureError> {
+        let path = path.as_ref();
+        let bytes = read_limited(path, "report.json", MAX_REPORT_BYTES)?;
+        let report: Self = serde_json::from_slice(&bytes).map_err(|e| MeasureError::Malformed {
+            path: path.to_owned(),
+            kind: "report.json",
+            reason: e.to_string(),
+        })?;
+        report.check()?;
+        Ok(report)
+    }
+
+    /// Writes the report beside `path` and renames it there: readers see the old file or the new one, never half of it.
+    ///
+    /// # Errors
+    /// When a number is NaN or infinite (the field is named), the report contradicts itself, or the file cannot be written.
+    pub fn save(&self, path: impl AsRef<Path>) -> Result<(), MeasureError> {
+        let mut text = self.to_json()?;
+        text.push('\n');
+        write_beside(path.as_ref(), text.as_bytes())
+    }
+
+    /// The report as indented JSON text.
+    ///
+    /// # Errors
+    /// As [`Report::save`], but for the file.
+    pub fn to_json(&self) -> Result<String, MeasureError> {
+        self.check()?;
+        let value = self.to_value()?;
+        Ok(format!("{value:#}"))
+    }
+
+    /// Whether the report is fit to be written and shown: all numbers finite, the view not empty, every image inside the report's folder.
+    ///
+    /// # Errors
+    /// The first field that is not, by its name.
+    pub fn check(&self) -> Result<(), MeasureError> {
+        refuse_null(&self.to_value()?, "")?;
+        if self.scene.size.contains(&0) {
+            return Err(problem("scene.size".to_owned(), "has no pixels"));
+        }
+        for (i, strategy) in self.strategies.iter().enumerate() {
+            let Some(worst) = &strategy.worst else {
+                continue;
+            };
+            let images = &worst.images;
+            for (key, file) in [
+                ("reference", &images.reference),
+                ("strategy", &images.strategy),
+                ("marked", &images.marked),
+            ] {
+                if !stays_inside(file) {
+                    let field = format!("strategies[{i}].worst.images.{key}");
+                    return Err(problem(
+                        field,
+                        "must name a file inside the report's folder",
+                    ));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn to_value(&self) -> Result<Value, MeasureError> {
+        serde_json::to_value(self).map_err(|e| problem("(root)".to_owned(), &e.to_string()))
+    }
+}
+
+/// JSON has no NaN: serde_json writes null for it. Absent values are skipped by their fields, so that every null that is left, outside the
+/// free-form settings, was a number that is none.
+fn refuse_null(value: &Value, at: &str) -> Result<(), MeasureError> {
+    match value {
+        Value::Null => Err(MeasureError::NotFinite {
+            field: at.to_owned(),
+        }),
+        Value::Array(items) => items
+            .iter()
+            .enumerate()
+            .try_for_each(|(i, item)| refuse_null(item, &format!("{at}[{i}]"))),
+        Value::Object(fields) => fields
+            .iter()
+            .filter(|(key, _)| *key != "settings")
+            .try_for_each(|(key, field)| {
+                let dot = if at.is_empty() { "" } else { "." };
+                refuse_null(field, &format!("{at}{dot}{key}"))
+            }),
+        _ => Ok(()),
+    }
+}
+
+/// A report is shown with the images it names embedded: it must not reach outside its folder.
+fn stays_inside(file: &str) -> bool {
+    let path = Path::new(file);
+    // A backslash or a drive letter means nothing here and much on Windows.
+    !file.contains(['\\', ':'])
+        && path.components().next().is_some()
+        && path
+            .components()
+            .all(|part| matches!(part, Component::Normal(_)))
+}
+
+fn problem(field: String, problem: &str) -> MeasureError {
+    MeasureError::Report {
+        field,
+        problem: problem.to_owned(),
+    }
+}

@@ -1,0 +1,143 @@
+//! The statistics of a fair comparison: medians, percentiles, ratios block by block, and runs of frames.
+//!
+//! Strategies are measured in blocks of consecutive poses and in rotation, so that heat, clocks and neighbours on the machine strike all of
+//! them alike; the ratio is taken within a block, where both met the same conditions, and then the median over the blocks.
+
+use crate::MeasureError;
+
+/// The middle value; of an even number, the mean of the middle two.
+///
+/// # Errors
+/// No values, or one that is not finite.
+pub fn median(values: &[f64]) -> Result<f64, MeasureError> {
+    quantile("median", values, 0.5)
+}
+
+/// The value below which `percent` of 100 of the values lie, linear between neighbours (Hyndman and Fan's type 7): 0 is the smallest, 100
+/// the largest.
+///
+/// # Errors
+/// No values, one that is not finite, or `percent` outside 0 to 100.
+pub fn percentile(values: &[f64], percent: f64) -> Result<f64, MeasureError> {
+    if !(0.0..=100.0).contains(&percent) {
+        return Err(wrong(
+            "percentile",
+            format!("{percent} is not within 0 to 100"),
+        ));
+    }
+    quantile("percentile", values, percent / 100.0)
+}
+
+/// The arithmetic mean.
+///
+/// # Errors
+/// No values, or one that is not finite.
+pub fn mean(values: &[f64]) -> Result<f64, MeasureError> {
+    checked("mean", values)?;
+    // A running mean stays within the values' range where a sum could overflow.
+    Ok(values
+        .iter()
+        .zip(1u64..)
+        .fold(0.0, |mean, (value, n)| mean + (value - mean) / n as f64))
+}
+
+/// The ratio of the medians, block by block: `times` over `baseline`, both a value a pose in path order and measured at the same poses. A last block that is not full counts as
+/// a block.
+///
+/// # Errors
+/// Different lengths, a block length of 0, no values, one that is not finite, or a block whose baseline has a median of 0 or less.
+pub fn block_ratios(
+    times: &[f64],
+    baseline: &[f64],
+    block: usize,
+) -> Result<Vec<f64>, MeasureError> {
+    const NAME: &str = "block ratios";
+    if times.len() != baseline.len() {
+        return Err(wrong(
+            NAME,
+            format!(
+                "{} times against {} of the baseline",
+                times.len(),
+                baseline.len()
+            ),
+        ));
+    }
+    if block == 0 {
+        return Err(wrong(NAME, "a block has no poses".to_owned()));
+    }
+    checked(NAME, times)?;
+    checked(NAME, baseline)?;
+    times
+        .chunks(block)
+        .zip(baseline.chunks(block))
+        .enumerate()
+        .map(|(i, (times, baseline))| {
+            let below = median(baseline)?;
+            if below <= 0.0 {
+                return Err(wrong(
+                    NAME,
+                    format!("block {i} of the baseline took {below} ms"),
+                ));
+            }
+            Ok(median(times)? / below)
+        })
+        .collect()
+}
+
+/// The noise of an A/A run, in which the same strategy stood on both sides: the 95th percentile of its block ratios, each turned so that it
+/// is at least 1. A difference between strategies that is smaller shows nothing.
+///
+/// # Errors
+/// No ratios, or one that is not finite and positive.
+pub fn noise_p95(ratios: &[f64]) -> Result<f64, MeasureError> {
+    if let Some(i) = ratios.iter().position(|ratio| *ratio <= 0.0) {
+        return Err(wrong("noise", format!("ratio {i} is not positive")));
+    }
+    let turned: Vec<f64> = ratios
+        .iter()
+        .map(|ratio| ratio.max(ratio.recip()))
+        .collect();
+    quantile("noise", &turned, 0.95)
+}
+
+/// The length of the longest run of consecutive frames that are `true`.
+pub fn longest_run(frames: impl IntoIterator<Item = bool>) -> u64 {
+    let (longest, _) = frames
+        .into_iter()
+        .fold((0u64, 0u64), |(longest, run), bad| {
+            let run = if bad { run + 1 } else { 0 };
+            (longest.max(run), run)
+        });
+    longest
+}
+
+fn quantile(name: &'static str, values: &[f64], q: f64) -> Result<f64, MeasureError> {
+    checked(name, values)?;
+    let mut sorted = values.to_vec();
+    sorted.sort_unstable_by(f64::total_cmp);
+    let place = q * (sorted.len() - 1) as f64;
+    let (below, above) = (place.floor() as usize, place.ceil() as usize);
+    match (sorted.get(below), sorted.get(above)) {
+        // lerp as a weighted sum: a difference of two large values could overflow.
+        (Some(&a), Some(&b)) if a < b => {
+            let t = place - below as f64;
+            Ok((a * (1.0 - t) + b * t).clamp(a, b))
+        }
+        (Some(&a), _) => Ok(a),
+        (None, _) => Err(wrong(name, "there are no values".to_owned())),
+    }
+}
+
+fn checked(name: &'static str, values: &[f64]) -> Result<(), MeasureError> {
+    if values.is_empty() {
+        return Err(wrong(name, "there are no values".to_owned()));
+    }
+    match values.iter().position(|value| !value.is_finite()) {
+        Some(i) => Err(wrong(name, format!("value {i} is not a finite number"))),
+        None => Ok(()),
+    }
+}
+
+fn wrong(statistic: &'static str, problem: String) -> MeasureError {
+    MeasureError::Statistics { statistic, problem }
+}

@@ -1,0 +1,303 @@
+//! Camera paths: that they go where they should, smoothly, and that files cannot harm.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use antumbra_measure::path::{MAX_PATH_BYTES, MAX_POSES, Orbit, Path, Pose, Projection};
+use glam::{DQuat, DVec3};
+use proptest::prelude::*;
+
+fn extents() -> impl Strategy<Value = (DVec3, DVec3)> {
+    let coordinate = || prop::array::uniform3(-1.0..1.0f64);
+    (coordinate(), coordinate(), -3.0..9.0f64).prop_map(|(a, b, exponent)| {
+        let (a, b) = (DVec3::from_array(a), DVec3::from_array(b));
+        let scale = 10f64.powf(exponent);
+        (a.min(b) * scale, a.max(b) * scale)
+    })
+}
+
+fn corners(min: DVec3, max: DVec3) -> impl Iterator<Item = DVec3> {
+    (0..8u32).map(move |i| {
+        DVec3::select(
+            glam::BVec3::new(i & 1 == 0, i & 2 == 0, i & 4 == 0),
+            min,
+            max,
+        )
+    })
+}
+
+proptest! {
+    #[test]
+    fn an_orbit_around_a_scene_has_all_of_it_in_view((min, max) in extents(), aspect in 0.4..3.0f64) {
+        let path = Path::orbit_around(min, max, aspect, 9).unwrap();
+        let Projection::Perspective { fov_y, near } = path.projection() else { panic!() };
+        let tan = (fov_y / 2.0).tan();
+        for pose in path.poses() {
+            for corner in corners(min, max) {
+                let seen = pose.rotation.inverse() * (corner - pose.position);
+                prop_assert!(-seen.z > near, "in front of the near plane");
+                prop_assert!(seen.y.abs() <= -seen.z * tan && seen.x.abs() <= -seen.z * tan * aspect);
+            }
+        }
+    }
+
+    #[test]
+    fn a_flight_is_smooth((min, max) in extents(), seed in any::<u64>()) {
+        let frames = 600;
+        let path = Path::flight(min, max, seed, frames).unwrap();
+        prop_assert_eq!(path.poses().len(), frames);
+        let radius = (max - min).length() / 2.0;
+        // Ten points, nine stretches; no two neighbours among them are further apart than 4 radii.
+        let step = 9.0 / (frames - 1) as f64;
+        for (i, w) in path.poses().windows(3).enumerate() {
+            let way = w[1].position - w[0].position;
+            prop_assert!(way.length() <= 4.0 * radius * step, "frame {i} jumps by {}", way.length());
+            let jerk = (w[2].position - w[1].position - way).length();
+            prop_assert!(jerk <= 8.0 * radius * step * step, "frame {i} jerks by {jerk}");
+            let turn = w[0].forward().angle_between(w[1].forward());
+            prop_assert!(turn <= 4.0 * step, "frame {i} turns by {turn} radians");
+            prop_assert!((w[0].rotation * DVec3::X).y.abs() < 1e-9, "frame {i} rolls");
+        }
+    }
+
+    #[test]
+    fn a_flight_goes_through_the_scene_and_around_it(seed in any::<u64>()) {
+        let (min, max) = (DVec3::new(-30.0, 0.0, -20.0), DVec3::new(30.0, 12.0, 20.0));
+        let path = Path::flight(min, max, seed, 400).unwrap();
+        let inside = path.poses().iter().filter(|p| p.position.cmpge(min).all() && p.position.cmple(max).all()).count();
+        prop_assert!((20..=380).contains(&inside), "{inside} of 400 poses are inside");
+    }
+
+    #[test]
+    fn a_saved_path_comes_back_to_the_bit((min, max) in extents(), seed in any::<u64>(), cut in 0usize..7) {
+        let flight = Path::flight(min, max, seed, 7).unwrap();
+        let mut poses = flight.poses().to_vec();
+        poses[cut].cut = true;
+        let path = Path::new("p.json", flight.projection(), poses).unwrap();
+        let dir = tempfile::tempdir().unwrap();
+        let file = dir.path().join("p.json");
+        path.save(&file).unwrap();
+        prop_assert_eq!(Path::load(&file).unwrap(), path);
+    }
+
+    #[test]
+    fn no_text_makes_the_reader_panic(text in ".{0,200}", json in r#"[\[\]{}:,"0-9eE.+\-a-z ]{0,120}"#) {
+        let _ = Path::from_json("any", text.as_bytes());
+        let whole = format!(r#"{{"projection":{{"perspective":{{"fov_y_degrees":45,"near":0.1}}}},"poses":[{json}]}}"#);
+        let _ = Path::from_json("any", whole.as_bytes());
+    }
+}
+
+#[test]
+fn the_grid_orbit_is_the_one_of_the_built_in_scene() {
+    let path = Path::orbit(&Orbit::grid(100)).unwrap();
+    assert_eq!(
+        path.projection(),
+        Projection::Perspective {
+            fov_y: 45f64.to_radians(),
+            near: 0.1
+        }
+    );
+    let first = path.poses()[0];
+    assert!((first.position - DVec3::new(0.0, 10.0, 40.0)).length() < 1e-12);
+    for (i, pose) in path.poses().iter().enumerate() {
+        let flat = pose.position.with_y(0.0);
+        assert!((flat.length() - 40.0).abs() < 1e-9);
+        assert!(
+            (pose.position + pose.forward() * pose.position.length()).length() < 1e-9,
+            "pose {i} looks past"
+        );
+        assert!((flat.angle_between(DVec3::Z) - 0.02 * i as f64).abs() < 1e-7);
+    }
+}
+
+#[test]
+fn the_same_seed_flies_the_same_path_and_another_does_not() {
+    let fly = |seed| Path::flight(DVec3::NEG_ONE, DVec3::ONE, seed, 50).unwrap();
+    assert_eq!(fly(1), fly(1));
+    assert_ne!(fly(1), fly(2));
+}
+
+#[test]
+fn small_and_odd_scenes_have_paths_too() {
+    for frames in [1, 2, 3] {
+        assert_eq!(
+            Path::flight(DVec3::ZERO, DVec3::ZERO, 3, frames)
+                .unwrap()
+                .poses()
+                .len(),
+            frames
+        );
+        assert_eq!(
+            Path::orbit_around(DVec3::ZERO, DVec3::ZERO, 1.0, frames)
+                .unwrap()
+                .poses()
+                .len(),
+            frames
+        );
+    }
+    let flat = (DVec3::new(-5.0, 0.0, -5.0), DVec3::new(5.0, 0.0, 5.0));
+    Path::flight(flat.0, flat.1, 3, 10).unwrap();
+    for (min, max) in [
+        (DVec3::ONE, DVec3::ZERO),
+        (DVec3::NAN, DVec3::ONE),
+        (DVec3::ZERO, DVec3::splat(1e300)),
+    ] {
+        assert!(Path::flight(min, max, 3, 10).is_err());
+        assert!(Path::orbit_around(min, max, 1.0, 10).is_err());
+    }
+    assert!(Path::orbit_around(DVec3::ZERO, DVec3::ONE, f64::NAN, 10).is_err());
+    assert!(Path::flight(DVec3::ZERO, DVec3::ONE, 3, 0).is_err());
+    assert!(Path::flight(DVec3::ZERO, DVec3::ONE, 3, usize::MAX).is_err());
+}
+
+#[test]
+fn looking_straight_down_has_a_top() {
+    let pose = Pose::look_at(DVec3::new(0.0, 5.0, 0.0), DVec3::ZERO).unwrap();
+    assert!((pose.forward() - DVec3::NEG_Y).length() < 1e-12);
+    assert!((pose.rotation * DVec3::Y - DVec3::NEG_Z).length() < 1e-12);
+    assert!(Pose::look_at(DVec3::ONE, DVec3::ONE).is_none());
+    assert!(Pose::look_at_with_up(DVec3::ONE, DVec3::ZERO, DVec3::ONE).is_none());
+}
+
+#[test]
+fn a_written_file_is_understood() {
+    let text = br#"{ "projection": { "perspective": { "fov_y_degrees": 45, "near": 0.1 } },
+        "poses": [ { "eye": [0, 10, 40], "target": [0, 0, 0] },
+                   { "eye": [5, 10, 40], "target": [0, 0, 0], "up": [0, 0, 1], "cut": true },
+                   { "eye": [6, 10, 40], "rotation": [0, 0, 0, 1] } ] }"#;
+    let path = Path::from_json("mine", text).unwrap();
+    assert_eq!(path.name(), "mine");
+    assert_eq!(
+        path.poses().iter().map(|p| p.cut).collect::<Vec<_>>(),
+        [false, true, false]
+    );
+    assert_eq!(path.poses()[2].forward(), DVec3::NEG_Z);
+    let ortho = br#"{"projection":{"orthographic":{"height":10,"near":-5,"far":50}},"poses":[{"eye":[0,0,0],"target":[1,0,0]}]}"#;
+    assert!(matches!(
+        Path::from_json("o", ortho).unwrap().projection(),
+        Projection::Orthographic { .. }
+    ));
+}
+
+#[test]
+fn every_bad_pose_is_named() {
+    let read = |poses: &str| {
+        let text = format!(
+            r#"{{"projection":{{"perspective":{{"fov_y_degrees":45,"near":0.1}}}},"poses":[{poses}]}}"#
+        );
+        Path::from_json("bad", text.as_bytes())
+            .unwrap_err()
+            .to_string()
+    };
+    let good = r#"{"eye":[0,0,1],"target":[0,0,0]}"#;
+    for (pose, words) in [
+        (r#"{"eye":[0,0,NaN],"target":[0,0,0]}"#, "expected value"),
+        (r#"{"eye":[0,0,1e999],"target":[0,0,0]}"#, "out of range"),
+        (r#"{"eye":[0,0],"target":[0,0,0]}"#, "length"),
+        (r#"{"eye":[0,0,1],"target":[0,0,1]}"#, "coincides"),
+        (
+            r#"{"eye":[0,0,1],"target":[0,0,0],"up":[0,0,1]}"#,
+            "line of sight",
+        ),
+        (r#"{"eye":[0,0,1]}"#, "target"),
+        (r#"{"eye":[0,0,1],"rotation":[0,0,0,2]}"#, "unit quaternion"),
+        (
+            r#"{"eye":[0,0,1],"target":[0,0,0],"rotation":[0,0,0,1]}"#,
+            "target",
+        ),
+        (r#"{"eye":[0,0,1],"taget":[0,0,0]}"#, "taget"),
+        (r#"{"eye":[0,0,1e308],"target":[0,0,-1e308]}"#, "coincides"),
+    ] {
+        let text = read(&format!("{good},{good},{pose}"));
+        assert!(
+            text.contains("pose 2") && text.contains(words),
+            "{pose}: {text}"
+        );
+    }
+    assert!(read("").contains("no poses"));
+    assert!(read(&format!("{}{good}", format!("{good},").repeat(MAX_POSES))).contains("more than"));
+}
+
+#[test]
+fn a_projection_that_cannot_be_drawn_is_refused() {
+    let pose = Pose {
+        position: DVec3::ZERO,
+        rotation: DQuat::IDENTITY,
+        cut: false,
+    };
+    for projection in [
+        Projection::Perspective {
+            fov_y: 0.0,
+            near: 0.1,
+        },
+        Projection::Perspective {
+            fov_y: f64::NAN,
+            near: 0.1,
+        },
+        Projection::Perspective {
+            fov_y: 4.0,
+            near: 0.1,
+        },
+        Projection::Perspective {
+            fov_y: 1.0,
+            near: 0.0,
+        },
+        Projection::Orthographic {
+            height: -1.0,
+            near: 0.0,
+            far: 1.0,
+        },
+        Projection::Orthographic {
+            height: 1.0,
+            near: 1.0,
+            far: 1.0,
+        },
+    ] {
+        assert!(
+            Path::new("p", projection, vec![pose]).is_err(),
+            "{projection:?}"
+        );
+    }
+    let good = Projection::Perspective {
+        fov_y: 1.0,
+        near: 0.1,
+    };
+    let bad = Pose {
+        position: DVec3::new(0.0, f64::NAN, 0.0),
+        ..pose
+    };
+    assert!(
+        Path::new("p", good, vec![pose, bad])
+            .unwrap_err()
+            .to_string()
+            .contains("pose 1")
+    );
+}
+
+#[test]
+fn a_huge_file_is_left_before_memory_is() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("huge.json");
+    std::fs::File::create(&file)
+        .unwrap()
+        .set_len(MAX_PATH_BYTES * 100)
+        .unwrap();
+    assert!(
+        Path::load(&file)
+            .unwrap_err()
+            .to_string()
+            .contains("larger than")
+    );
+    assert!(
+        Path::load(dir.path().join("none.json"))
+            .unwrap_err()
+            .to_string()
+            .contains("none.json")
+    );
+    std::fs::write(&file, "{").unwrap();
+    assert!(
+        Path::load(&file)
+            .unwrap_err()
+            .to_string()
+            .contains("huge.json")
+    );
+}

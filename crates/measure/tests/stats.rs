@@ -1,0 +1,114 @@
+//! Properties of the statistics.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use antumbra_measure::stats::{block_ratios, longest_run, mean, median, noise_p95, percentile};
+use proptest::prelude::*;
+
+fn values() -> impl Strategy<Value = Vec<f64>> {
+    prop::collection::vec(1e-3..1e6f64, 1..60)
+}
+
+proptest! {
+    #[test]
+    fn the_median_has_as_many_values_below_as_above(values in values()) {
+        let m = median(&values).unwrap();
+        let below = values.iter().filter(|v| **v < m).count();
+        let above = values.iter().filter(|v| **v > m).count();
+        prop_assert!(below * 2 <= values.len() && above * 2 <= values.len());
+    }
+
+    #[test]
+    fn percentiles_ascend_from_the_smallest_to_the_largest(values in values(), a in 0.0..100.0f64, b in 0.0..100.0f64) {
+        let (low, high) = (a.min(b), a.max(b));
+        let at = |p| percentile(&values, p).unwrap();
+        prop_assert!(at(0.0) <= at(low) && at(low) <= at(high) && at(high) <= at(100.0));
+        prop_assert_eq!(at(0.0), values.iter().copied().fold(f64::INFINITY, f64::min));
+        prop_assert_eq!(at(100.0), values.iter().copied().fold(0.0, f64::max));
+        prop_assert_eq!(at(50.0), median(&values).unwrap());
+    }
+
+    #[test]
+    fn the_order_of_the_values_does_not_matter(mut values in values(), p in 0.0..100.0f64) {
+        let before = percentile(&values, p).unwrap();
+        values.reverse();
+        prop_assert_eq!(before, percentile(&values, p).unwrap());
+    }
+
+    #[test]
+    fn the_mean_lies_within_the_values(values in values()) {
+        let m = mean(&values).unwrap();
+        prop_assert!(percentile(&values, 0.0).unwrap() <= m * (1.0 + 1e-12));
+        prop_assert!(m <= percentile(&values, 100.0).unwrap() * (1.0 + 1e-12));
+    }
+
+    #[test]
+    fn a_strategy_that_takes_k_times_as_long_has_the_ratio_k(base in values(), k in 0.1..10.0f64, block in 1usize..20) {
+        let times: Vec<f64> = base.iter().map(|t| t * k).collect();
+        let ratios = block_ratios(&times, &base, block).unwrap();
+        prop_assert_eq!(ratios.len(), base.len().div_ceil(block));
+        for ratio in ratios {
+            prop_assert!((ratio / k - 1.0).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_drift_of_the_machine_does_not_reach_the_ratio(base in values(), block in 1usize..20) {
+        // The machine slows down block by block, for both alike.
+        let slow = |values: &[f64], k: f64| -> Vec<f64> {
+            values.iter().enumerate().map(|(i, t)| t * k * (1 + i / block) as f64).collect()
+        };
+        for ratio in block_ratios(&slow(&base, 0.5), &slow(&base, 1.0), block).unwrap() {
+            prop_assert!((ratio - 0.5).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn noise_is_the_same_from_both_sides_and_at_least_one(ratios in prop::collection::vec(0.5..2.0f64, 1..40)) {
+        let noise = noise_p95(&ratios).unwrap();
+        let other: Vec<f64> = ratios.iter().map(|r| r.recip()).collect();
+        prop_assert!(noise >= 1.0);
+        prop_assert!((noise - noise_p95(&other).unwrap()).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_longest_run_is_found_by_splitting(frames in prop::collection::vec(any::<bool>(), 0..80)) {
+        let expected = frames.split(|bad| !bad).map(|run| run.len() as u64).max().unwrap_or(0);
+        prop_assert_eq!(longest_run(frames), expected);
+    }
+}
+
+#[test]
+fn known_values() {
+    assert_eq!(median(&[3.0, 1.0, 2.0]).unwrap(), 2.0);
+    assert_eq!(median(&[4.0, 1.0, 2.0, 3.0]).unwrap(), 2.5);
+    let hundred: Vec<f64> = (0..=100).map(f64::from).collect();
+    assert_eq!(percentile(&hundred, 95.0).unwrap(), 95.0);
+    assert_eq!(mean(&[f64::MAX, f64::MAX]).unwrap(), f64::MAX);
+    assert_eq!(
+        median(&[f64::MAX, f64::MAX, -f64::MAX, f64::MAX]).unwrap(),
+        f64::MAX
+    );
+}
+
+#[test]
+fn what_has_no_answer_is_refused_with_the_place() {
+    let says = |error: antumbra_measure::MeasureError, word: &str| {
+        let text = error.to_string();
+        assert!(text.contains(word), "{text}");
+    };
+    says(median(&[]).unwrap_err(), "no values");
+    says(median(&[1.0, f64::NAN]).unwrap_err(), "value 1");
+    says(percentile(&[1.0], 101.0).unwrap_err(), "101");
+    says(percentile(&[1.0], f64::NAN).unwrap_err(), "NaN");
+    says(
+        block_ratios(&[1.0, 2.0], &[1.0], 1).unwrap_err(),
+        "2 times against 1",
+    );
+    says(block_ratios(&[1.0], &[1.0], 0).unwrap_err(), "block");
+    says(
+        block_ratios(&[1.0, 1.0], &[1.0, 0.0], 1).unwrap_err(),
+        "block 1",
+    );
+    says(noise_p95(&[1.0, 0.0]).unwrap_err(), "ratio 1");
+    says(noise_p95(&[f64::INFINITY]).unwrap_err(), "value 0");
+}
