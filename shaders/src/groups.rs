@@ -1,0 +1,339 @@
+//! Bind group layouts of a pipeline whose entry points come from several jobs.
+
+use thiserror::Error;
+use wgpu::{BindingType, TextureSampleType};
+
+use crate::{Binding, Job};
+
+/// The bind group layouts of one pipeline, merged from the entry points it is made of: each binding is visible to the
+/// stages that use it.
+///
+/// ```no_run
+/// # fn pipeline(device: &wgpu::Device) -> Result<(), antumbra_shaders::GroupError> {
+/// use antumbra_shaders::{Groups, jobs::depth};
+/// let groups = Groups::of(&[(&depth::JOB, depth::entry::VERTEX)])?;
+/// let layouts = groups.bind_group_layouts(device, "depth");
+/// let pipeline_layout = groups.pipeline_layout(device, "depth", &layouts);
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Groups {
+    groups: Vec<Vec<wgpu::BindGroupLayoutEntry>>,
+    immediate_size: u32,
+    features: wgpu::Features,
+    downlevel: wgpu::DownlevelFlags,
+}
+
+/// Why entry points do not go together in one pipeline.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum GroupError {
+    /// A name that the job does not have.
+    #[error("job `{job}` has no entry point `{entry_point}`; it has: {known}")]
+    UnknownEntryPoint {
+        /// The job's name.
+        job: String,
+        /// The name asked for.
+        entry_point: String,
+        /// The names there are.
+        known: String,
+    },
+    /// Two jobs want different things at one place.
+    #[error(
+        "@group({group}) @binding({binding}) is {first_type:?} for `{first}` of job `{first_job}`, but {second_type:?} for `{second}` of job `{second_job}`; give one of them another number"
+    )]
+    Conflict {
+        /// Group of both.
+        group: u32,
+        /// Binding number of both.
+        binding: u32,
+        /// Job seen first.
+        first_job: String,
+        /// Its variable.
+        first: String,
+        /// What it wants.
+        first_type: Box<BindingType>,
+        /// Job seen second.
+        second_job: String,
+        /// Its variable.
+        second: String,
+        /// What it wants.
+        second_type: Box<BindingType>,
+    },
+    /// No such binding.
+    #[error("no entry point of the pipeline uses @group({group}) @binding({binding})")]
+    UnknownBinding {
+        /// The group asked for.
+        group: u32,
+        /// The binding asked for.
+        binding: u32,
+    },
+}
+
+impl Groups {
+    /// The layouts for these entry points, given with their jobs.
+    ///
+    /// # Errors
+    /// An entry point that does not exist, or two jobs that want different things at one place.
+    pub fn of(entry_points: &[(&Job, &str)]) -> Result<Self, GroupError> {
+        let mut merging = Merging {
+            found: Vec::new(),
+            groups: Self {
+                groups: Vec::new(),
+                immediate_size: 0,
+                features: wgpu::Features::empty(),
+                downlevel: wgpu::DownlevelFlags::empty(),
+            },
+        };
+        for (job, name) in entry_points {
+            let Some(entry) = job.entry_point(name) else {
+                let known: Vec<&str> = job.entry_points.iter().map(|e| e.name.as_ref()).collect();
+                return Err(GroupError::UnknownEntryPoint {
+                    job: job.name.to_string(),
+                    entry_point: (*name).to_owned(),
+                    known: known.join(", "),
+                });
+            };
+            for binding in job.bindings.iter() {
+                let by = binding.uses.iter();
+                let mut by = by.filter(|by| by.entry_point == *name && by.stage == entry.stage);
+                if let Some(by) = by.next() {
+                    merging.add(job, binding, by.stage, by.filters)?;
+                }
+            }
+            merging.require(job);
+        }
+        Ok(merging.finish())
+    }
+
+    /// The layouts for all entry points of these jobs together.
+    ///
+    /// # Errors
+    /// Two jobs that want different things at one place.
+    pub fn of_jobs(jobs: &[&Job]) -> Result<Self, GroupError> {
+        let all: Vec<(&Job, &str)> = jobs
+            .iter()
+            .flat_map(|job| {
+                job.entry_points
+                    .iter()
+                    .map(|entry| (*job, entry.name.as_ref()))
+            })
+            .collect();
+        Self::of(&all)
+    }
+
+    /// Makes a buffer binding take a dynamic offset, which WGSL does not speak of.
+    ///
+    /// # Errors
+    /// There is no such binding, or it is not a buffer.
+    pub fn dynamic_offset(mut self, group: u32, binding: u32) -> Result<Self, GroupError> {
+        match self.entry_mut(group, binding).map(|entry| &mut entry.ty) {
+            Some(BindingType::Buffer {
+                has_dynamic_offset, ..
+            }) => *has_dynamic_offset = true,
+            _ => return Err(GroupError::UnknownBinding { group, binding }),
+        }
+        Ok(self)
+    }
+
+    /// Number of groups: the highest group number in use and one more.
+    pub fn len(&self) -> usize {
+        self.groups.len()
+    }
+
+    /// Whether nothing is bound at all.
+    pub fn is_empty(&self) -> bool {
+        self.groups.is_empty()
+    }
+
+    /// The entries of a group by binding number; empty for one that is not used.
+    pub fn entries(&self, group: u32) -> &[wgpu::BindGroupLayoutEntry] {
+        usize::try_from(group)
+            .ok()
+            .and_then(|group| self.groups.get(group))
+            .map_or(&[], Vec::as_slice)
+    }
+
+    /// An entry to change before layouts are made of it: what only the author knows, such as a binding array's length.
+    pub fn entry_mut(
+        &mut self,
+        group: u32,
+        binding: u32,
+    ) -> Option<&mut wgpu::BindGroupLayoutEntry> {
+        self.groups
+            .get_mut(usize::try_from(group).ok()?)?
+            .iter_mut()
+            .find(|entry| entry.binding == binding)
+    }
+
+    /// Bytes of `var<immediate>`: the largest of the jobs.
+    pub fn immediate_size(&self) -> u32 {
+        self.immediate_size
+    }
+
+    /// Device features that one of the jobs needs.
+    pub fn features(&self) -> wgpu::Features {
+        self.features
+    }
+
+    /// Downlevel flags that one of the jobs needs.
+    pub fn downlevel(&self) -> wgpu::DownlevelFlags {
+        self.downlevel
+    }
+
+    /// Creates one layout a group, in order, unused groups in between included.
+    pub fn bind_group_layouts(
+        &self,
+        device: &wgpu::Device,
+        label: &str,
+    ) -> Vec<wgpu::BindGroupLayout> {
+        self.groups
+            .iter()
+            .map(|entries| {
+                device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                    label: Some(label),
+                    entries,
+                })
+            })
+            .collect()
+    }
+
+    /// Creates the pipeline layout over these groups' layouts.
+    pub fn pipeline_layout(
+        &self,
+        device: &wgpu::Device,
+        label: &str,
+        layouts: &[wgpu::BindGroupLayout],
+    ) -> wgpu::PipelineLayout {
+        let layouts: Vec<Option<&wgpu::BindGroupLayout>> = layouts.iter().map(Some).collect();
+        device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some(label),
+            bind_group_layouts: &layouts,
+            immediate_size: self.immediate_size,
+        })
+    }
+}
+
+/// Bindings so far, each with the job and the variable that brought it.
+struct Merging<'j> {
+    found: Vec<Found<'j>>,
+    groups: Groups,
+}
+
+struct Found<'j> {
+    job: &'j Job,
+    binding: &'j Binding,
+    entry: wgpu::BindGroupLayoutEntry,
+}
+
+impl<'j> Merging<'j> {
+    fn add(
+        &mut self,
+        job: &'j Job,
+        binding: &'j Binding,
+        stage: wgpu::ShaderStages,
+        filters: bool,
+    ) -> Result<(), GroupError> {
+        let mut entry = binding.entry;
+        entry.visibility = stage;
+        // The job's entry speaks for all of its entry points; this one may only load.
+        if let BindingType::Texture {
+            sample_type: TextureSampleType::Float { filterable },
+            ..
+        } = &mut entry.ty
+        {
+            *filterable = filters;
+        }
+        let place = |found: &&mut Found<'_>| {
+            found.binding.group == binding.group && found.entry.binding == entry.binding
+        };
+        let Some(found) = self.found.iter_mut().find(place) else {
+            self.found.push(Found {
+                job,
+                binding,
+                entry,
+            });
+            return Ok(());
+        };
+        match united(found.entry.ty, entry.ty) {
+            Some(ty) if found.entry.count == entry.count => {
+                found.entry.ty = ty;
+                found.entry.visibility |= stage;
+                Ok(())
+            }
+            _ => Err(GroupError::Conflict {
+                group: binding.group,
+                binding: entry.binding,
+                first_job: found.job.name.to_string(),
+                first: found.binding.name.to_string(),
+                first_type: Box::new(found.entry.ty),
+                second_job: job.name.to_string(),
+                second: binding.name.to_string(),
+                second_type: Box::new(entry.ty),
+            }),
+        }
+    }
+
+    fn require(&mut self, job: &Job) {
+        self.groups.immediate_size = self.groups.immediate_size.max(job.immediate_size);
+        self.groups.features |= job.features;
+        self.groups.downlevel |= job.downlevel;
+    }
+
+    fn finish(mut self) -> Groups {
+        self.found
+            .sort_by_key(|found| (found.binding.group, found.entry.binding));
+        for found in &self.found {
+            let group = usize::try_from(found.binding.group).unwrap_or(usize::MAX);
+            while self.groups.groups.len() <= group {
+                self.groups.groups.push(Vec::new());
+            }
+            if let Some(entries) = self.groups.groups.get_mut(group) {
+                entries.push(found.entry);
+            }
+        }
+        self.groups
+    }
+}
+
+/// What serves both: the larger buffer, the filterable texture. `None` where nothing does.
+fn united(a: BindingType, b: BindingType) -> Option<BindingType> {
+    use BindingType::{Buffer, Texture};
+    match (a, b) {
+        (
+            Buffer {
+                ty,
+                has_dynamic_offset,
+                min_binding_size,
+            },
+            Buffer {
+                ty: other,
+                min_binding_size: other_size,
+                ..
+            },
+        ) => (ty == other).then_some(Buffer {
+            ty,
+            has_dynamic_offset,
+            min_binding_size: min_binding_size.max(other_size),
+        }),
+        (
+            Texture {
+                sample_type: TextureSampleType::Float { filterable: a },
+                view_dimension,
+                multisampled,
+            },
+            Texture {
+                sample_type: TextureSampleType::Float { filterable: b },
+                view_dimension: other_dimension,
+                multisampled: other_multisampled,
+            },
+        ) => (view_dimension == other_dimension && multisampled == other_multisampled).then_some(
+            Texture {
+                sample_type: TextureSampleType::Float { filterable: a || b },
+                view_dimension,
+                multisampled,
+            },
+        ),
+        _ => (a == b).then_some(a),
+    }
+}
