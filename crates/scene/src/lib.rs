@@ -1,0 +1,25 @@
+//! Antumbra's scenes: entities in slotmap arenas with transforms, bounds, cameras, lights and a hierarchy, and the files they
+//! come from. This crate knows no GPU; the world is f64 metres, right-handed, +Y up.
+
+pub mod bounds;
+pub mod builtin;
+mod camera;
+mod error;
+pub mod frustum;
+mod keys;
+mod light;
+mod material;
+mod mesh;
+mod scene;
+mod simplify;
+
+pub use bounds::{Aabb, BoxArray};
+pub use camera::{Camera, CameraError, Projection};
+pub use error::SceneError;
+pub use frustum::Frustum;
+pub use keys::{EntityKey, ImageKey, MaterialKey, MeshKey};
+pub use light::Light;
+pub use material::{AlphaMode, Filter, Image, Material, Sampler, Wrap};
+pub use mesh::{Geometry, Mesh, Topology};
+pub use scene::{Changes, Drawable, Scene};
+pub use simplify::{ProxyOptions, proxy};

@@ -1,0 +1,110 @@
+//! The assets that entities share: meshes, materials, images.
+
+use super::Scene;
+use crate::error::SceneError;
+use crate::keys::{ImageKey, MaterialKey, MeshKey};
+use crate::material::{Image, Material};
+use crate::mesh::Mesh;
+use crate::simplify::ProxyOptions;
+use slotmap::Key;
+
+impl Scene {
+    /// Adds a mesh for entities to share.
+    ///
+    /// # Errors
+    /// [`SceneError::BadMesh`]: no level, a position that is not finite, an index out of range, attributes of another
+    /// length than the positions.
+    pub fn add_mesh(&mut self, mesh: Mesh) -> Result<MeshKey, SceneError> {
+        mesh.validate()?;
+        let bounds = mesh.bounds();
+        let key = self.meshes.insert(mesh);
+        if let Some(bounds) = bounds {
+            self.mesh_boxes.insert(key, bounds);
+        }
+        Ok(key)
+    }
+
+    /// A mesh.
+    #[must_use]
+    pub fn mesh(&self, mesh: MeshKey) -> Option<&Mesh> {
+        self.meshes.get(mesh)
+    }
+
+    /// Every mesh, in arena order.
+    pub fn meshes(&self) -> impl Iterator<Item = (MeshKey, &Mesh)> {
+        self.meshes.iter()
+    }
+
+    /// How many meshes there are, placed or not.
+    #[must_use]
+    pub fn mesh_count(&self) -> usize {
+        self.meshes.len()
+    }
+
+    /// Gives every mesh that has none a proxy, in parallel. Meshes keep their keys, and entities their boxes.
+    pub fn ensure_proxies(&mut self, options: &ProxyOptions) {
+        use rayon::prelude::*;
+        let mut meshes: Vec<&mut Mesh> = self.meshes.values_mut().collect();
+        meshes.par_iter_mut().for_each(|mesh| {
+            mesh.ensure_proxy(options);
+        });
+    }
+
+    /// Adds a material for entities to share.
+    pub fn add_material(&mut self, material: Material) -> MaterialKey {
+        self.materials.insert(material)
+    }
+
+    /// A material.
+    #[must_use]
+    pub fn material(&self, material: MaterialKey) -> Option<&Material> {
+        self.materials.get(material)
+    }
+
+    /// Every material, in arena order.
+    pub fn materials(&self) -> impl Iterator<Item = (MaterialKey, &Material)> {
+        self.materials.iter()
+    }
+
+    /// Adds an image for materials to share.
+    ///
+    /// # Errors
+    /// [`SceneError::BadImage`] if there are not four bytes a pixel.
+    pub fn add_image(&mut self, image: Image) -> Result<ImageKey, SceneError> {
+        let expected = u64::from(image.width) * u64::from(image.height) * 4;
+        if image.rgba.len() as u64 != expected {
+            return Err(SceneError::BadImage {
+                width: image.width,
+                height: image.height,
+                expected,
+                actual: image.rgba.len(),
+            });
+        }
+        Ok(self.images.insert(image))
+    }
+
+    /// An image.
+    #[must_use]
+    pub fn image(&self, image: ImageKey) -> Option<&Image> {
+        self.images.get(image)
+    }
+
+    /// Every image, in arena order.
+    pub fn images(&self) -> impl Iterator<Item = (ImageKey, &Image)> {
+        self.images.iter()
+    }
+
+    pub(super) fn unknown_asset(
+        &self,
+        what: &'static str,
+        key: &impl Key,
+        entity: String,
+    ) -> SceneError {
+        SceneError::UnknownAsset {
+            what,
+            key: format!("{:?}", key.data()),
+            entity,
+            scene: self.name.clone(),
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! What came, went and moved between two updates.
+
+use super::dense::{MOVED, NEW, SCENE};
+use super::update::{self, Moved};
+use super::{Drawable, Scene};
+use crate::keys::EntityKey;
+use slotmap::SecondaryMap;
+
+/// What changed among the drawable entities since the last [`Scene::update`], each list in arena order.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Changes {
+    /// Became drawable, or got another mesh or material (then also in `removed`).
+    pub added: Vec<EntityKey>,
+    /// Are no longer drawable or gone, or got another mesh or material.
+    pub removed: Vec<EntityKey>,
+    /// Were drawable and stay so, but stand elsewhere.
+    pub moved: Vec<EntityKey>,
+}
+
+impl Changes {
+    /// Whether nothing changed.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.added.is_empty() && self.removed.is_empty() && self.moved.is_empty()
+    }
+}
+
+/// What the last update reported, and what may differ from it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Ledger {
+    reported: SecondaryMap<EntityKey, Drawable>,
+    touched: Vec<EntityKey>,
+    gone: Vec<EntityKey>,
+}
+
+impl Ledger {
+    /// The entity's drawable was set or cleared.
+    pub(super) fn touched(&mut self, entity: EntityKey) {
+        self.touched.push(entity);
+    }
+
+    /// The entity is gone.
+    pub(super) fn despawned(&mut self, entity: EntityKey) {
+        if self.reported.remove(entity).is_some() {
+            self.gone.push(entity);
+        }
+    }
+}
+
+impl Scene {
+    /// Brings world transforms and boxes up to date and says what changed since the last call.
+    pub fn update(&mut self) -> Changes {
+        let moved = self.propagate();
+        let Ledger {
+            reported,
+            touched,
+            gone,
+        } = &mut self.ledger;
+        let mut changes = Changes {
+            removed: std::mem::take(gone),
+            ..Changes::default()
+        };
+        // Only who looks as before counts as moved; who looks different is removed and added.
+        let stays = |entity: EntityKey| {
+            let now = self.drawables.get(entity);
+            now.is_some() && now == reported.get(entity)
+        };
+        match moved {
+            Moved::Some(slots) => {
+                let entities = slots.into_iter().map(|slot| self.dense.key[slot as usize]);
+                changes.moved = entities.filter(|entity| stays(*entity)).collect();
+                changes.moved.sort_unstable();
+            }
+            Moved::Marked => {
+                let moved = |entity: &EntityKey| {
+                    let slot = self.links.get(*entity).map_or(SCENE, |entry| entry.slot);
+                    self.dense.state[slot as usize] & (MOVED | NEW) == MOVED
+                };
+                let entities = self.drawables.keys().filter(moved);
+                changes.moved = entities.filter(|entity| stays(*entity)).collect();
+                update::settle(&mut self.dense);
+            }
+        }
+        touched.sort_unstable();
+        touched.dedup();
+        for entity in touched.drain(..) {
+            let now = self.drawables.get(entity).copied();
+            let before = reported.get(entity).copied();
+            if now == before {
+                continue;
+            }
+            if before.is_some() {
+                changes.removed.push(entity);
+                reported.remove(entity);
+            }
+            if let Some(now) = now {
+                changes.added.push(entity);
+                reported.insert(entity, now);
+            }
+        }
+        changes.removed.sort_unstable();
+        changes
+    }
+
+    fn propagate(&mut self) -> Moved {
+        if self.dense.is_untidy() {
+            self.dense.lay_out(&mut self.links);
+        }
+        let listed = std::mem::take(&mut self.listed);
+        if listed.is_empty() && self.dense.state[SCENE as usize] == 0 {
+            return Moved::Some(Vec::new());
+        }
+        update::propagate(&mut self.dense, &self.links, &self.mesh_boxes, &listed)
+    }
+}

@@ -1,0 +1,149 @@
+//! What an entity may carry: a mesh with a material, a light, a camera.
+
+use super::dense::OWN_BOX;
+use super::{Drawable, Scene};
+use crate::camera::Camera;
+use crate::error::SceneError;
+use crate::keys::{EntityKey, MeshKey};
+use crate::light::Light;
+use glam::{DAffine3, DMat3, DQuat, DVec3};
+use slotmap::Key;
+
+impl Scene {
+    /// Gives an entity a mesh and a material, or others.
+    ///
+    /// # Errors
+    /// An unknown entity, mesh or material.
+    pub fn set_drawable(
+        &mut self,
+        entity: EntityKey,
+        drawable: Drawable,
+    ) -> Result<(), SceneError> {
+        let slot = self.known(entity)? as usize;
+        if !self.meshes.contains_key(drawable.mesh) {
+            return Err(self.unknown_asset("mesh", &drawable.mesh, self.describe(entity)));
+        }
+        if !self.materials.contains_key(drawable.material) {
+            return Err(self.unknown_asset("material", &drawable.material, self.describe(entity)));
+        }
+        self.drawables.insert(entity, drawable);
+        self.ledger.touched(entity);
+        if self.dense.mesh[slot] != drawable.mesh {
+            self.dense.mesh[slot] = drawable.mesh;
+            self.ask(entity, OWN_BOX);
+        }
+        Ok(())
+    }
+
+    /// Takes mesh and material from an entity; what it had.
+    pub fn clear_drawable(&mut self, entity: EntityKey) -> Option<Drawable> {
+        let had = self.drawables.remove(entity)?;
+        let slot = self.links.get(entity)?.slot as usize;
+        self.ledger.touched(entity);
+        self.dense.mesh[slot] = MeshKey::null();
+        self.ask(entity, OWN_BOX);
+        Some(had)
+    }
+
+    /// The entity's mesh and material, if it is drawable.
+    #[must_use]
+    pub fn drawable(&self, entity: EntityKey) -> Option<Drawable> {
+        self.drawables.get(entity).copied()
+    }
+
+    /// Every drawable entity, in arena order.
+    pub fn drawables(&self) -> impl Iterator<Item = (EntityKey, Drawable)> + '_ {
+        self.drawables
+            .iter()
+            .map(|(entity, drawable)| (entity, *drawable))
+    }
+
+    /// How many entities are drawable.
+    #[must_use]
+    pub fn drawable_count(&self) -> usize {
+        self.drawables.len()
+    }
+
+    /// Triangles of every drawable's full geometry, a mesh counted as often as it is placed.
+    #[must_use]
+    pub fn triangle_count(&self) -> u64 {
+        let meshes = self
+            .drawables
+            .values()
+            .filter_map(|d| self.meshes.get(d.mesh));
+        meshes.map(|mesh| mesh.triangle_count() as u64).sum()
+    }
+
+    /// Makes an entity shine along its -Z.
+    ///
+    /// # Errors
+    /// An unknown entity; a light with a number that is not finite or negative.
+    pub fn set_light(&mut self, entity: EntityKey, light: Light) -> Result<(), SceneError> {
+        self.known(entity)?;
+        if let Some(problem) = light.problem() {
+            let entity = self.describe(entity);
+            return Err(SceneError::BadLight { entity, problem });
+        }
+        self.lights.insert(entity, light);
+        Ok(())
+    }
+
+    /// Takes the light from an entity; what it had.
+    pub fn clear_light(&mut self, entity: EntityKey) -> Option<Light> {
+        self.lights.remove(entity)
+    }
+
+    /// Every light with its entity's place in the world, in arena order.
+    pub fn lights(&self) -> impl Iterator<Item = (EntityKey, Light, DAffine3)> + '_ {
+        let mut lights: Vec<_> = self.lights.iter().collect();
+        lights.sort_unstable_by_key(|(entity, _)| *entity);
+        (lights.into_iter())
+            .filter_map(|(entity, light)| Some((entity, *light, self.world(entity)?)))
+    }
+
+    /// Gives an entity a camera whose pose is relative to the entity.
+    ///
+    /// # Errors
+    /// An unknown entity; whatever [`Camera::validate`] finds.
+    pub fn set_camera(&mut self, entity: EntityKey, camera: Camera) -> Result<(), SceneError> {
+        self.known(entity)?;
+        if let Err(source) = camera.validate() {
+            let entity = self.describe(entity);
+            return Err(SceneError::BadCamera { entity, source });
+        }
+        self.cameras.insert(entity, camera);
+        Ok(())
+    }
+
+    /// Takes the camera from an entity; what it had.
+    pub fn clear_camera(&mut self, entity: EntityKey) -> Option<Camera> {
+        self.cameras.remove(entity)
+    }
+
+    /// Every camera with its pose in the world, in arena order. Scales above it move it but do not scale what it sees.
+    pub fn cameras(&self) -> impl Iterator<Item = (EntityKey, Camera)> + '_ {
+        let mut cameras: Vec<_> = self.cameras.iter().collect();
+        cameras.sort_unstable_by_key(|(entity, _)| *entity);
+        cameras.into_iter().filter_map(|(entity, camera)| {
+            let world = self.world(entity)?;
+            let turned = unscaled_rotation(&world) * camera.rotation;
+            let camera = Camera {
+                position: world.transform_point3(camera.position),
+                rotation: turned.normalize(),
+                ..*camera
+            };
+            camera.validate().is_ok().then_some((entity, camera))
+        })
+    }
+}
+
+/// The rotation in a transform whose axes may be scaled, sheared or flat.
+fn unscaled_rotation(world: &DAffine3) -> DQuat {
+    let z = world.matrix3.z_axis.normalize_or(DVec3::Z);
+    let y = world.matrix3.y_axis;
+    let x = y
+        .cross(z)
+        .try_normalize()
+        .unwrap_or_else(|| z.any_orthonormal_vector());
+    DQuat::from_mat3(&DMat3::from_cols(x, z.cross(x), z))
+}

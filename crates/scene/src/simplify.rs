@@ -1,0 +1,154 @@
+//! Proxies: stand-ins with few triangles, for tests that need a shape and not its details. The simplifier is meshoptimizer's
+//! (Arseny Kapoulkine; quadrics after Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997).
+
+use crate::mesh::{Geometry, Mesh, Topology};
+use meshopt::{SimplifyOptions, VertexDataAdapter};
+use std::collections::HashMap;
+
+/// How far a proxy may be simplified.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProxyOptions {
+    /// Triangles to keep, as a fraction of the full geometry's.
+    pub ratio: f64,
+    /// Never aim at fewer triangles than this.
+    pub least_triangles: usize,
+    /// Never aim at more triangles than this.
+    pub most_triangles: usize,
+    /// How far the surface may move, as a fraction of the mesh's size. Where the aim cannot be met within it, the
+    /// simplifier that does not keep the topology takes over.
+    pub error: f32,
+}
+
+impl Default for ProxyOptions {
+    fn default() -> Self {
+        Self {
+            ratio: 0.1,
+            least_triangles: 12,
+            most_triangles: 2_000,
+            error: 0.05,
+        }
+    }
+}
+
+impl ProxyOptions {
+    /// How many triangles to aim at for a geometry of `triangles`.
+    #[must_use]
+    pub fn target(&self, triangles: usize) -> usize {
+        let wanted = (triangles as f64 * self.ratio.clamp(0.0, 1.0)).ceil() as usize;
+        wanted.max(self.least_triangles).min(self.most_triangles)
+    }
+}
+
+impl Mesh {
+    /// Computes the proxy from the full geometry, unless there is one already. Lines and points get none: their bounding
+    /// box stands in for them. Returns whether there is a proxy now.
+    pub fn ensure_proxy(&mut self, options: &ProxyOptions) -> bool {
+        if self.proxy.is_none()
+            && let Some(full) = self.full()
+            && full.topology == Topology::Triangles
+            && full.triangle_count() > 0
+            && full.problem().is_none()
+        {
+            self.proxy = Some(proxy(full, options));
+        }
+        self.proxy.is_some()
+    }
+}
+
+/// A stand-in for `geometry` with about [`ProxyOptions::target`] triangles and never more than the geometry has; positions
+/// and indices only. Its vertices are some of the geometry's, so it lies in the same box. It is neither inside nor outside
+/// the surface: what is tested with it is tested within [`ProxyOptions::error`]. The same input gives the same proxy.
+///
+/// Tried in this order: vertices welded by position and edges collapsed; the simplifier that does not keep the topology;
+/// the bounding box; and the welded geometry itself when even the box has more triangles.
+#[must_use]
+pub fn proxy(geometry: &Geometry, options: &ProxyOptions) -> Geometry {
+    let welded = weld(geometry);
+    let target = options.target(geometry.triangle_count());
+    let fits = |indices: &[u32]| !indices.is_empty() && indices.len() <= target.max(1) * 3;
+    if welded.indices.is_empty() {
+        return boxed_or(geometry, welded);
+    }
+    if fits(&welded.indices) {
+        return welded;
+    }
+    let bytes = bytemuck::cast_slice(&welded.positions);
+    let Ok(vertices) = VertexDataAdapter::new(bytes, size_of::<[f32; 3]>(), 0) else {
+        return boxed_or(geometry, welded);
+    };
+    let indices = meshopt::simplify(
+        &welded.indices,
+        &vertices,
+        target * 3,
+        options.error,
+        SimplifyOptions::None,
+        None,
+    );
+    if fits(&indices) {
+        return compact(&welded.positions, &indices);
+    }
+    let indices = meshopt::simplify_sloppy(&welded.indices, &vertices, target * 3, 1.0, None);
+    if fits(&indices) {
+        return compact(&welded.positions, &indices);
+    }
+    boxed_or(geometry, welded)
+}
+
+/// The bounding box, or `else_this` if a box would be no simplification.
+fn boxed_or(geometry: &Geometry, else_this: Geometry) -> Geometry {
+    match geometry.bounds() {
+        Some(bounds) if geometry.triangle_count() >= 12 => Geometry::from_box(&bounds),
+        _ => else_this,
+    }
+}
+
+/// Vertices of equal position become one, triangles without three corners go. The order of first use is kept.
+fn weld(geometry: &Geometry) -> Geometry {
+    let mut first: HashMap<[u32; 3], u32> = HashMap::new();
+    let mut positions = Vec::new();
+    let mut indices = Vec::with_capacity(geometry.indices.len());
+    for triangle in geometry.triangles() {
+        let corners = triangle.map(|index| {
+            let position = geometry.positions.get(index as usize).copied()?;
+            // Adding zero makes the two zeros one.
+            let key = position.map(|v| (v + 0.0).to_bits());
+            let next = positions.len() as u32;
+            Some(*first.entry(key).or_insert_with(|| {
+                positions.push(position);
+                next
+            }))
+        });
+        if let [Some(a), Some(b), Some(c)] = corners
+            && a != b
+            && b != c
+            && c != a
+        {
+            indices.extend([a, b, c]);
+        }
+    }
+    Geometry {
+        positions,
+        indices,
+        ..Geometry::default()
+    }
+}
+
+/// Only the vertices that are used, in the order of first use.
+fn compact(positions: &[[f32; 3]], indices: &[u32]) -> Geometry {
+    let mut renamed = vec![u32::MAX; positions.len()];
+    let mut kept = Geometry::default();
+    for &index in indices {
+        let (Some(name), Some(position)) = (
+            renamed.get_mut(index as usize),
+            positions.get(index as usize),
+        ) else {
+            continue;
+        };
+        if *name == u32::MAX {
+            *name = kept.positions.len() as u32;
+            kept.positions.push(*position);
+        }
+        kept.indices.push(*name);
+    }
+    kept
+}
