@@ -17,6 +17,7 @@ mod source;
 mod emit;
 
 use std::{
+    collections::HashSet,
     env, fs,
     path::{Path, PathBuf},
     process::ExitCode,
@@ -56,6 +57,9 @@ fn run() -> Result<(), Vec<String>> {
             Err(error) => failed.push(error.to_string()),
         }
     }
+    // A mistake in a shared file is found once for each job that imports it.
+    let mut told = HashSet::new();
+    failed.retain(|message| told.insert(message.clone()));
     if !failed.is_empty() {
         return Err(failed);
     }

@@ -30,6 +30,10 @@ pub struct LayoutMismatch {
 ///
 /// # Errors
 /// The first [`LayoutMismatch`], naming the field.
+#[allow(
+    clippy::result_large_err,
+    reason = "a constant can hold its message only inline, and this runs once a struct"
+)]
 pub const fn check_layout(
     rust_name: &'static str,
     rust_size: usize,
@@ -230,6 +234,10 @@ const fn is_padding(name: &str) -> bool {
     starts_with(name, "_") || starts_with(name, "padding")
 }
 
+#[allow(
+    clippy::ptr_arg,
+    reason = "in a constant, a Cow does not deref by itself"
+)]
 const fn text_of<'a>(text: &'a Cow<'static, str>) -> &'a str {
     match text {
         Cow::Borrowed(text) => text,

@@ -44,12 +44,10 @@ pub(super) fn reflect(module: &naga::Module) -> Vec<StructLayout> {
 
 fn collect(module: &naga::Module, handle: Handle<Type>, found: &mut Vec<Handle<Type>>) {
     match &module.types[handle].inner {
-        TypeInner::Struct { members, .. } => {
-            if !found.contains(&handle) {
-                found.push(handle);
-                for member in members {
-                    collect(module, member.ty, found);
-                }
+        TypeInner::Struct { members, .. } if !found.contains(&handle) => {
+            found.push(handle);
+            for member in members {
+                collect(module, member.ty, found);
             }
         }
         TypeInner::Array { base, .. } | TypeInner::BindingArray { base, .. } => {
