@@ -1,0 +1,41 @@
+# The verbs of this repository; `make` alone lists them. Each is one or two plain commands, to be read and run by hand as well.
+
+CARGO ?= cargo
+# Where `make demo` puts its report, and what else it is to be told: make demo ARGS="--frames 60 --stereo"
+OUT ?= out/demo
+ARGS ?=
+# How long `make fuzz` runs, in seconds.
+FUZZ_SECONDS ?= 600
+
+.DEFAULT_GOAL := help
+.PHONY: help demo test lint fmt bench data fuzz
+
+help: ## list these verbs
+	@sed -n 's/^\([a-z]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 14
+
+demo: ## compare all strategies on the built-in scene; the report goes to out/demo
+	scripts/vulkan.sh
+	$(CARGO) run --release --locked -- compare --out $(OUT) $(ARGS)
+
+test: ## run every test, on Vulkan and on OpenGL (installs Mesa's software drivers where there is no adapter)
+	scripts/vulkan.sh --with-egl
+	$(CARGO) test --workspace --locked
+
+lint: ## formatting, clippy and rustdoc, warnings as errors
+	$(CARGO) fmt --all --check
+	$(CARGO) clippy --workspace --all-targets --locked -- -D warnings
+	RUSTDOCFLAGS=-Dwarnings $(CARGO) doc --workspace --no-deps --locked
+
+fmt: ## format all code
+	$(CARGO) fmt --all
+
+bench: ## run the benches; loading is measured on data/2CylinderEngine.glb where it is there (make data)
+	scripts/vulkan.sh
+	engine=$(CURDIR)/data/2CylinderEngine.glb; if [ -f "$$engine" ]; then export ANTUMBRA_ENGINE_GLB="$$engine"; fi; \
+	$(CARGO) bench --workspace --locked
+
+data: ## fetch the real scenes into data/
+	scripts/data.sh all
+
+fuzz: ## fuzz the loaders for ten minutes (FUZZ_SECONDS=600); see fuzz/README.md
+	false
