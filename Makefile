@@ -38,4 +38,5 @@ data: ## fetch the real scenes into data/
 	scripts/data.sh all
 
 fuzz: ## fuzz the loaders for ten minutes (FUZZ_SECONDS=600); see fuzz/README.md
-	false
+	@$(CARGO) fuzz --version >/dev/null 2>&1 || { echo "make fuzz needs cargo-fuzz: cargo install cargo-fuzz --locked"; exit 1; }
+	RUSTC_BOOTSTRAP=1 $(CARGO) fuzz run loaders -- -max_total_time=$(FUZZ_SECONDS)
