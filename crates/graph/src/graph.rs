@@ -1,0 +1,299 @@
+//! The declaration of a graph: resources, nodes, outputs. Building records; `compile` checks.
+//! The shape (build, compile, execute; versioned handles) is that of Filament's `FrameGraph`.
+
+use std::any::Any;
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use crate::access::{Access, Use};
+use crate::compute::ComputeBuilder;
+use crate::copy::CopyBuilder;
+use crate::error::CompileError;
+use crate::handle::{Buffer, Handle, Host, PassId, Raw, Texture};
+use crate::host::HostBuilder;
+use crate::pass::{Body, LoopDecl, Pass, PassKind};
+use crate::raster::RasterBuilder;
+use crate::read_back::RingDecl;
+use crate::resource::{BufferDesc, HostType, Kind, Resource, TextureDesc};
+
+static NEXT_GRAPH: AtomicU32 = AtomicU32::new(1);
+
+/// A graph being declared.
+///
+/// Handles are cheap copies and good only in the graph that made them. A write of version *v* returns the handle of version *v + 1*;
+/// whoever reads a handle runs after its writer and before the next one. Nothing is checked here: [`Graph::compile`] answers
+/// with everything that is wrong at once.
+pub struct Graph {
+    pub(crate) id: u32,
+    pub(crate) name: String,
+    pub(crate) resources: Vec<Resource>,
+    pub(crate) passes: Vec<Pass>,
+    pub(crate) bodies: Vec<Body>,
+    pub(crate) outputs: Vec<Raw>,
+    pub(crate) rings: Vec<RingDecl>,
+    pub(crate) faults: Vec<CompileError>,
+    scope: Option<usize>,
+    resource_names: HashMap<String, u32>,
+    pass_names: HashMap<String, u32>,
+}
+
+/// How long a host loop may run, and how its time is summed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LoopOptions {
+    /// Turns after which the frame fails with [`ExecuteError::LoopLimit`](crate::ExecuteError::LoopLimit); at least 1.
+    pub limit: u32,
+}
+
+impl Default for LoopOptions {
+    fn default() -> Self {
+        Self { limit: 1_000 }
+    }
+}
+
+impl Graph {
+    /// An empty graph; the name appears in errors and pictures.
+    #[must_use]
+    pub fn new(name: impl Into<String>) -> Self {
+        Self {
+            id: NEXT_GRAPH.fetch_add(1, Ordering::Relaxed),
+            name: name.into(),
+            resources: Vec::new(),
+            passes: Vec::new(),
+            bodies: Vec::new(),
+            outputs: Vec::new(),
+            rings: Vec::new(),
+            faults: Vec::new(),
+            scope: None,
+            resource_names: HashMap::new(),
+            pass_names: HashMap::new(),
+        }
+    }
+
+    /// The graph's name.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// A texture owned by the plan, alive only while the frame needs it.
+    pub fn texture(&mut self, name: impl Into<String>, desc: TextureDesc) -> Texture {
+        Texture(self.add(name.into(), Kind::Texture(desc), false))
+    }
+
+    /// A buffer owned by the plan, alive only while the frame needs it.
+    pub fn buffer(&mut self, name: impl Into<String>, desc: BufferDesc) -> Buffer {
+        Buffer(self.add(name.into(), Kind::Buffer(desc), false))
+    }
+
+    /// A texture bound before each frame with [`Plan::bind_texture`](crate::Plan::bind_texture).
+    /// It can be read at once; writing it is a side effect that keeps the pass alive.
+    pub fn import_texture(&mut self, name: impl Into<String>, desc: TextureDesc) -> Texture {
+        Texture(self.add(name.into(), Kind::Texture(desc), true))
+    }
+
+    /// A buffer bound with [`Plan::bind_buffer`](crate::Plan::bind_buffer), of at least the size given.
+    /// It can be read at once; writing it is a side effect that keeps the pass alive.
+    pub fn import_buffer(&mut self, name: impl Into<String>, desc: BufferDesc) -> Buffer {
+        Buffer(self.add(name.into(), Kind::Buffer(desc), true))
+    }
+
+    /// A host value set before each frame with [`Plan::set`](crate::Plan::set) and dropped at its end.
+    pub fn import_host<T: Send + 'static>(&mut self, name: impl Into<String>) -> Host<T> {
+        Host::from_raw(self.add(
+            name.into(),
+            Kind::Host(host_type::<T>(make_none::<T>)),
+            true,
+        ))
+    }
+
+    /// A host value in the plan's store, written by host nodes. Its allocation is reused between frames: the first writer of
+    /// a frame finds what an earlier frame left and must set all of it.
+    pub fn host<T: Default + Send + 'static>(&mut self, name: impl Into<String>) -> Host<T> {
+        Host::from_raw(self.add(
+            name.into(),
+            Kind::Host(host_type::<T>(make_default::<T>)),
+            false,
+        ))
+    }
+
+    /// Keeps the resource alive at that version and lets it be read after the frame with
+    /// [`Plan::get`](crate::Plan::get), [`Plan::buffer`](crate::Plan::buffer) or [`Plan::texture`](crate::Plan::texture).
+    pub fn output(&mut self, handle: impl Handle) {
+        let raw = handle.raw();
+        if raw.graph == self.id {
+            self.outputs.push(raw);
+        } else {
+            self.faults.push(CompileError::ForeignHandle {
+                pass: String::from("(output)"),
+            });
+        }
+    }
+
+    /// A node that draws: one render pass.
+    pub fn raster(&mut self, name: impl Into<String>) -> RasterBuilder<'_> {
+        let pass = self.begin(name.into(), PassKind::Raster);
+        RasterBuilder::new(self, pass)
+    }
+
+    /// A node that computes: one compute pass.
+    pub fn compute(&mut self, name: impl Into<String>) -> ComputeBuilder<'_> {
+        let pass = self.begin(name.into(), PassKind::Compute);
+        ComputeBuilder::new(self, pass)
+    }
+
+    /// A node that copies; its body gets the encoder.
+    pub fn copy(&mut self, name: impl Into<String>) -> CopyBuilder<'_> {
+        let pass = self.begin(name.into(), PassKind::Copy);
+        CopyBuilder::new(self, pass)
+    }
+
+    /// A node that runs on the host while the frame is recorded.
+    pub fn host_node(&mut self, name: impl Into<String>) -> HostBuilder<'_> {
+        let pass = self.begin(name.into(), PassKind::Host);
+        HostBuilder::new(self, pass)
+    }
+
+    /// A sub-graph run again and again until the host value its closure returns is true, at most
+    /// [`LoopOptions::default`]'s number of turns. See [`Graph::host_loop_with`].
+    pub fn host_loop(
+        &mut self,
+        name: impl Into<String>,
+        declare: impl FnOnce(&mut Graph) -> Host<bool>,
+    ) -> PassId {
+        self.host_loop_with(name, LoopOptions::default(), declare)
+    }
+
+    /// A sub-graph run again and again until the host value its closure returns is true.
+    ///
+    /// The closure declares the loop's nodes on the scope it is given (and may declare resources there).
+    /// A node that reads a version written before the loop sees, on later turns, what the loop wrote last. Passes outside see the loop's final versions.
+    /// A texture's `clear` and a buffer's `zeroed` happen on the first turn only.
+    pub fn host_loop_with(
+        &mut self,
+        name: impl Into<String>,
+        options: LoopOptions,
+        declare: impl FnOnce(&mut Graph) -> Host<bool>,
+    ) -> PassId {
+        let pass = self.begin(name.into(), PassKind::HostLoop);
+        let outer = self.scope.replace(pass);
+        let condition = declare(self);
+        self.scope = outer;
+        self.passes[pass].looped = Some(LoopDecl {
+            condition: condition.raw,
+            limit: options.limit.max(1),
+        });
+        self.pass_id(pass)
+    }
+
+    pub(crate) fn pass_id(&self, pass: usize) -> PassId {
+        PassId {
+            graph: self.id,
+            index: pass as u32,
+        }
+    }
+
+    /// Records a use; of a handle that is foreign, only the fault.
+    pub(crate) fn touch(&mut self, pass: usize, used: Use) {
+        if used.raw.graph == self.id {
+            self.passes[pass].uses.push(used);
+        } else {
+            self.foreign(pass);
+        }
+    }
+
+    pub(crate) fn foreign(&mut self, pass: usize) {
+        self.faults.push(CompileError::ForeignHandle {
+            pass: self.passes[pass].name.clone(),
+        });
+    }
+
+    /// Records a write (or an update) and yields the next version.
+    pub(crate) fn write<H: Handle>(&mut self, pass: usize, handle: H, access: Access) -> H {
+        self.touch(pass, Use::new(handle.raw(), access));
+        H::with_raw(handle.raw().next())
+    }
+
+    pub(crate) fn read(&mut self, pass: usize, handle: impl Handle, access: Access) {
+        self.touch(pass, Use::new(handle.raw(), access));
+    }
+
+    pub(crate) fn finish(&mut self, pass: usize, body: Body) -> PassId {
+        if matches!(self.bodies[pass], Body::None) {
+            self.bodies[pass] = body;
+        } else {
+            self.faults.push(CompileError::TwoBodies {
+                pass: self.passes[pass].name.clone(),
+            });
+        }
+        self.pass_id(pass)
+    }
+
+    fn add(&mut self, name: String, kind: Kind, import: bool) -> Raw {
+        let name = unique(&mut self.resource_names, name);
+        self.resources.push(Resource { name, kind, import });
+        Raw {
+            graph: self.id,
+            index: (self.resources.len() - 1) as u32,
+            version: 0,
+        }
+    }
+
+    fn begin(&mut self, name: String, kind: PassKind) -> usize {
+        let name = unique(&mut self.pass_names, name);
+        self.passes.push(Pass {
+            name,
+            kind,
+            parent: self.scope,
+            uses: Vec::new(),
+            after: Vec::new(),
+            group: None,
+            side_effect: false,
+            requires: wgpu::Features::empty(),
+            viewport: None,
+            query_count: None,
+            looped: None,
+        });
+        self.bodies.push(Body::None);
+        self.passes.len() - 1
+    }
+}
+
+/// Names are for people; a second "blur" becomes "blur (2)".
+fn unique(names: &mut HashMap<String, u32>, name: String) -> String {
+    let mut candidate = name.clone();
+    while let Some(count) = names.get_mut(&candidate) {
+        *count += 1;
+        candidate = format!("{name} ({count})");
+    }
+    names.insert(candidate.clone(), 1);
+    candidate
+}
+
+fn make_none<T: Send + 'static>() -> Box<dyn Any + Send> {
+    Box::new(None::<T>)
+}
+
+fn make_default<T: Default + Send + 'static>() -> Box<dyn Any + Send> {
+    Box::new(Some(T::default()))
+}
+
+fn empty<T: Send + 'static>(value: &mut (dyn Any + Send)) {
+    if let Some(value) = value.downcast_mut::<Option<T>>() {
+        *value = None;
+    }
+}
+
+fn is_set<T: Send + 'static>(value: &(dyn Any + Send)) -> bool {
+    value
+        .downcast_ref::<Option<T>>()
+        .is_some_and(Option::is_some)
+}
+
+fn host_type<T: Send + 'static>(make: fn() -> Box<dyn Any + Send>) -> HostType {
+    HostType {
+        make,
+        empty: empty::<T>,
+        is_set: is_set::<T>,
+        type_name: std::any::type_name::<T>(),
+    }
+}

@@ -1,0 +1,412 @@
+//! The compiled plan: what to bind and set before a frame, what to read after it, and what can be asked about it.
+
+use std::cell::RefCell;
+
+use crate::bind::BindCache;
+use crate::compile::flow::Prepared;
+use crate::compile::lifetimes::Layout;
+use crate::compile::order::Step;
+use crate::compile::{CompileOptions, Made, Mode};
+use crate::error::ExecuteError;
+use crate::graph::Graph;
+use crate::handle::{Handle, Raw};
+use crate::pass::{Body, Pass, PassKind};
+use crate::physical::{Physical, PhysicalTexture};
+use crate::queries::QuerySets;
+use crate::read_back::{AnyRing, RingDecl};
+use crate::resource::Kind;
+use crate::store::Store;
+use crate::sync::Staging;
+use crate::timing::{Timing, Timings};
+use crate::{Buffer, Host, Texture};
+
+/// A graph, checked, ordered and given its resources. Each frame: bind and set the imports, then
+/// [`execute`](Plan::execute) or [`record`](Plan::record), then read the outputs.
+pub struct Plan {
+    pub(crate) name: String,
+    pub(crate) graph: u32,
+    pub(crate) mode: Mode,
+    pub(crate) passes: Vec<Pass>,
+    pub(crate) bodies: Vec<Body>,
+    pub(crate) caches: Vec<RefCell<BindCache>>,
+    pub(crate) steps: Vec<Step>,
+    pub(crate) prepared: Vec<Prepared>,
+    pub(crate) kept: Vec<bool>,
+    pub(crate) edges: Vec<(usize, usize)>,
+    pub(crate) layout: Layout,
+    pub(crate) outputs: Vec<Raw>,
+    pub(crate) physical: Physical,
+    pub(crate) store: Store,
+    pub(crate) staging: Vec<Staging>,
+    pub(crate) ring_decls: Vec<RingDecl>,
+    pub(crate) rings: Vec<Box<dyn AnyRing>>,
+    pub(crate) ring_places: Vec<Option<usize>>,
+    pub(crate) query_sets: QuerySets,
+    pub(crate) belt: wgpu::util::StagingBelt,
+    pub(crate) timing: Timing,
+    pub(crate) read_only_depth: bool,
+    pub(crate) frame: u64,
+    pub(crate) has_previous: bool,
+}
+
+/// What compiling found out, on its way into a plan.
+pub(crate) struct Compiled {
+    pub steps: Vec<Step>,
+    pub prepared: Vec<Prepared>,
+    pub kept: Vec<bool>,
+    pub edges: Vec<(usize, usize)>,
+    pub layout: Layout,
+    pub store: Store,
+    pub made: Made,
+    pub read_only_depth: bool,
+}
+
+/// One pass of a plan, to look at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PassInfo<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// What it is.
+    pub kind: PassKind,
+    /// Its group.
+    pub group: Option<&'static str>,
+    /// How many host loops it lies in.
+    pub depth: usize,
+}
+
+/// What a plan's resources take, in bytes, as wgpu estimates it. Imports are not counted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Memory {
+    /// Textures after reuse.
+    pub textures: u64,
+    /// Buffers after reuse.
+    pub buffers: u64,
+    /// Staging buffers of read-backs.
+    pub staging: u64,
+    /// What reuse saves: textures and buffers would take so much more without it.
+    pub saved: u64,
+}
+
+/// Bytes the upload belt takes at a time.
+const BELT_CHUNK: u64 = 256 * 1024;
+
+impl Plan {
+    pub(crate) fn assemble(graph: Graph, options: &CompileOptions<'_>, compiled: Compiled) -> Self {
+        let count = graph.passes.len();
+        Self {
+            name: graph.name,
+            graph: graph.id,
+            mode: options.mode,
+            passes: graph.passes,
+            bodies: graph.bodies,
+            caches: (0..count).map(|_| RefCell::default()).collect(),
+            steps: compiled.steps,
+            prepared: compiled.prepared,
+            kept: compiled.kept,
+            edges: compiled.edges,
+            layout: compiled.layout,
+            outputs: graph.outputs,
+            physical: compiled.made.physical,
+            store: compiled.store,
+            staging: compiled.made.staging,
+            ring_decls: graph.rings,
+            rings: compiled.made.rings,
+            ring_places: compiled.made.ring_places,
+            query_sets: QuerySets::new(count),
+            belt: wgpu::util::StagingBelt::new(options.device.clone(), BELT_CHUNK),
+            timing: Timing::new(options.timing),
+            read_only_depth: compiled.read_only_depth,
+            frame: 0,
+            has_previous: false,
+        }
+    }
+
+    /// The graph's name.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The number of the next frame; a frame that fails has none.
+    #[must_use]
+    pub fn frame(&self) -> u64 {
+        self.frame
+    }
+
+    /// Sets an imported host value for the next frame; it is dropped at that frame's end.
+    ///
+    /// # Errors
+    /// The handle is no host import of this graph.
+    pub fn set<T: 'static>(&mut self, value: Host<T>, to: T) -> Result<(), ExecuteError> {
+        let slot = self.import("Plan::set", value)?;
+        if self.store.set(slot, to) {
+            Ok(())
+        } else {
+            Err(self.no_import("Plan::set"))
+        }
+    }
+
+    /// Binds an imported texture for the next frame and lets go of it at that frame's end.
+    /// `view` shows all of `texture`.
+    ///
+    /// # Errors
+    /// The handle is no import of this graph, or the texture does not fit the declaration or lacks a usage the passes need.
+    pub fn bind_texture(
+        &mut self,
+        texture: Texture,
+        view: &wgpu::TextureView,
+        object: &wgpu::Texture,
+    ) -> Result<(), ExecuteError> {
+        let slot = self.import("Plan::bind_texture", texture)?;
+        let placed = &self.layout.placed[texture.0.resource()];
+        let Kind::Texture(desc) = placed.resource.kind else {
+            return Err(self.no_import("Plan::bind_texture"));
+        };
+        let why = if object.format() != desc.format {
+            Some(format!(
+                "its format is {:?}, not {:?}",
+                object.format(),
+                desc.format
+            ))
+        } else if (object.width(), object.height()) != (desc.width, desc.height) {
+            Some(format!(
+                "it is {}x{}, not {}x{}; compile the graph for the new size",
+                object.width(),
+                object.height(),
+                desc.width,
+                desc.height
+            ))
+        } else if object.depth_or_array_layers() != desc.layers
+            || object.mip_level_count() != desc.mips
+            || object.sample_count() != desc.samples
+        {
+            Some(String::from("its layers, mips or samples differ"))
+        } else if !object.usage().contains(placed.texture_usages) {
+            let missing = placed.texture_usages - object.usage();
+            Some(format!("it lacks the usage {missing:?}"))
+        } else {
+            None
+        };
+        if let Some(why) = why {
+            return Err(ExecuteError::BadBinding {
+                resource: placed.resource.name.clone(),
+                why,
+            });
+        }
+        self.physical.textures[slot as usize] = Some(PhysicalTexture::from_parts(
+            object.clone(),
+            view.clone(),
+            desc,
+        ));
+        Ok(())
+    }
+
+    /// Binds an imported buffer; it stays bound until another takes its place.
+    ///
+    /// # Errors
+    /// The handle is no import of this graph, or the buffer is too small or lacks a usage the passes need.
+    pub fn bind_buffer(
+        &mut self,
+        buffer: Buffer,
+        object: &wgpu::Buffer,
+    ) -> Result<(), ExecuteError> {
+        let slot = self.import("Plan::bind_buffer", buffer)?;
+        let placed = &self.layout.placed[buffer.0.resource()];
+        let Kind::Buffer(desc) = placed.resource.kind else {
+            return Err(self.no_import("Plan::bind_buffer"));
+        };
+        let why = if object.size() < desc.size {
+            Some(format!("it has {} bytes, not {}", object.size(), desc.size))
+        } else if !object.usage().contains(placed.buffer_usages) {
+            let missing = placed.buffer_usages - object.usage();
+            Some(format!("it lacks the usage {missing:?}"))
+        } else {
+            None
+        };
+        if let Some(why) = why {
+            return Err(ExecuteError::BadBinding {
+                resource: placed.resource.name.clone(),
+                why,
+            });
+        }
+        self.physical.buffers[slot as usize] = Some(object.clone());
+        Ok(())
+    }
+
+    /// An output host value as the last finished frame left it.
+    #[must_use]
+    pub fn get<T: 'static>(&self, value: Host<T>) -> Option<&T> {
+        self.store.rest(self.output_slot(value.raw)?)
+    }
+
+    /// An output buffer as the last finished frame left it; usable as a copy source. It may be larger than declared.
+    #[must_use]
+    pub fn buffer(&self, buffer: Buffer) -> Option<&wgpu::Buffer> {
+        self.physical.buffer(self.output_slot(buffer.0)?)
+    }
+
+    /// An output texture as the last finished frame left it; usable as a copy source and to sample, where its format allows.
+    #[must_use]
+    pub fn texture(&self, texture: Texture) -> Option<&wgpu::Texture> {
+        Some(&self.physical.texture(self.output_slot(texture.0)?)?.texture)
+    }
+
+    /// Drops all answers of frame-late read-backs, under way or arrived: after a camera cut they would be about something else.
+    pub fn forget_answers(&mut self) {
+        for ring in &mut self.rings {
+            ring.forget();
+        }
+    }
+
+    /// Turns the measuring of passes on or off.
+    pub fn set_timing(&mut self, enabled: bool) {
+        self.timing.set_enabled(enabled);
+    }
+
+    /// The latest frame whose times have arrived, while timing is or was on.
+    #[must_use]
+    pub fn timings(&self) -> Option<Timings> {
+        self.timing.latest(&self.passes, &self.kept)
+    }
+
+    /// The passes in the order they run; a loop stands before its nodes.
+    #[must_use]
+    pub fn passes(&self) -> Vec<PassInfo<'_>> {
+        let mut list = Vec::new();
+        self.list_passes(&self.steps, 0, &mut list);
+        list
+    }
+
+    /// The names of the passes nobody needs, in the order of their declaration.
+    #[must_use]
+    pub fn pruned(&self) -> Vec<&str> {
+        self.passes
+            .iter()
+            .zip(&self.kept)
+            .filter(|(_, kept)| !**kept)
+            .map(|(pass, _)| pass.name.as_str())
+            .collect()
+    }
+
+    /// Sync points of a frame, those inside of loops not counted.
+    #[must_use]
+    pub fn sync_points(&self) -> usize {
+        count_syncs(&self.steps)
+    }
+
+    /// Sync points of each turn of each host loop, nested loops apart.
+    #[must_use]
+    pub fn loop_sync_points(&self) -> Vec<(&str, usize)> {
+        let mut list = Vec::new();
+        self.list_loops(&self.steps, &mut list);
+        list
+    }
+
+    /// How many textures the plan has made; fewer than declared where they share.
+    #[must_use]
+    pub fn physical_textures(&self) -> usize {
+        self.layout.textures.iter().flatten().count()
+    }
+
+    /// How many buffers the plan has made; fewer than declared where they share.
+    #[must_use]
+    pub fn physical_buffers(&self) -> usize {
+        self.layout.buffers.iter().flatten().count()
+    }
+
+    /// What the plan's resources take.
+    #[must_use]
+    pub fn describe_memory(&self) -> Memory {
+        let textures = self.layout.textures.iter().flatten();
+        let textures = textures.map(|plan| plan.desc.bytes()).sum();
+        let buffers = self.layout.buffers.iter().flatten();
+        let buffers: u64 = buffers.map(|plan| plan.size).sum();
+        let unshared: u64 = self
+            .layout
+            .placed
+            .iter()
+            .filter(|placed| placed.used && !placed.resource.import)
+            .map(|placed| {
+                let copies = if placed.slots[0] == placed.slots[1] {
+                    1
+                } else {
+                    2
+                };
+                copies
+                    * match placed.resource.kind {
+                        Kind::Texture(desc) => desc.bytes(),
+                        Kind::Buffer(desc) => desc.rounded(),
+                        Kind::Host(_) => 0,
+                    }
+            })
+            .sum();
+        let rings: u64 = self.rings.iter().map(|ring| ring.memory()).sum();
+        Memory {
+            textures,
+            buffers,
+            staging: rings + self.staging.iter().map(Staging::memory).sum::<u64>(),
+            saved: unshared.saturating_sub(textures + buffers),
+        }
+    }
+
+    fn import(&self, call: &'static str, handle: impl Handle) -> Result<u32, ExecuteError> {
+        let raw = handle.raw();
+        let placed = self.layout.placed.get(raw.resource());
+        match placed {
+            Some(placed) if raw.graph == self.graph && placed.resource.import => {
+                Ok(placed.slots[0])
+            }
+            _ => Err(self.no_import(call)),
+        }
+    }
+
+    fn no_import(&self, call: &'static str) -> ExecuteError {
+        ExecuteError::NoImport {
+            call,
+            graph: self.name.clone(),
+        }
+    }
+
+    /// Where an output lies after the last finished frame.
+    fn output_slot(&self, raw: Raw) -> Option<u32> {
+        let placed = self.layout.placed.get(raw.resource())?;
+        let last = self.frame.checked_sub(1)?;
+        (raw.graph == self.graph && placed.output && self.has_previous)
+            .then(|| placed.slot(last, false))
+    }
+
+    fn list_passes<'a>(&'a self, steps: &'a [Step], depth: usize, list: &mut Vec<PassInfo<'a>>) {
+        let info = |pass: usize| PassInfo {
+            name: &self.passes[pass].name,
+            kind: self.passes[pass].kind,
+            group: self.passes[pass].group,
+            depth,
+        };
+        for step in steps {
+            match step {
+                Step::Pass(pass) => list.push(info(*pass)),
+                Step::Sync(passes) => list.extend(passes.iter().map(|pass| info(*pass))),
+                Step::Loop(pass, steps) => {
+                    list.push(info(*pass));
+                    self.list_passes(steps, depth + 1, list);
+                }
+            }
+        }
+    }
+
+    fn list_loops<'a>(&'a self, steps: &'a [Step], list: &mut Vec<(&'a str, usize)>) {
+        for step in steps {
+            if let Step::Loop(pass, steps) = step {
+                list.push((&self.passes[*pass].name, count_syncs(steps)));
+                self.list_loops(steps, list);
+            }
+        }
+    }
+}
+
+fn count_syncs(steps: &[Step]) -> usize {
+    steps
+        .iter()
+        .filter(|step| matches!(step, Step::Sync(_)))
+        .count()
+}

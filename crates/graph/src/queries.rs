@@ -1,0 +1,81 @@
+//! Occlusion queries in any number: sets of at most 4,096, made when a pass first needs them, one run of the body each.
+
+use std::ops::Range;
+
+/// The query sets of a plan, by pass and chunk.
+pub(crate) struct QuerySets {
+    sets: Vec<Vec<wgpu::QuerySet>>,
+}
+
+/// One run of a body with queries.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Chunk {
+    pub number: usize,
+    pub range: Range<u32>,
+    pub last: bool,
+}
+
+/// Bytes of one answer.
+pub(crate) const ANSWER: u64 = wgpu::QUERY_SIZE as u64;
+
+/// Splits `count` queries; a body with none runs once, too.
+pub(crate) fn chunks(count: u32) -> impl Iterator<Item = Chunk> {
+    let size = wgpu::QUERY_SET_MAX_QUERIES;
+    let runs = count.div_ceil(size).max(1);
+    (0..runs).map(move |n| Chunk {
+        number: n as usize,
+        range: n * size..count.min((n + 1).saturating_mul(size)),
+        last: n + 1 == runs,
+    })
+}
+
+impl QuerySets {
+    pub fn new(passes: usize) -> Self {
+        Self {
+            sets: vec![Vec::new(); passes],
+        }
+    }
+
+    /// The set of a chunk of a pass whose buffer holds `capacity` answers.
+    pub fn get(
+        &mut self,
+        device: &wgpu::Device,
+        label: &str,
+        pass: usize,
+        chunk: &Chunk,
+        capacity: u32,
+    ) -> wgpu::QuerySet {
+        let sets = &mut self.sets[pass];
+        while sets.len() <= chunk.number {
+            let begun = sets.len() as u32 * wgpu::QUERY_SET_MAX_QUERIES;
+            let count = (capacity.saturating_sub(begun)).clamp(1, wgpu::QUERY_SET_MAX_QUERIES);
+            sets.push(device.create_query_set(&wgpu::QuerySetDescriptor {
+                label: Some(label),
+                ty: wgpu::QueryType::Occlusion,
+                count,
+            }));
+        }
+        sets[chunk.number].clone()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::chunks;
+
+    #[test]
+    fn chunks_cover_the_count_once_in_order() {
+        for count in [0, 1, 4_095, 4_096, 4_097, 8_192, 10_000] {
+            let mut next = 0;
+            let all: Vec<_> = chunks(count).collect();
+            for chunk in &all {
+                assert_eq!(chunk.range.start, next);
+                assert!(chunk.range.len() <= 4_096);
+                next = chunk.range.end;
+            }
+            assert_eq!(next, count);
+            assert_eq!(all.iter().filter(|chunk| chunk.last).count(), 1);
+            assert!(all.last().is_some_and(|chunk| chunk.last));
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! Same-frame read-back: the staging buffers of the plan's sync points.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU8, Ordering};
+
+use crate::handle::Raw;
+
+/// One buffer that one host node reads back within the frame.
+pub(crate) struct Staging {
+    pub pass: usize,
+    pub raw: Raw,
+    buffer: wgpu::Buffer,
+    size: u64,
+    status: Arc<AtomicU8>,
+    requested: u64,
+    view: Option<wgpu::BufferView>,
+}
+
+const NONE: u8 = 0;
+const MAPPED: u8 = 1;
+const LOST: u8 = 2;
+
+/// How a wait ended.
+pub(crate) enum Arrival {
+    Here,
+    /// The wait returned without the bytes: this backend does not block.
+    NotYet,
+    Lost,
+}
+
+impl Staging {
+    pub fn new(device: &wgpu::Device, label: &str, pass: usize, raw: Raw, size: u64) -> Self {
+        Self {
+            pass,
+            raw,
+            size,
+            buffer: device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(label),
+                size,
+                usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            }),
+            status: Arc::new(AtomicU8::new(NONE)),
+            requested: 0,
+            view: None,
+        }
+    }
+
+    /// Copies `bytes` (a multiple of 4) of `source` and asks for them on submit.
+    pub fn request(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        source: &wgpu::Buffer,
+        bytes: u64,
+    ) {
+        self.requested = bytes.min(self.size);
+        self.status.store(NONE, Ordering::Release);
+        if self.requested == 0 {
+            self.status.store(MAPPED, Ordering::Release);
+            return;
+        }
+        encoder.copy_buffer_to_buffer(source, 0, &self.buffer, 0, self.requested);
+        let status = Arc::clone(&self.status);
+        encoder.map_buffer_on_submit(
+            &self.buffer,
+            wgpu::MapMode::Read,
+            ..self.requested,
+            move |result| {
+                let arrived = if result.is_ok() { MAPPED } else { LOST };
+                status.store(arrived, Ordering::Release);
+            },
+        );
+    }
+
+    /// Bytes of staging memory.
+    pub fn memory(&self) -> u64 {
+        self.size
+    }
+
+    /// That it serves that read-back.
+    pub fn serves(&self, pass: usize, raw: Raw) -> bool {
+        self.pass == pass
+            && self.raw.index == raw.index
+            && self.raw.is_previous() == raw.is_previous()
+    }
+
+    /// After the wait: opens the bytes.
+    pub fn open(&mut self) -> Arrival {
+        match self.status.load(Ordering::Acquire) {
+            MAPPED => {}
+            NONE => return Arrival::NotYet,
+            _ => return Arrival::Lost,
+        }
+        if self.requested == 0 {
+            return Arrival::Here;
+        }
+        match self.buffer.slice(..self.requested).get_mapped_range() {
+            Ok(view) => {
+                self.view = Some(view);
+                Arrival::Here
+            }
+            Err(_) => Arrival::Lost,
+        }
+    }
+
+    /// The bytes, between `open` and `close`.
+    pub fn bytes(&self) -> &[u8] {
+        self.view.as_deref().unwrap_or(&[])
+    }
+
+    /// Gives the staging buffer back to the GPU. After a failed wait the request may still be under way; unmapping cancels it.
+    pub fn close(&mut self) {
+        let open = self.view.take().is_some();
+        if open || self.requested > 0 {
+            self.buffer.unmap();
+        }
+        self.requested = 0;
+    }
+}
