@@ -1,13 +1,19 @@
 //! Camera paths, the oracle, image errors, and the report.
 //!
-//! A comparison flies a [`path`], holds every frame against the reference ([`image_error`]), reduces the times ([`stats`]) and lands in one
-//! [`report`]; the terminal [`table`], the [`plots`] and the page ([`html`]) are drawn from that report alone.
+//! A comparison flies a [`path`], holds every frame against the reference ([`image_error`]), reduces the
+//! times ([`stats`]) and lands in one [`report`]; the terminal [`table`], the [`verdict`]s, the [`plots`] and
+//! the page ([`html`]) are drawn from that report alone.
 
 mod error;
+pub mod html;
 pub mod image_error;
 pub mod path;
+pub mod plots;
 pub mod report;
 pub mod stats;
 mod store;
+pub mod table;
+pub mod verdict;
+mod words;
 
 pub use error::MeasureError;

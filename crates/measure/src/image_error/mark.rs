@@ -6,7 +6,7 @@ use crate::MeasureError;
 
 const WRONG: [u8; 3] = [255, 0, 255];
 
-/// The picture desaturated and dimmed, each wrong pixel in full magenta, with a half-magenta halo around it that grows with the image:
+/// The picture desaturated and dimmed, each wrong pixel in full magenta, with a paler halo around it that grows with the image:
 /// shrunk to a thumbnail of 128 pixels, a single wrong pixel still shows.
 ///
 /// `mask` is a flag a pixel, row by row from the top left, as [`WrongPixels`](super::WrongPixels) has it.
@@ -23,14 +23,14 @@ pub fn mark_wrong(image: &RgbaImage, mask: &[bool]) -> Result<RgbaImage, Measure
             expected: format!("{pixels} pixels"),
         });
     }
-    let radius = (width.max(height) as usize).div_ceil(256);
+    let radius = (width.max(height) as usize).div_ceil(160);
     let halo = dilate(mask, width as usize, radius);
     let mut marked = image.clone();
     for ((pixel, &wrong), &near) in marked.pixels_mut().zip(mask).zip(&halo) {
         let grey = dimmed(*pixel);
         let rgb = match (wrong, near) {
             (true, _) => WRONG,
-            (false, true) => WRONG.map(|c| ((u16::from(c) + u16::from(grey)) / 2) as u8),
+            (false, true) => WRONG.map(|c| ((3 * u16::from(c) + u16::from(grey)) / 4) as u8),
             (false, false) => [grey; 3],
         };
         *pixel = Rgba([rgb[0], rgb[1], rgb[2], 255]);

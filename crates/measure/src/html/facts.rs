@@ -1,0 +1,119 @@
+//! The folded lower part of the page: pass times, settings and verdict counts, and how the run was made.
+
+use super::escape;
+use crate::report::{PassTime, Report, StrategyReport};
+use crate::words;
+
+/// A table of pass times a strategy.
+pub(super) fn passes(report: &Report) -> String {
+    let timed: Vec<&StrategyReport> = report
+        .strategies
+        .iter()
+        .filter(|s| !s.passes.is_empty())
+        .collect();
+    if timed.is_empty() {
+        return String::new();
+    }
+    let body: String = timed
+        .iter()
+        .map(|strategy| {
+            let rows: String = strategy.passes.iter().map(pass).collect();
+            format!(
+                "<h3>{}</h3>\n<table class=\"narrow\"><thead><tr><th>pass</th><th>group</th><th class=\"n\">GPU<small>ms</small></th>\
+                 <th class=\"n\">CPU<small>ms</small></th></tr></thead><tbody>\n{rows}</tbody></table>\n",
+                escape(strategy.title())
+            )
+        })
+        .collect();
+    folded(
+        "Pass times (medians)",
+        &format!("<div class=\"side-by-side\">{}</div>", in_blocks(&body)),
+    )
+}
+
+/// Each `<h3>` and what follows it in a block of its own, so that blocks can stand side by side.
+fn in_blocks(body: &str) -> String {
+    body.split("<h3>")
+        .skip(1)
+        .map(|block| format!("<div><h3>{block}</div>\n"))
+        .collect()
+}
+
+fn pass(pass: &PassTime) -> String {
+    let time = |ms: Option<f64>| ms.map_or_else(|| "-".to_owned(), words::milliseconds);
+    format!(
+        "<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
+        escape(&pass.name),
+        escape(&pass.group),
+        time(pass.gpu_ms),
+        time(pass.cpu_ms)
+    )
+}
+
+/// Settings and verdicts of each strategy.
+pub(super) fn strategies(report: &Report) -> String {
+    let mut rows = String::new();
+    for strategy in &report.strategies {
+        let settings: Vec<String> = strategy
+            .settings
+            .iter()
+            .map(|(key, value)| format!("{key} = {value}"))
+            .collect();
+        let verdicts: Vec<String> = strategy
+            .verdicts
+            .iter()
+            .map(|(verdict, mean)| format!("{verdict} {}", words::count(*mean)))
+            .collect();
+        let runs = strategy.error.false_culls.longest_run_frames;
+        rows += &format!(
+            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
+            escape(strategy.title()),
+            if strategy.conservative {
+                "conservative"
+            } else {
+                "aggressive"
+            },
+            escape(&settings.join(", ")),
+            escape(&verdicts.join(", ")),
+            words::count(strategy.overdrawn_entities),
+            words::count(runs as f64),
+        );
+    }
+    folded(
+        "Settings and verdicts",
+        &format!(
+            "<div class=\"scroll\"><table><thead><tr><th>strategy</th><th>claims to be</th><th>settings</th>\
+             <th>verdicts<small>mean entities a frame</small></th><th class=\"n\">overdrawn<small>mean a frame</small></th>\
+             <th class=\"n\">false culls<small>longest run, frames</small></th></tr></thead><tbody>\n{rows}</tbody></table></div>\n"
+        ),
+    )
+}
+
+/// The command, the seeds and the labels.
+pub(super) fn run(report: &Report) -> String {
+    let mut list = String::new();
+    let mut entry = |term: &str, text: &str| {
+        list += &format!("<dt>{}</dt><dd>{}</dd>\n", escape(term), escape(text))
+    };
+    if !report.command.is_empty() {
+        entry("command", &report.command);
+    }
+    for (what, seed) in &report.seeds {
+        entry(&format!("seed of {what}"), &seed.to_string());
+    }
+    for (name, words) in &report.labels {
+        entry(name, words);
+    }
+    if list.is_empty() {
+        String::new()
+    } else {
+        folded("How this was run", &format!("<dl>\n{list}</dl>\n"))
+    }
+}
+
+fn folded(title: &str, body: &str) -> String {
+    format!(
+        "<details>\n<summary>{}</summary>\n{body}</details>\n",
+        escape(title)
+    )
+}

@@ -1,0 +1,114 @@
+//! The upper part of the page: what was measured, what to take from it, and the table.
+
+use super::escape;
+use crate::report::Report;
+use crate::table::{Table, facts};
+use crate::verdict::{self, Tone, Verdict};
+use crate::words;
+
+/// The title and the facts of the run.
+pub(super) fn header(report: &Report) -> String {
+    let [scene, adapter] = facts(report);
+    format!(
+        "<header>\n<p class=\"brand\">Antumbra {}</p>\n<h1>Occlusion culling: {}</h1>\n<p class=\"facts\">{}<br>{}</p>\n</header>\n",
+        escape(&report.antumbra),
+        escape(&report.scene.name),
+        escape(&upper_first(&scene)),
+        escape(&upper_first(&adapter)),
+    )
+}
+
+/// The strategies to look at first, a card each, and how far from the limit the best of them is.
+pub(super) fn picks(report: &Report) -> String {
+    let picks = verdict::picks(report);
+    if picks.is_empty() {
+        return String::new();
+    }
+    let mut html = "<section class=\"cards\">\n".to_owned();
+    for pick in &picks {
+        html += &format!(
+            "<div class=\"card {}\"><p class=\"question\">{}</p><p class=\"name\">{}</p><p>{}</p></div>\n",
+            class(pick.verdict.tone),
+            escape(pick.title),
+            escape(pick.strategy.title()),
+            escape(&upper_first(&pick.verdict.text)),
+        );
+    }
+    let efficiency = picks
+        .iter()
+        .filter_map(|pick| Some((pick.strategy.efficiency()?, pick.strategy)))
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    if let Some((efficiency, strategy)) = efficiency {
+        html += &format!(
+            "<div class=\"card\"><p class=\"question\">Room left</p><p class=\"name\">{} % of ideal</p>\
+             <p>{} takes {} times as long as drawing only what is seen, known beforehand and for free.</p></div>\n",
+            words::percent(efficiency * 100.0),
+            escape(strategy.title()),
+            words::factor(efficiency.recip()),
+        );
+    }
+    html + "</section>\n"
+}
+
+/// The table, and under it a sentence a strategy.
+pub(super) fn table(report: &Report) -> String {
+    let table = Table::new(report);
+    let mut html = "<section>\n<h2>All strategies</h2>\n<div class=\"scroll\"><table class=\"compare\">\n<thead><tr>".to_owned();
+    for column in &table.columns {
+        html += &format!(
+            "<th{}>{}<small>{}</small></th>",
+            if column.right { " class=\"n\"" } else { "" },
+            escape(column.title),
+            escape(column.unit)
+        );
+    }
+    html += "</tr></thead>\n<tbody>\n";
+    for row in &table.rows {
+        let kind = match (row.broken, row.yardstick) {
+            (true, _) => " class=\"broken\"",
+            (_, true) => " class=\"yardstick\"",
+            _ => "",
+        };
+        html += &format!("<tr{kind}>");
+        for (cell, column) in row.cells.iter().zip(&table.columns) {
+            let class = match (column.right, cell.best) {
+                (true, true) => " class=\"n best\"",
+                (true, false) => " class=\"n\"",
+                (false, true) => " class=\"best\"",
+                (false, false) => "",
+            };
+            html += &format!("<td{class}>{}</td>", escape(&cell.text));
+        }
+        html += "</tr>\n";
+    }
+    html += "</tbody></table></div>\n<p class=\"meaning\">Best values are marked; none, frustum and ideal are the yardsticks and do not \
+             compete. Speed vs: how many times as fast (2x takes half the time). Drawn, queries: mean a frame. Wrong px: pixels whose \
+             entity differs from the reference. False culls: seen entities not drawn, summed over all frames.</p>\n<ul class=\"verdicts\">\n";
+    for strategy in report.strategies.iter().filter(|s| !s.is_yardstick()) {
+        let Verdict { text, tone } = verdict::verdict(report, strategy);
+        html += &format!(
+            "<li class=\"{}\"><b>{}</b>: {}</li>\n",
+            class(tone),
+            escape(strategy.title()),
+            escape(&text)
+        );
+    }
+    html + "</ul>\n</section>\n"
+}
+
+fn class(tone: Tone) -> &'static str {
+    match tone {
+        Tone::Yardstick => "yardstick",
+        Tone::Good => "good",
+        Tone::Trade => "trade",
+        Tone::Poor => "poor",
+        Tone::Broken => "broken",
+    }
+}
+
+fn upper_first(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}

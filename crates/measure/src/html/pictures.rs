@@ -1,0 +1,124 @@
+//! The worst frame of each strategy: reference, frame, and the wrong pixels marked, embedded into the page.
+
+use std::io::Cursor;
+use std::path::Path;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use image::{DynamicImage, ImageFormat, ImageReader, Limits};
+
+use super::escape;
+use crate::MeasureError;
+use crate::report::{Report, StrategyReport, WorstFrame};
+use crate::store::read_limited;
+use crate::words;
+
+/// The most bytes a picture's file may have.
+const MAX_BYTES: u64 = 64 << 20;
+/// The most pixels a side of a picture may have, and the most memory its decoding may take.
+const MAX_SIDE: u32 = 16_384;
+const MAX_DECODED: u64 = 1 << 30;
+/// Larger pictures are shrunk to this width: three of them share a row.
+const EMBEDDED_WIDTH: u32 = 1000;
+
+/// A row of three pictures for each strategy that got something wrong, and a line for those that did not.
+pub(super) fn worst_frames(report: &Report, dir: &Path) -> String {
+    let shown: Vec<(&StrategyReport, &WorstFrame)> = report
+        .strategies
+        .iter()
+        .filter(|s| s.error.wrong_pixels_percent.max > 0.0)
+        .filter_map(|s| Some((s, s.worst.as_ref()?)))
+        .collect();
+    let right: Vec<String> = report
+        .strategies
+        .iter()
+        .filter(|s| !s.is_yardstick() && s.error.wrong_pixels_percent.max == 0.0)
+        .map(|s| format!("<b>{}</b>", escape(s.title())))
+        .collect();
+    if shown.is_empty() && right.is_empty() {
+        return String::new();
+    }
+    let mut html = "<section>\n<h2>Worst frames</h2>\n".to_owned();
+    if !shown.is_empty() {
+        html += "<p class=\"meaning\">For each strategy the frame with the most wrong pixels, which are magenta in the picture on the right.</p>\n";
+    }
+    if !right.is_empty() {
+        html += &format!(
+            "<p>No wrong pixel in any frame: {}.</p>\n",
+            right.join(", ")
+        );
+    }
+    for (strategy, worst) in shown {
+        html += &row(report, strategy, worst, dir);
+    }
+    html + "</section>\n"
+}
+
+fn row(report: &Report, strategy: &StrategyReport, worst: &WorstFrame, dir: &Path) -> String {
+    let view = match (report.scene.views, worst.view) {
+        (0 | 1, _) => String::new(),
+        (_, 0) => ", left eye".to_owned(),
+        (_, 1) => ", right eye".to_owned(),
+        (_, other) => format!(", view {other}"),
+    };
+    let mut html = format!(
+        "<h3>{}: frame {}{view}, {} % wrong pixels</h3>\n<div class=\"three\">\n",
+        escape(strategy.title()),
+        worst.frame,
+        words::percent(strategy.error.wrong_pixels_percent.max),
+    );
+    let images = &worst.images;
+    for (file, caption) in [
+        (
+            &images.reference,
+            "reference: everything in the frustum".to_owned(),
+        ),
+        (&images.strategy, strategy.title().to_owned()),
+        (&images.marked, "wrong pixels".to_owned()),
+    ] {
+        let caption = escape(&caption);
+        html += &match embed(&dir.join(file)) {
+            Ok(uri) => format!(
+                "<figure><img src=\"{uri}\" alt=\"{caption}\"><figcaption>{caption}</figcaption></figure>\n"
+            ),
+            Err(error) => format!(
+                "<figure><p class=\"missing\">{}</p><figcaption>{caption}</figcaption></figure>\n",
+                escape(&format!("No picture: {error}"))
+            ),
+        };
+    }
+    html + "</div>\n"
+}
+
+/// The picture as a data URI: as it is when it is small, shrunk when it is not. Only PNG and JPEG get through, by what they hold, not by name.
+fn embed(path: &Path) -> Result<String, MeasureError> {
+    let bytes = read_limited(path, "picture", MAX_BYTES)?;
+    let fail = |source| MeasureError::Image {
+        path: path.to_owned(),
+        source,
+    };
+    let format = image::guess_format(&bytes).map_err(fail)?;
+    let mut reader = ImageReader::with_format(Cursor::new(&bytes), format);
+    let mut limits = Limits::default();
+    limits.max_image_width = Some(MAX_SIDE);
+    limits.max_image_height = Some(MAX_SIDE);
+    limits.max_alloc = Some(MAX_DECODED);
+    reader.limits(limits);
+    let picture = reader.decode().map_err(fail)?;
+    if picture.width() <= EMBEDDED_WIDTH {
+        return Ok(data_uri(format.to_mime_type(), &bytes));
+    }
+    let height =
+        u64::from(picture.height()) * u64::from(EMBEDDED_WIDTH) / u64::from(picture.width());
+    let small =
+        image::imageops::thumbnail(&picture.into_rgb8(), EMBEDDED_WIDTH, (height as u32).max(1));
+    let mut png = Vec::new();
+    DynamicImage::from(small)
+        .write_to(&mut Cursor::new(&mut png), ImageFormat::Png)
+        .map_err(fail)?;
+    Ok(data_uri(ImageFormat::Png.to_mime_type(), &png))
+}
+
+fn data_uri(mime: &str, bytes: &[u8]) -> String {
+    format!("data:{mime};base64,{}", STANDARD.encode(bytes))
+}

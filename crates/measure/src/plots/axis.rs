@@ -1,0 +1,155 @@
+//! Axes: a stretch of numbers with the places where a tick and its word belong.
+
+use std::ops::Range;
+
+use plotters::coord::ranged1d::{
+    BoldPoints, KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter,
+};
+use plotters::coord::types::RangedCoordf64;
+
+use crate::words;
+
+/// An axis for plotters: values are mapped evenly between its ends; scales that are not even are made so before, by [`Axis::place`].
+#[derive(Debug, Clone)]
+pub(super) struct Axis {
+    ends: Range<f64>,
+    ticks: Vec<(f64, String)>,
+    scale: Scale,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Scale {
+    Even,
+    /// By decades; what is 0 stands at the given place below them.
+    Decades {
+        zero: f64,
+    },
+}
+
+impl Axis {
+    /// An even axis with round ticks.
+    pub(super) fn even(ends: Range<f64>, ticks: usize, word: impl Fn(f64) -> String) -> Self {
+        let coordinate: RangedCoordf64 = ends.clone().into();
+        let places = coordinate.key_points(BoldPoints(ticks));
+        let ticks = places.into_iter().map(|at| (at, word(at))).collect();
+        Self {
+            ends,
+            ticks,
+            scale: Scale::Even,
+        }
+    }
+
+    /// An even axis from 0 to `count`, whose rows have their words in the middle.
+    pub(super) fn rows(words: Vec<String>) -> Self {
+        let ends = 0.0..words.len().max(1) as f64;
+        let ticks = words
+            .into_iter()
+            .enumerate()
+            .map(|(i, word)| (i as f64 + 0.5, word))
+            .collect();
+        Self {
+            ends,
+            ticks,
+            scale: Scale::Even,
+        }
+    }
+
+    /// Decades that hold all positive `values`, and one place below them for those that are 0.
+    pub(super) fn errors(values: impl Iterator<Item = f64> + Clone) -> Self {
+        let positive = values.filter(|v| *v > 0.0).map(f64::log10);
+        let low = positive.clone().fold(f64::INFINITY, f64::min).floor();
+        let high = positive.fold(f64::NEG_INFINITY, f64::max).ceil();
+        let (low, high) = if low.is_finite() {
+            (low, high.max(low + 1.0))
+        } else {
+            (-2.0, 0.0)
+        };
+        let zero = low - 1.0;
+        let mut ticks = vec![(zero, "0".to_owned())];
+        ticks.extend(decades(low, high, 7).map(|at| (at, decimal(at))));
+        Self {
+            ends: zero - 0.4..high + 0.25,
+            ticks,
+            scale: Scale::Decades { zero },
+        }
+    }
+
+    /// Decades from the smallest to the largest of positive values, with ticks at 1, 2 and 5.
+    pub(super) fn times(low: f64, high: f64) -> Self {
+        let (bottom, top) = (low.log10() - 0.05, high.log10() + 0.05);
+        let ticks = ((bottom.floor() as i32)..=(top.ceil() as i32))
+            .flat_map(|decade| [1.0, 2.0, 5.0].map(|m| m * 10f64.powi(decade)))
+            .filter(|v| (bottom..=top).contains(&v.log10()))
+            .map(|v| (v.log10(), words::trimmed(v)))
+            .collect();
+        Self {
+            ends: bottom..top,
+            ticks,
+            scale: Scale::Decades { zero: bottom },
+        }
+    }
+
+    /// Where a value stands on the axis, within its ends.
+    pub(super) fn place(&self, value: f64) -> f64 {
+        let at = match self.scale {
+            Scale::Even => value,
+            Scale::Decades { zero } if value <= 0.0 => zero,
+            Scale::Decades { .. } => value.log10(),
+        };
+        at.clamp(self.ends.start, self.ends.end)
+    }
+
+    /// The place of the line between 0 and the decades, where there is one.
+    pub(super) fn break_above_zero(&self) -> f64 {
+        match self.scale {
+            Scale::Even => self.ends.start,
+            Scale::Decades { zero } => zero + 0.5,
+        }
+    }
+
+    pub(super) fn ends(&self) -> Range<f64> {
+        self.ends.clone()
+    }
+}
+
+/// Whole decades, thinned to no more than `most`.
+fn decades(low: f64, high: f64, most: usize) -> impl Iterator<Item = f64> {
+    let (low, high) = (low as i32, high as i32);
+    let step = (high - low).unsigned_abs() as usize / most + 1;
+    (low..=high).step_by(step).map(f64::from)
+}
+
+/// A power of ten written out while that is short: `0.001`, `10`, `1e-7`.
+fn decimal(exponent: f64) -> String {
+    let value = 10f64.powf(exponent);
+    if (-5.0..5.0).contains(&exponent) {
+        words::trimmed(value)
+    } else {
+        format!("{value:.0e}")
+    }
+}
+
+impl Ranged for Axis {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, (from, to): (i32, i32)) -> i32 {
+        let part = (value - self.ends.start) / (self.ends.end - self.ends.start);
+        from + (part * f64::from(to - from)).round() as i32
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, _hint: Hint) -> Vec<f64> {
+        self.ticks.iter().map(|(at, _)| *at).collect()
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.ends()
+    }
+}
+
+impl ValueFormatter<f64> for Axis {
+    fn format_ext(&self, value: &f64) -> String {
+        let tick = self.ticks.iter().find(|(at, _)| at == value);
+        tick.map(|(_, word)| word.clone()).unwrap_or_default()
+    }
+}

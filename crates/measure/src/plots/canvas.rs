@@ -1,0 +1,200 @@
+//! What all plots share: the SVG sheet, its inks, its letters, the frame with its axes, and the legend.
+
+use plotters::chart::ChartContext;
+use plotters::coord::Shift;
+use plotters::element::DashedPathElement;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use super::axis::Axis;
+use crate::MeasureError;
+use crate::report::{Report, StrategyReport};
+use crate::words;
+
+/// Units of the sheet a CSS pixel at full size: plotters rounds to whole units, and halves are finer.
+pub(super) const UNIT: i32 = 2;
+/// The sheet's width in CSS pixels at full size.
+const WIDTH: i32 = 920;
+/// Letters are this high, CSS pixels.
+const LETTER: i32 = 14;
+
+// Stand-ins that `finish` turns into CSS; no palette has these colours.
+pub(super) const INK: RGBColor = RGBColor(1, 2, 3);
+pub(super) const FAINT: RGBColor = RGBColor(4, 5, 6);
+pub(super) const GRID: RGBColor = RGBColor(7, 8, 9);
+const TO_CSS: [(&str, &str); 3] = [
+    ("#010203", "currentColor"),
+    ("#040506", "var(--faint, #777)"),
+    ("#070809", "var(--grid, #ddd)"),
+];
+
+/// Colours that hold on white and on black and are told apart by most of the colour-blind.
+const PALETTE: [RGBColor; 9] = [
+    RGBColor(47, 126, 237),
+    RGBColor(240, 120, 20),
+    RGBColor(22, 160, 90),
+    RGBColor(168, 85, 220),
+    RGBColor(225, 60, 80),
+    RGBColor(20, 165, 180),
+    RGBColor(200, 150, 10),
+    RGBColor(225, 80, 170),
+    RGBColor(140, 110, 80),
+];
+
+pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+pub(super) type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Axis, Axis>>;
+pub(super) type Drawing = Result<(), DrawingAreaErrorKind<std::io::Error>>;
+
+/// Draws a plot on a sheet `height` CSS pixels high and gives its SVG.
+pub(super) fn sheet(
+    title: &'static str,
+    height: i32,
+    draw: impl FnOnce(&Area<'_>) -> Drawing,
+) -> Result<String, MeasureError> {
+    let mut svg = String::new();
+    let size = ((WIDTH * UNIT) as u32, (height * UNIT) as u32);
+    let drawn = {
+        let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
+        draw(&area).and_then(|()| area.present())
+    };
+    drawn.map_err(|e| MeasureError::Plot {
+        plot: title,
+        reason: e.to_string(),
+    })?;
+    for (stand_in, css) in TO_CSS {
+        svg = svg.replace(stand_in, css);
+    }
+    // A title is what a screen reader says, and makes the width and height of the sheet those of CSS.
+    let (width, height) = (WIDTH * UNIT, height * UNIT);
+    let head = format!("<svg width=\"{width}\" height=\"{height}\"");
+    let css = format!(
+        "<svg role=\"img\" aria-label=\"{title}\" width=\"{}\" height=\"{}\"",
+        width / UNIT,
+        height / UNIT
+    );
+    Ok(svg.replacen(&head, &css, 1))
+}
+
+/// The frame of a chart below the legend: axes, grid, ticks and what the axes mean.
+pub(super) struct Frame<'a> {
+    pub(super) x: Axis,
+    pub(super) y: Axis,
+    pub(super) x_means: &'a str,
+    pub(super) y_means: &'a str,
+    /// Room for the words of the y axis, CSS pixels.
+    pub(super) y_room: i32,
+}
+
+impl Frame<'_> {
+    pub(super) fn draw<'c, 'b>(
+        self,
+        area: &Area<'b>,
+    ) -> Result<Chart<'c, 'b>, DrawingAreaErrorKind<std::io::Error>> {
+        let mut chart = ChartBuilder::on(area)
+            .margin_right(14 * UNIT)
+            .margin_top(8 * UNIT)
+            .x_label_area_size(46 * UNIT)
+            .y_label_area_size(self.y_room * UNIT)
+            .build_cartesian_2d(self.x, self.y)?;
+        chart
+            .configure_mesh()
+            .axis_style(FAINT.stroke_width(UNIT as u32))
+            .bold_line_style(GRID.stroke_width(UNIT as u32))
+            .light_line_style(TRANSPARENT)
+            .set_all_tick_mark_size(4 * UNIT)
+            .label_style(letters(LETTER - 1, &INK))
+            .axis_desc_style(letters(LETTER, &INK))
+            .x_desc(self.x_means)
+            .y_desc(self.y_means)
+            .draw()?;
+        Ok(chart)
+    }
+}
+
+/// How a legend's entry looks.
+#[derive(Clone, Copy)]
+pub(super) enum Swatch {
+    Line,
+    Box,
+    Dashes,
+}
+
+/// Draws a legend at the top, in as many rows as it takes, and gives the area left below.
+pub(super) fn legend<'a>(
+    area: &Area<'a>,
+    entries: &[(String, RGBColor, Swatch)],
+) -> Result<Area<'a>, DrawingAreaErrorKind<std::io::Error>> {
+    let (row, edge) = (22 * UNIT, 14 * UNIT);
+    let width = area.dim_in_pixel().0 as i32;
+    let (mut x, mut y) = (edge, 4 * UNIT);
+    for (word, colour, swatch) in entries {
+        let wide = 28 * UNIT + text_width(word, LETTER) + 18 * UNIT;
+        if x > edge && x + wide > width {
+            (x, y) = (edge, y + row);
+        }
+        let (middle, right) = (y + row / 2, x + 22 * UNIT);
+        let line = [(x, middle), (right, middle)];
+        match swatch {
+            Swatch::Line => area.draw(&PathElement::new(
+                line,
+                colour.stroke_width(3 * UNIT as u32),
+            ))?,
+            Swatch::Box => {
+                let corners = [
+                    (x + 6 * UNIT, middle - 7 * UNIT),
+                    (x + 20 * UNIT, middle + 7 * UNIT),
+                ];
+                area.draw(&Rectangle::new(corners, colour.filled()))?;
+            }
+            Swatch::Dashes => area.draw(&dashes(line, *colour))?,
+        }
+        let style = letters(LETTER, &INK).pos(Pos::new(HPos::Left, VPos::Center));
+        area.draw(&Text::new(word.as_str(), (x + 28 * UNIT, middle), style))?;
+        x += wide;
+    }
+    let (_, below) = area.split_vertically(y + row + 2 * UNIT);
+    Ok(below)
+}
+
+/// A dashed line between points of the sheet.
+pub(super) fn dashes<const N: usize>(
+    points: [(i32, i32); N],
+    colour: RGBColor,
+) -> DashedPathElement<std::array::IntoIter<(i32, i32), N>, i32> {
+    DashedPathElement::new(points, 5 * UNIT, 4 * UNIT, colour.stroke_width(UNIT as u32))
+}
+
+/// A text style of letters that many CSS pixels high.
+pub(super) fn letters<'a>(height: i32, colour: &'a RGBColor) -> TextStyle<'a> {
+    // The SVG backend divides sizes by 1.24.
+    ("sans-serif", f64::from(height * UNIT) * 1.24)
+        .into_font()
+        .color(colour)
+}
+
+/// About how wide a text is, in units of the sheet; rather too wide, since the reader's font is not known.
+pub(super) fn text_width(text: &str, height: i32) -> i32 {
+    let wide = unicode_width::UnicodeWidthStr::width(text) as f64;
+    (wide * 0.58 * f64::from(height * UNIT)).ceil() as i32
+}
+
+/// The words of a strategy on a plot.
+pub(super) fn name(strategy: &StrategyReport) -> String {
+    words::short(strategy.title(), 30)
+}
+
+/// Every strategy with its colour: the same on all plots of a report; yardsticks are grey.
+pub(super) fn coloured(report: &Report) -> Vec<(&StrategyReport, RGBColor)> {
+    let mut colours = PALETTE.iter().cycle();
+    let colour = |s: &StrategyReport| match s.name.as_str() {
+        "none" => RGBColor(150, 155, 165),
+        "frustum" => RGBColor(105, 112, 125),
+        "ideal" => RGBColor(120, 150, 60),
+        _ => colours.next().copied().unwrap_or(INK),
+    };
+    report
+        .strategies
+        .iter()
+        .zip(report.strategies.iter().map(colour))
+        .collect()
+}

@@ -1,0 +1,97 @@
+//! What a frame's time is spent on: deciding what to draw, drawing it, and the rest.
+
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use super::axis::Axis;
+use super::canvas::{
+    Area, Drawing, Frame, INK, Swatch, UNIT, coloured, legend, letters, name, sheet, text_width,
+};
+use crate::MeasureError;
+use crate::report::Report;
+use crate::words;
+
+const TITLE: &str = "Where a frame's time goes";
+const CULL: RGBColor = RGBColor(240, 120, 20);
+const DRAW: RGBColor = RGBColor(47, 126, 237);
+const REST: RGBColor = RGBColor(160, 165, 175);
+const LETTER: i32 = 13;
+
+/// One strategy's bar, milliseconds.
+struct Bar {
+    name: String,
+    cull: f64,
+    draw: f64,
+    frame: f64,
+}
+
+/// A bar a strategy: culling, drawing, and what of the serialised frame is neither. None for a report without strategies.
+///
+/// # Errors
+/// When the plotter fails.
+pub fn stage_times(report: &Report) -> Result<Option<String>, MeasureError> {
+    // The first strategy belongs at the top, and plots count from the bottom.
+    let bars: Vec<Bar> = coloured(report)
+        .into_iter()
+        .rev()
+        .map(|(s, _)| Bar {
+            name: name(s),
+            cull: s.cull_ms.unwrap_or(0.0),
+            draw: s.draw_ms.unwrap_or(0.0),
+            frame: s.frame_ms.median,
+        })
+        .collect();
+    if bars.is_empty() {
+        return Ok(None);
+    }
+    let height = 90 + 34 * bars.len().min(200) as i32;
+    sheet(TITLE, height, |area| draw(area, &bars)).map(Some)
+}
+
+fn draw(area: &Area<'_>, bars: &[Bar]) -> Drawing {
+    let word = |w: &str, colour| (w.to_owned(), colour, Swatch::Box);
+    let entries = [
+        word("cull: deciding what to draw", CULL),
+        word("draw: the shaded passes", DRAW),
+        word("rest: recording, waiting, other passes", REST),
+    ];
+    let area = legend(area, &entries)?;
+    let longest = bars
+        .iter()
+        .map(|b| b.frame.max(b.cull + b.draw))
+        .fold(1e-6, f64::max);
+    let x = Axis::even(0.0..longest * 1.12, 9, words::trimmed);
+    let y = Axis::rows(bars.iter().map(|b| b.name.clone()).collect());
+    let widest = bars
+        .iter()
+        .map(|b| text_width(&b.name, LETTER))
+        .max()
+        .unwrap_or(0);
+    let frame = Frame {
+        x,
+        y,
+        x_means: "median time a frame (ms)",
+        y_means: "",
+        y_room: widest / UNIT + 24,
+    };
+    let mut chart = frame.draw(&area)?;
+    for (row, bar) in bars.iter().enumerate() {
+        let middle = row as f64 + 0.5;
+        let mut from = 0.0;
+        let rest = (bar.frame - bar.cull - bar.draw).max(0.0);
+        for (ms, colour) in [(bar.cull, CULL), (bar.draw, DRAW), (rest, REST)] {
+            let corners = [(from, middle - 0.3), (from + ms, middle + 0.3)];
+            chart.draw_series([Rectangle::new(corners, colour.filled())])?;
+            from += ms;
+        }
+        let style = letters(LETTER, &INK).pos(Pos::new(HPos::Left, VPos::Center));
+        let label = EmptyElement::at((from, middle))
+            + Text::new(
+                format!("{} ms", words::milliseconds(bar.frame)),
+                (6 * UNIT, 0),
+                style,
+            );
+        chart.draw_series([label])?;
+    }
+    Ok(())
+}

@@ -1,0 +1,344 @@
+//! The comparison as a table: for a terminal, for Markdown, and, by its cells, for the page.
+
+use std::io::IsTerminal;
+
+use unicode_width::UnicodeWidthStr;
+
+use crate::report::{Report, StrategyReport};
+use crate::words;
+
+/// A report as rows and columns of text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Table {
+    /// The columns, left to right.
+    pub columns: Vec<Column>,
+    /// A row a strategy, a cell a column.
+    pub rows: Vec<Row>,
+}
+
+/// What a column holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Column {
+    /// The heading's first line.
+    pub title: &'static str,
+    /// The heading's second line: the unit, or the rest of the title.
+    pub unit: &'static str,
+    /// Numbers stand to the right.
+    pub right: bool,
+}
+
+/// One strategy.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Row {
+    /// Its cells.
+    pub cells: Vec<Cell>,
+    /// Whether it is one of `none`, `frustum`, `ideal`.
+    pub yardstick: bool,
+    /// Whether it claims to be conservative and is not.
+    pub broken: bool,
+}
+
+/// One value.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Cell {
+    /// The text, free of control characters; `-` for what was not measured.
+    pub text: String,
+    /// Whether it is the best of its column, yardsticks aside.
+    pub best: bool,
+}
+
+type Show = fn(&StrategyReport) -> Option<String>;
+type Cost = fn(&StrategyReport) -> Option<f64>;
+
+/// A column: how a strategy's cell reads, and what the best one has the least of, where less is better.
+struct Definition(Column, Show, Option<Cost>);
+
+const fn text(title: &'static str, unit: &'static str, show: Show) -> Definition {
+    Definition(
+        Column {
+            title,
+            unit,
+            right: false,
+        },
+        show,
+        None,
+    )
+}
+
+const fn number(
+    title: &'static str,
+    unit: &'static str,
+    show: Show,
+    cost: Option<Cost>,
+) -> Definition {
+    Definition(
+        Column {
+            title,
+            unit,
+            right: true,
+        },
+        show,
+        cost,
+    )
+}
+
+const COLUMNS: &[Definition] = &[
+    text("strategy", "", |s| Some(words::short(s.title(), 40))),
+    text("latency", "", |s| Some(words::short(&s.latency, 12))),
+    number(
+        "frame",
+        "ms",
+        |s| Some(words::milliseconds(s.frame_ms.median)),
+        Some(|s| Some(s.frame_ms.median)),
+    ),
+    number(
+        "free run",
+        "ms",
+        |s| s.free_running_ms.map(words::milliseconds),
+        Some(|s| s.free_running_ms),
+    ),
+    number(
+        "speed vs",
+        "none",
+        |s| speed(s.time_vs_none),
+        Some(|s| s.time_vs_none),
+    ),
+    number(
+        "speed vs",
+        "frustum",
+        |s| speed(s.time_vs_frustum),
+        Some(|s| s.time_vs_frustum),
+    ),
+    number(
+        "speed vs",
+        "ideal",
+        |s| speed(s.time_vs_ideal),
+        Some(|s| s.time_vs_ideal),
+    ),
+    number(
+        "drawn",
+        "entities",
+        |s| Some(words::count(s.drawn.entities)),
+        None,
+    ),
+    number(
+        "queries",
+        "a frame",
+        |s| Some(words::count(s.queries)),
+        None,
+    ),
+    number("sync", "points", |s| Some(s.sync_points.to_string()), None),
+    number(
+        "wrong px",
+        "mean %",
+        |s| Some(words::percent(s.error.wrong_pixels_percent.mean)),
+        Some(|s| Some(s.error.wrong_pixels_percent.mean)),
+    ),
+    number(
+        "wrong px",
+        "max %",
+        |s| Some(words::percent(s.error.wrong_pixels_percent.max)),
+        Some(|s| Some(s.error.wrong_pixels_percent.max)),
+    ),
+    number(
+        "false",
+        "culls",
+        |s| Some(words::count(s.error.false_culls.entities as f64)),
+        Some(|s| Some(s.error.false_culls.entities as f64)),
+    ),
+    number(
+        "FLIP",
+        "mean",
+        |s| Some(words::flip(s.error.flip.mean)),
+        Some(|s| Some(s.error.flip.mean)),
+    ),
+];
+
+/// `3.4x`: how many times as fast, from a ratio of times.
+fn speed(time_ratio: Option<f64>) -> Option<String> {
+    time_ratio
+        .filter(|r| *r > 0.0)
+        .map(|r| format!("{}x", words::ratio(r.recip())))
+}
+
+impl Table {
+    /// The table of a report. A column in which nothing was measured is left out.
+    pub fn new(report: &Report) -> Self {
+        let used: Vec<&Definition> = COLUMNS
+            .iter()
+            .filter(|Definition(_, show, _)| {
+                report.strategies.is_empty() || report.strategies.iter().any(|s| show(s).is_some())
+            })
+            .collect();
+        let contest: Vec<&StrategyReport> = report
+            .strategies
+            .iter()
+            .filter(|s| !s.is_yardstick())
+            .collect();
+        let best: Vec<Option<f64>> = used
+            .iter()
+            .map(|Definition(.., cost)| {
+                // Best of one says nothing.
+                let cost = cost.filter(|_| contest.len() > 1)?;
+                contest
+                    .iter()
+                    .filter_map(|s| cost(s))
+                    .min_by(f64::total_cmp)
+            })
+            .collect();
+        let rows = report.strategies.iter().map(|s| Row {
+            cells: used
+                .iter()
+                .zip(&best)
+                .map(|(Definition(_, show, cost), best)| Cell {
+                    text: show(s).unwrap_or_else(|| "-".to_owned()),
+                    best: !s.is_yardstick()
+                        && best.is_some()
+                        && cost.and_then(|cost| cost(s)) == *best,
+                })
+                .collect(),
+            yardstick: s.is_yardstick(),
+            broken: s.breaks_its_promise(),
+        });
+        Self {
+            columns: used.iter().map(|d| d.0).collect(),
+            rows: rows.collect(),
+        }
+    }
+
+    /// The table for a terminal, its columns aligned. With `colour` the best values are bold, the yardsticks dim and broken promises red.
+    pub fn terminal(&self, colour: bool) -> String {
+        let widths = self.widths();
+        let mut out = String::new();
+        let mut line = |cells: Vec<(&str, &str)>| {
+            let mut text = String::new();
+            for (((cell, style), column), width) in cells.iter().zip(&self.columns).zip(&widths) {
+                let pad = " ".repeat(width.saturating_sub(cell.width()));
+                let cell = if colour && !style.is_empty() {
+                    format!("\x1b[{style}m{cell}\x1b[0m")
+                } else {
+                    (*cell).to_owned()
+                };
+                text += &if column.right {
+                    format!("{pad}{cell}  ")
+                } else {
+                    format!("{cell}{pad}  ")
+                };
+            }
+            out.push_str(text.trim_end());
+            out.push('\n');
+        };
+        line(self.columns.iter().map(|c| (c.title, "1")).collect());
+        line(self.columns.iter().map(|c| (c.unit, "2")).collect());
+        for row in &self.rows {
+            let style = |cell: &Cell| match (row.broken, cell.best, row.yardstick) {
+                (true, ..) => "31",
+                (_, true, _) => "1",
+                (.., true) => "2",
+                _ => "",
+            };
+            line(
+                row.cells
+                    .iter()
+                    .map(|cell| (cell.text.as_str(), style(cell)))
+                    .collect(),
+            );
+        }
+        out
+    }
+
+    /// The table as Markdown, the best values bold.
+    pub fn markdown(&self) -> String {
+        let row = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
+        let heads = self
+            .columns
+            .iter()
+            .map(|c| format!("{} {}", c.title, c.unit).trim_end().to_owned());
+        let mut out = row(heads.collect());
+        out += &row(self
+            .columns
+            .iter()
+            .map(|c| if c.right { "---:" } else { "---" }.to_owned())
+            .collect());
+        for r in &self.rows {
+            let cells = r.cells.iter().map(|cell| {
+                let text = escape_markdown(&cell.text);
+                if cell.best {
+                    format!("**{text}**")
+                } else {
+                    text
+                }
+            });
+            out += &row(cells.collect());
+        }
+        out
+    }
+
+    fn widths(&self) -> Vec<usize> {
+        let heads = self
+            .columns
+            .iter()
+            .map(|c| c.title.width().max(c.unit.width()));
+        heads
+            .enumerate()
+            .map(|(i, head)| {
+                let cells = self.rows.iter().filter_map(|row| row.cells.get(i));
+                cells
+                    .map(|cell| cell.text.width())
+                    .max()
+                    .unwrap_or(0)
+                    .max(head)
+            })
+            .collect()
+    }
+}
+
+/// Whether a stream wants colour: it is a terminal and `NO_COLOR` is not set.
+pub fn wants_colour(stream: &impl IsTerminal) -> bool {
+    stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
+}
+
+/// What was measured, in two lines: the scene and how it was looked at, the adapter and the noise.
+pub fn facts(report: &Report) -> [String; 2] {
+    let scene = &report.scene;
+    let path = if scene.path.is_empty() {
+        String::new()
+    } else {
+        format!(" along {}", words::clean(&scene.path))
+    };
+    let [width, height] = scene.size;
+    let noise = match report.noise.frame_time_ratio_p95 {
+        Some(ratio) => format!("noise {} %", words::percent((ratio - 1.0) * 100.0)),
+        None => "noise not measured".to_owned(),
+    };
+    [
+        format!(
+            "scene {}: {}, {}; {width} x {height} pixels, {}, {}{path}",
+            words::clean(&scene.name),
+            words::plural(scene.entities, "entity"),
+            words::plural(scene.triangles, "triangle"),
+            words::plural(u64::from(scene.views), "view"),
+            words::plural(scene.frames, "frame"),
+        ),
+        format!(
+            "adapter {} ({}, {}); {noise}",
+            words::clean(&report.adapter.name),
+            words::clean(&report.adapter.backend),
+            words::clean(&report.adapter.kind)
+        ),
+    ]
+}
+
+/// Everything that Markdown or the HTML in it would take for its own.
+fn escape_markdown(text: &str) -> String {
+    let mut out = String::new();
+    for c in text.chars() {
+        match c {
+            '<' => out += "&lt;",
+            '&' => out += "&amp;",
+            '|' | '*' | '_' | '`' | '[' | ']' | '\\' => out.extend(['\\', c]),
+            _ => out.push(c),
+        }
+    }
+    out
+}

@@ -1,0 +1,119 @@
+//! Numbers and strings as a person reads them: few digits, always the same number of them, and nothing that a hostile name could smuggle
+//! into a terminal.
+
+/// Milliseconds with three significant digits or so: `0.042`, `1.25`, `16.7`, `250`.
+pub(crate) fn milliseconds(ms: f64) -> String {
+    match ms.abs() {
+        m if m < 1.0 => format!("{ms:.3}"),
+        m if m < 9.995 => format!("{ms:.2}"),
+        m if m < 99.95 => format!("{ms:.1}"),
+        _ => format!("{ms:.0}"),
+    }
+}
+
+/// A percentage without its sign, two significant digits below 10: `0`, `0.012`, `1.3`, `25`.
+pub(crate) fn percent(percent: f64) -> String {
+    match percent.abs() {
+        0.0 => "0".to_owned(),
+        p if p < 1e-4 => format!("{percent:.0e}"),
+        p if p < 0.0995 => {
+            // The place of the second significant digit.
+            let places = (1.0 - p.log10().floor()) as usize;
+            format!("{percent:.places$}")
+        }
+        p if p < 0.995 => format!("{percent:.2}"),
+        p if p < 9.95 => format!("{percent:.1}"),
+        _ => format!("{percent:.0}"),
+    }
+}
+
+/// How many times as fast: `0.85`, `3.4`, `120`.
+pub(crate) fn factor(factor: f64) -> String {
+    match factor.abs() {
+        f if f < 1.995 => format!("{factor:.2}"),
+        f if f < 9.95 => format!("{factor:.1}"),
+        _ => format!("{factor:.0}"),
+    }
+}
+
+/// A factor in a column of factors, where the second place still tells two apart: `0.85`, `3.42`, `12.3`, `120`.
+pub(crate) fn ratio(factor: f64) -> String {
+    match factor.abs() {
+        f if f < 9.995 => format!("{factor:.2}"),
+        f if f < 99.95 => format!("{factor:.1}"),
+        _ => format!("{factor:.0}"),
+    }
+}
+
+/// A mean count: whole from 100 on, grouped by threes; one decimal below, and none when it is whole.
+pub(crate) fn count(count: f64) -> String {
+    if count.abs() < 99.95 && count.fract().abs() >= 0.05 {
+        return format!("{count:.1}");
+    }
+    let digits = format!("{:.0}", count.abs());
+    let mut grouped = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            grouped.push(' ');
+        }
+        grouped.push(digit);
+    }
+    if count <= -0.5 {
+        format!("-{grouped}")
+    } else {
+        grouped
+    }
+}
+
+/// A FLIP difference: `0` when exactly alike, else with four decimals, or as a power of ten when they would be zeros.
+pub(crate) fn flip(flip: f64) -> String {
+    match flip.abs() {
+        0.0 => "0".to_owned(),
+        f if f < 5e-5 => format!("{flip:.0e}"),
+        _ => format!("{flip:.4}"),
+    }
+}
+
+/// One line without control characters and direction overrides, which could repaint a terminal or turn a line around.
+pub(crate) fn clean(text: &str) -> String {
+    let hostile = |c: char| {
+        c.is_control()
+            || matches!(c, '\u{200e}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+    };
+    text.chars()
+        .map(|c| if hostile(c) { '?' } else { c })
+        .collect()
+}
+
+/// [`clean`], and no longer than `letters`, the cut shown by an ellipsis.
+pub(crate) fn short(text: &str, letters: usize) -> String {
+    let text = clean(text);
+    if text.chars().count() <= letters {
+        return text;
+    }
+    text.chars()
+        .take(letters.saturating_sub(1))
+        .chain(['\u{2026}'])
+        .collect()
+}
+
+/// A number and its noun, in the plural but for exactly one.
+pub(crate) fn plural(n: u64, noun: &str) -> String {
+    let number = count(n as f64);
+    match (n, noun.strip_suffix('y')) {
+        (1, _) => format!("1 {noun}"),
+        (_, Some(stem)) => format!("{number} {stem}ies"),
+        (_, None) => format!("{number} {noun}s"),
+    }
+}
+
+/// A round number as short as it goes: `0.5`, `2`, `0.001`.
+pub(crate) fn trimmed(value: f64) -> String {
+    let text = format!("{value:.6}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" {
+        "0".to_owned()
+    } else {
+        text.to_owned()
+    }
+}

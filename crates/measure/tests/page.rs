@@ -1,0 +1,220 @@
+//! The plots and the page: whole, self-contained, and safe with any names.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+#[path = "common/pictures.rs"]
+mod pictures;
+#[path = "common/synthetic.rs"]
+mod synthetic;
+
+use antumbra_measure::html::{page, write_html};
+use antumbra_measure::plots::{frame_times, speed_against_error, stage_times};
+use antumbra_measure::report::Report;
+
+const HOSTILE: &str = "</title><script>alert(1)</script><img src=x onerror='a()'>\"&";
+
+fn hostile() -> Report {
+    let mut report = synthetic::report();
+    report.scene.name = HOSTILE.into();
+    report.scene.path = HOSTILE.into();
+    report.adapter.name = HOSTILE.into();
+    report.adapter.backend = HOSTILE.into();
+    report.antumbra = HOSTILE.into();
+    report.command = HOSTILE.into();
+    report.labels = [(HOSTILE.to_owned(), HOSTILE.to_owned())].into();
+    report.seeds = [(HOSTILE.to_owned(), 1)].into();
+    for strategy in &mut report.strategies {
+        strategy.label = HOSTILE.into();
+        strategy.latency = HOSTILE.into();
+        strategy.settings = [(HOSTILE.to_owned(), serde_json::json!(HOSTILE))].into();
+        strategy.verdicts = [(HOSTILE.to_owned(), 1.0)].into();
+        for pass in &mut strategy.passes {
+            pass.name = HOSTILE.into();
+            pass.group = HOSTILE.into();
+        }
+    }
+    report
+}
+
+#[test]
+fn the_page_is_one_file_with_everything_inside() {
+    let dir = tempfile::tempdir().unwrap();
+    let report = synthetic::report();
+    pictures::draw(&report, dir.path());
+    let file = write_html(&report, dir.path()).unwrap();
+    let html = std::fs::read_to_string(&file).unwrap();
+    assert!(file.ends_with("report.html"));
+    assert_eq!(html.matches("<svg ").count(), 3);
+    assert_eq!(html.matches("</svg>").count(), 3);
+    // Two strategies were wrong; three pictures each.
+    assert_eq!(html.matches("src=\"data:image/png;base64,").count(), 6);
+    assert_eq!(html.matches("src=").count(), 6);
+    assert_eq!(
+        html.matches("http").count(),
+        html.matches("xmlns=\"http://www.w3.org/2000/svg\"").count()
+    );
+    for words in [
+        "3.4 times as fast as frustum, 0.012&nbsp;% wrong pixels on average",
+        "No wrong pixel in any frame",
+        "llvmpipe",
+    ] {
+        assert!(html.contains(words), "{words}");
+    }
+    for (open, close) in [
+        ("<section", "</section>"),
+        ("<table", "</table>"),
+        ("<div", "</div>"),
+        ("<details", "</details>"),
+        ("<tr", "</tr>"),
+    ] {
+        assert_eq!(
+            html.matches(open).count(),
+            html.matches(close).count(),
+            "{open}"
+        );
+    }
+}
+
+#[test]
+fn no_string_of_a_report_becomes_markup() {
+    let dir = tempfile::tempdir().unwrap();
+    let html = page(&hostile(), dir.path()).unwrap();
+    assert!(
+        !html.contains("<script") && !html.contains("<img src=x") && !html.contains("onerror='")
+    );
+    assert_eq!(html.matches("</title>").count(), 1);
+    assert!(html.contains("&lt;script&gt;"));
+}
+
+#[test]
+fn a_picture_that_cannot_be_shown_is_said_to_be_missing() {
+    let dir = tempfile::tempdir().unwrap();
+    let report = synthetic::report();
+    let html = page(&report, dir.path()).unwrap();
+    assert_eq!(html.matches("No picture: cannot read").count(), 6);
+    // A file that is something else than its name says does not get in.
+    pictures::draw(&report, dir.path());
+    let marked = dir
+        .path()
+        .join(&report.strategies[4].worst.as_ref().unwrap().images.marked);
+    std::fs::write(&marked, "<svg onload='alert(1)'></svg>").unwrap();
+    let html = page(&report, dir.path()).unwrap();
+    assert_eq!(html.matches("No picture: image").count(), 1);
+    assert_eq!(html.matches("data:image/png").count(), 5);
+}
+
+#[test]
+fn large_pictures_are_shrunk() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut report = synthetic::report();
+    report.scene.size = [2400, 600];
+    report.strategies.truncate(5);
+    pictures::draw(&report, dir.path());
+    let html = page(&report, dir.path()).unwrap();
+    let uri = html
+        .split("base64,")
+        .nth(1)
+        .unwrap()
+        .split('"')
+        .next()
+        .unwrap();
+    let png = base64::Engine::decode(&base64::engine::general_purpose::STANDARD, uri).unwrap();
+    let picture = image::load_from_memory(&png).unwrap();
+    assert_eq!((picture.width(), picture.height()), (1000, 250));
+}
+
+#[test]
+fn stereo_reports_name_the_eye() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut report = synthetic::report();
+    report.scene.views = 2;
+    report.strategies[4].worst.as_mut().unwrap().view = 1;
+    assert!(
+        page(&report, dir.path())
+            .unwrap()
+            .contains("three-pass: frame 4, right eye")
+    );
+}
+
+#[test]
+fn plots_name_every_strategy_and_follow_the_page_colours() {
+    let report = synthetic::report();
+    for svg in [
+        speed_against_error(&report),
+        frame_times(&report),
+        stage_times(&report),
+    ] {
+        let svg = svg.unwrap().unwrap();
+        for strategy in &report.strategies {
+            assert!(svg.contains(&strategy.name), "{}", strategy.name);
+        }
+        assert!(svg.starts_with("<svg role=\"img\"") && svg.trim_end().ends_with("</svg>"));
+        assert!(svg.contains("currentColor") && !svg.contains("#010203") && !svg.contains("NaN"));
+    }
+}
+
+#[test]
+fn plots_of_odd_reports_are_drawn_or_left_out() {
+    let mut report = synthetic::report();
+    let all = |report: &Report| {
+        [
+            speed_against_error(report).unwrap(),
+            frame_times(report).unwrap(),
+            stage_times(report).unwrap(),
+        ]
+    };
+    // Nothing wrong anywhere, nothing timed against anything, no time at all, one pose.
+    for strategy in &mut report.strategies {
+        strategy.error = Default::default();
+        strategy.time_vs_frustum = None;
+        strategy.time_vs_none = None;
+        strategy.cull_ms = None;
+        strategy.draw_ms = None;
+        strategy.frame_ms.median = 0.0;
+        strategy.frames.frame_ms = vec![0.0];
+    }
+    for svg in all(&report) {
+        assert!(!svg.unwrap().contains("NaN"));
+    }
+    // Errors from the smallest to the largest there are.
+    for (strategy, wrong) in
+        report
+            .strategies
+            .iter_mut()
+            .zip([1e-12, 1e-3, 100.0, 0.0, 50.0, 3.0, f64::MIN_POSITIVE])
+    {
+        strategy.error.wrong_pixels_percent.mean = wrong;
+        strategy.frames.frame_ms = vec![1e-6, 1e9, wrong];
+        strategy.frame_ms.median = 1e9;
+    }
+    for svg in all(&report) {
+        let svg = svg.unwrap();
+        assert!(!svg.contains("NaN") && !svg.contains("inf"));
+    }
+    report.strategies.clear();
+    assert_eq!(all(&report), [None, None, None]);
+    report.check().unwrap();
+    assert!(
+        page(&report, std::path::Path::new("."))
+            .unwrap()
+            .contains("</html>")
+    );
+}
+
+#[test]
+fn many_strategies_still_fit() {
+    let mut report = synthetic::report();
+    for i in 0..60 {
+        let mut strategy = synthetic::strategy(
+            "three-pass",
+            "frame-late",
+            4.0 + f64::from(i) * 0.01,
+            1.0,
+            0.02,
+            700.0,
+        );
+        strategy.label = format!("three-pass threshold={i}");
+        report.strategies.push(strategy);
+    }
+    let dir = tempfile::tempdir().unwrap();
+    assert!(page(&report, dir.path()).unwrap().contains("threshold=59"));
+}

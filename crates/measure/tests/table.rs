@@ -1,0 +1,223 @@
+//! The table and the verdicts: that a reader finds what the report says, and that no name can repaint a terminal.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+#[path = "common/synthetic.rs"]
+mod synthetic;
+
+use antumbra_measure::report::Report;
+use antumbra_measure::table::{Table, facts};
+use antumbra_measure::verdict::{Tone, picks, verdict};
+
+fn cell(report: &Report, strategy: &str, column: (&str, &str)) -> (String, bool) {
+    let table = Table::new(report);
+    let at = table
+        .columns
+        .iter()
+        .position(|c| (c.title, c.unit) == column)
+        .unwrap();
+    let row = table
+        .rows
+        .iter()
+        .find(|row| row.cells[0].text == strategy)
+        .unwrap();
+    (row.cells[at].text.clone(), row.cells[at].best)
+}
+
+#[test]
+fn cells_say_what_the_report_says_and_the_best_are_marked() {
+    let report = synthetic::report();
+    let get = |strategy, column| cell(&report, strategy, column);
+    assert_eq!(
+        get("three-pass", ("speed vs", "frustum")),
+        ("3.38x".into(), true)
+    );
+    assert_eq!(
+        get("id-histogram", ("speed vs", "frustum")),
+        ("3.23x".into(), false)
+    );
+    assert_eq!(
+        get("frustum", ("speed vs", "frustum")),
+        ("1.00x".into(), false)
+    );
+    assert_eq!(get("ideal", ("speed vs", "none")), ("10.7x".into(), false));
+    assert_eq!(
+        get("three-pass", ("wrong px", "mean %")),
+        ("0.012".into(), false)
+    );
+    assert_eq!(get("hi-z", ("wrong px", "mean %")), ("0".into(), true));
+    assert_eq!(get("three-pass", ("false", "culls")), ("48".into(), false));
+    assert_eq!(get("hi-z", ("queries", "a frame")), ("8 420".into(), false));
+    assert_eq!(
+        get("coherent-queries", ("sync", "points")),
+        ("1".into(), false)
+    );
+}
+
+#[test]
+fn terminal_columns_are_aligned_and_plain_without_colour() {
+    let text = Table::new(&synthetic::report()).terminal(false);
+    assert!(!text.contains('\x1b'));
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines.len(), 2 + 7);
+    // Right-aligned numbers of a column end at one place.
+    let end = |line: &str, number: &str| line.find(number).unwrap() + number.len();
+    assert_eq!(
+        end(lines[2], "31.9"),
+        lines[0].find("frame").unwrap() + "frame".len()
+    );
+    assert_eq!(end(lines[4], "10.7x"), end(lines[2], "1.00x"));
+    assert!(text.is_ascii());
+}
+
+#[test]
+fn wide_letters_keep_the_columns_aligned() {
+    let mut report = synthetic::report();
+    report.strategies[3].label = "\u{7acb}\u{65b9}".into();
+    let text = Table::new(&report).terminal(false);
+    let line = text.lines().find(|l| l.contains('\u{7acb}')).unwrap();
+    let other = text.lines().find(|l| l.contains("three-pass")).unwrap();
+    // Two letters of double width: two columns fewer in letters, three bytes each.
+    let letters = |l: &str, word: &str| l[..l.find(word).unwrap()].chars().count();
+    assert_eq!(letters(line, "on-gpu") + 2, letters(other, "frame-late"));
+}
+
+#[test]
+fn colour_marks_the_best_and_the_broken() {
+    let mut report = synthetic::report();
+    report.strategies[3].error.false_culls.entities = 2;
+    let text = Table::new(&report).terminal(true);
+    let line = |name: &str| text.lines().find(|l| l.contains(name)).unwrap().to_owned();
+    assert!(line("hi-z").contains("\x1b[31mhi-z\x1b[0m"));
+    assert!(line("three-pass").contains("\x1b[1m3.38x\x1b[0m"));
+}
+
+#[test]
+fn hostile_names_cannot_repaint_a_terminal_or_break_markdown() {
+    let mut report = synthetic::report();
+    report.strategies[3].name = "\x1b[2J\u{202e}evil|x\n<img>".into();
+    report.scene.name = "scene\x07\n\u{9b}31m".into();
+    let table = Table::new(&report);
+    let text = table.terminal(false) + &facts(&report).join("\n");
+    assert!(
+        !text
+            .chars()
+            .any(|c| (c.is_control() && c != '\n') || c == '\u{202e}')
+    );
+    assert_eq!(table.terminal(false).lines().count(), 2 + 7);
+    let markdown = table.markdown();
+    let line = markdown.lines().find(|l| l.contains("evil")).unwrap();
+    assert!(
+        line.contains("evil\\|x") && line.contains("&lt;img"),
+        "{line}"
+    );
+    assert_eq!(markdown.lines().count(), 2 + 7);
+}
+
+#[test]
+fn columns_that_nobody_measured_are_left_out() {
+    let mut report = synthetic::report();
+    for strategy in &mut report.strategies {
+        strategy.time_vs_ideal = None;
+        strategy.free_running_ms = None;
+    }
+    report.strategies[4].time_vs_none = None;
+    let titles: Vec<_> = Table::new(&report)
+        .columns
+        .iter()
+        .map(|c| (c.title, c.unit))
+        .collect();
+    assert!(!titles.contains(&("speed vs", "ideal")) && titles.contains(&("speed vs", "none")));
+    assert_eq!(cell(&report, "three-pass", ("speed vs", "none")).0, "-");
+}
+
+#[test]
+fn an_empty_report_has_a_table_too() {
+    let report = Report {
+        strategies: Vec::new(),
+        ..synthetic::report()
+    };
+    assert_eq!(Table::new(&report).terminal(true).lines().count(), 2);
+    assert!(picks(&report).is_empty());
+}
+
+#[test]
+fn verdicts_are_what_a_person_would_say() {
+    let mut report = synthetic::report();
+    let say = |report: &Report, i: usize| {
+        let v = verdict(report, &report.strategies[i]);
+        (v.text, v.tone)
+    };
+    assert_eq!(
+        say(&report, 4),
+        (
+            "3.4 times as fast as frustum, 0.012 % wrong pixels on average (0.072 % in the worst frame)".into(),
+            Tone::Trade
+        )
+    );
+    assert_eq!(
+        say(&report, 3),
+        (
+            "2.5 times as fast as frustum, every pixel right".into(),
+            Tone::Good
+        )
+    );
+    assert_eq!(
+        say(&report, 1),
+        (
+            "2.2 times as fast as none, every pixel right".into(),
+            Tone::Yardstick
+        )
+    );
+    report.strategies[3].time_vs_frustum = Some(1.009);
+    assert_eq!(
+        say(&report, 3),
+        (
+            "as fast as frustum, within the noise, every pixel right".into(),
+            Tone::Poor
+        )
+    );
+    report.strategies[3].time_vs_frustum = Some(1.5);
+    assert_eq!(
+        say(&report, 3),
+        (
+            "takes 1.50 times as long as frustum, every pixel right".into(),
+            Tone::Poor
+        )
+    );
+    report.strategies[3].error.wrong_pixels_percent.max = 0.4;
+    assert_eq!(say(&report, 3).1, Tone::Broken);
+    assert!(
+        say(&report, 3)
+            .0
+            .ends_with("claims to be conservative and is not")
+    );
+}
+
+#[test]
+fn picks_name_the_fastest_right_and_the_fastest_hardly_wrong() {
+    let mut report = synthetic::report();
+    let names = |report: &Report| -> Vec<(String, String)> {
+        picks(report)
+            .iter()
+            .map(|p| (p.title.to_owned(), p.strategy.name.clone()))
+            .collect()
+    };
+    assert_eq!(
+        names(&report),
+        [
+            ("Fastest with every pixel right".into(), "hi-z".into()),
+            (
+                "Fastest of all, with at most 0.1 % wrong pixels".into(),
+                "three-pass".into()
+            ),
+        ]
+    );
+    report.strategies[3].frame_ms.median = 0.5;
+    assert_eq!(
+        names(&report),
+        [(
+            "Fastest of all, and every pixel right".into(),
+            "hi-z".into()
+        )]
+    );
+}
