@@ -1,0 +1,92 @@
+//! Candidates: what of a scene lies in a view's frustum, and what of that no test may judge.
+
+use std::sync::Arc;
+
+use antumbra_draw::{SceneTable, ViewFrame};
+
+/// The entities of one view in one frame that a strategy may choose from.
+#[derive(Debug, Clone, Default)]
+pub struct Candidates {
+    inside: Vec<u32>,
+    near: Vec<u32>,
+    stamp: Stamp,
+}
+
+/// When a question was asked: what an answer must be held against before it is believed.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Stamp {
+    /// The scene's epoch.
+    pub epoch: u64,
+    /// The view's count of camera cuts.
+    pub cuts: u64,
+}
+
+impl Candidates {
+    /// Finds the entities whose bounds touch the view's frustum.
+    pub fn find(&mut self, table: &SceneTable, view: &ViewFrame) {
+        self.stamp = Stamp {
+            epoch: table.epoch(),
+            cuts: view.cuts,
+        };
+        self.inside.clear();
+        self.near.clear();
+        view.frustum.cull(table.boxes(), &mut self.inside);
+        self.inside.retain(|slot| table.occupant(*slot).is_some());
+        self.find_near(table, view);
+    }
+
+    /// Takes all entities, inside the frustum or not.
+    pub fn take_all(&mut self, table: &SceneTable, view: &ViewFrame) {
+        self.stamp = Stamp {
+            epoch: table.epoch(),
+            cuts: view.cuts,
+        };
+        self.inside.clear();
+        self.near.clear();
+        self.inside.extend(table.live_slots());
+    }
+
+    fn find_near(&mut self, table: &SceneTable, view: &ViewFrame) {
+        let aspect = view.aspect();
+        let crosses = |slot: &u32| view.camera.crosses_near(&table.bounds(*slot), aspect);
+        self.near
+            .extend(self.inside.iter().copied().filter(crosses));
+    }
+
+    /// Slots in the frustum, ascending.
+    pub fn inside(&self) -> &[u32] {
+        &self.inside
+    }
+
+    /// Those of them that reach over the near plane: visible, whatever a test of their clipped proxies would say. Ascending.
+    pub fn near(&self) -> &[u32] {
+        &self.near
+    }
+
+    /// Whether a slot reaches over the near plane.
+    pub fn is_near(&self, slot: u32) -> bool {
+        self.near.binary_search(&slot).is_ok()
+    }
+
+    /// Slots in the frustum that a test may judge, ascending.
+    pub fn testable(&self) -> impl Iterator<Item = u32> + Clone + '_ {
+        self.inside
+            .iter()
+            .copied()
+            .filter(|slot| !self.is_near(*slot))
+    }
+
+    /// When these were found.
+    pub fn stamp(&self) -> Stamp {
+        self.stamp
+    }
+}
+
+/// What was asked: goes along with the answer, so that it can be held against what is asked now.
+#[derive(Debug, Clone, Default)]
+pub struct Asked {
+    /// When.
+    pub stamp: Stamp,
+    /// The slots that were tested; with hardware queries, in the order of the queries.
+    pub slots: Arc<Vec<u32>>,
+}

@@ -1,0 +1,354 @@
+//! Counting visible samples: four ways to the same answer.
+//!
+//! Hardware queries answer *any*, nothing more, and each costs its draw. Fragment atomics count under a forced early depth test. The
+//! comparing pass counts wherever fragment shaders may write memory. An entity-id buffer and a histogram count what owns each pixel, and
+//! need one geometry pass where the others need two. (A counter an entity from one pass of ids: after the item buffers of
+//! Weghorst, Hooper and Greenberg, *Improved Computational Methods for Ray Tracing*, 1984.)
+
+use std::fmt;
+use std::str::FromStr;
+use std::sync::Arc;
+
+use antumbra_draw::passes::{self, Submitted};
+use antumbra_draw::{Detail, Gpu, IDENTITY_FORMAT, PassKind};
+use antumbra_graph::{Bind, Buffer, BufferDesc, Clear, Host, Texture, TextureDesc};
+
+use crate::candidates::{Asked, Candidates};
+use crate::frame_graph::{CULL, FrameGraph};
+use crate::samples::CountLayout;
+use crate::view_nodes::ViewNodes;
+
+/// A way of counting visible samples.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Counting {
+    /// A hardware occlusion query an entity: any sample, or none.
+    Queries,
+    /// Fragment atomics under a forced early depth test.
+    Atomics,
+    /// A depth compare in the fragment shader.
+    Compare,
+    /// An entity-id buffer and a compute histogram.
+    Identity,
+}
+
+impl Counting {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Queries, Self::Atomics, Self::Compare, Self::Identity];
+
+    /// What the device lacks for it, in words.
+    pub fn lacking(self, gpu: &Gpu) -> Option<&'static str> {
+        let writable = gpu
+            .downlevel
+            .flags
+            .contains(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE);
+        let compute = gpu
+            .downlevel
+            .flags
+            .contains(wgpu::DownlevelFlags::COMPUTE_SHADERS);
+        match self {
+            Self::Queries => None,
+            Self::Atomics
+                if !gpu
+                    .device
+                    .features()
+                    .contains(wgpu::Features::SHADER_EARLY_DEPTH_TEST) =>
+            {
+                Some("a forced early depth test")
+            }
+            Self::Atomics | Self::Compare if !writable => {
+                Some("storage writes in fragment shaders")
+            }
+            Self::Identity if !compute => Some("compute shaders"),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for Counting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Queries => "queries",
+            Self::Atomics => "atomics",
+            Self::Compare => "compare",
+            Self::Identity => "identity",
+        })
+    }
+}
+
+impl FromStr for Counting {
+    type Err = ();
+
+    fn from_str(text: &str) -> Result<Self, ()> {
+        Self::ALL
+            .into_iter()
+            .find(|way| way.to_string() == text)
+            .ok_or(())
+    }
+}
+
+/// The stand-ins of a view's candidates, on the GPU.
+#[derive(Debug, Clone, Copy)]
+pub struct Proxies {
+    /// What may hide others: opaque triangles.
+    pub occluders: Submitted,
+    /// What is tested and hides nothing; `None` where the scene has no such entity and both are drawn alike.
+    pub others: Option<Submitted>,
+    /// Everything that is tested.
+    pub occludees: Submitted,
+    /// What is tested, for whoever reads the answer.
+    pub asked: Host<Asked>,
+}
+
+/// Counts on the GPU.
+#[derive(Debug, Clone, Copy)]
+pub struct Counts {
+    /// The counts.
+    pub buffer: Buffer,
+    /// How they lie in it.
+    pub layout: CountLayout,
+    /// What they are about.
+    pub asked: Host<Asked>,
+}
+
+impl FrameGraph<'_> {
+    /// Submits the candidates' stand-ins as occluders and as occludees.
+    pub fn proxies(
+        &mut self,
+        view: &ViewNodes,
+        candidates: Host<Candidates>,
+        occluder: Detail,
+        occludee: Detail,
+    ) -> Proxies {
+        let inputs = view.inputs();
+        let apart = occluder != occludee || self.topology().classes().any(|class| !class.hides());
+        let occluders = self.unsubmitted(&view.named("occluders"));
+        let others = apart.then(|| self.unsubmitted(&view.named("other occludees")));
+        let occludees = apart.then(|| self.unsubmitted(&view.named("occludees")));
+        let asked = self.graph().host::<Asked>(view.named("asked"));
+        let mut node = self.graph().host_node(view.named("submit proxies"));
+        node.group(CULL).read(inputs.scene).read(candidates);
+        let mut submit = |set: Submitted| Submitted {
+            list: node.write(set.list),
+            ids: node.upload(set.ids),
+        };
+        let occluders = submit(occluders);
+        let others = others.map(&mut submit);
+        let all = occludees.map(&mut submit);
+        let asked = node.write(asked);
+        node.run(move |ctx| {
+            let (scene, candidates) = (ctx.get(inputs.scene)?, ctx.get(candidates)?);
+            let table = &scene.table;
+            let inside = || candidates.inside().iter().copied();
+            let mut occluder_list = ctx.get_mut(occluders.list)?;
+            occluder_list.fill(
+                table,
+                inside().filter(|slot| table.is_occluder(*slot)),
+                occluder,
+            );
+            ctx.upload(occluders.ids, 0, bytemuck::cast_slice(occluder_list.ids()))?;
+            let mut tested = Arc::new(occluder_list.ids().to_vec());
+            if let (Some(others), Some(all)) = (others, all) {
+                let mut list = ctx.get_mut(others.list)?;
+                list.fill(
+                    table,
+                    inside().filter(|slot| !table.is_occluder(*slot)),
+                    occludee,
+                );
+                ctx.upload(others.ids, 0, bytemuck::cast_slice(list.ids()))?;
+                let mut list = ctx.get_mut(all.list)?;
+                list.fill(table, inside(), occludee);
+                ctx.upload(all.ids, 0, bytemuck::cast_slice(list.ids()))?;
+                tested = Arc::new(list.ids().to_vec());
+            }
+            *ctx.get_mut(asked)? = Asked {
+                stamp: candidates.stamp(),
+                slots: tested,
+            };
+            Ok(())
+        });
+        Proxies {
+            occluders,
+            others,
+            occludees: all.unwrap_or(occluders),
+            asked,
+        }
+    }
+
+    /// Draws the occluders' depth and counts the occludees' visible samples in an image of `size` pixels.
+    /// [`Counting::Identity`] takes occluders and occludees of the same detail.
+    pub fn count_samples(
+        &mut self,
+        view: &ViewNodes,
+        proxies: Proxies,
+        way: Counting,
+        size: [u32; 2],
+    ) -> Counts {
+        let inputs = view.inputs();
+        let depth = self.depth_texture(view.named("occluder depth"), size);
+        if way == Counting::Identity {
+            return self.count_identities(view, proxies, depth, size);
+        }
+        let spec = self.pass(view.named("occluder depth"), CULL, PassKind::Depth);
+        let depth = passes::depth_pass(self.graph(), &spec, inputs, proxies.occluders, depth);
+        if way == Counting::Queries {
+            let bytes = self.slot_bytes() * 2;
+            let answers = self
+                .graph()
+                .buffer(view.named("query answers"), BufferDesc::new(bytes));
+            let spec = self.pass(view.named("queries"), CULL, PassKind::Query);
+            let buffer = passes::query_pass(
+                self.graph(),
+                &spec,
+                inputs,
+                proxies.occludees,
+                depth,
+                answers,
+            );
+            return Counts {
+                buffer,
+                layout: CountLayout::ByQuery,
+                asked: proxies.asked,
+            };
+        }
+        let counts = self.sample_counts(view);
+        let buffer = self.count_against(view, proxies.occludees, way, depth, size, counts);
+        Counts {
+            buffer,
+            layout: CountLayout::BySlot,
+            asked: proxies.asked,
+        }
+    }
+
+    /// A count a slot, zero at the start of the frame.
+    pub fn sample_counts(&mut self, view: &ViewNodes) -> Buffer {
+        let bytes = self.slot_bytes();
+        self.graph().buffer(
+            view.named("visible samples"),
+            BufferDesc::new(bytes).zeroed(),
+        )
+    }
+
+    fn count_against(
+        &mut self,
+        view: &ViewNodes,
+        what: Submitted,
+        way: Counting,
+        depth: Texture,
+        size: [u32; 2],
+        counts: Buffer,
+    ) -> Buffer {
+        let inputs = view.inputs();
+        if way == Counting::Atomics {
+            let spec = self.pass(view.named("count samples"), CULL, PassKind::CountAtomic);
+            return passes::count_atomic_pass(self.graph(), &spec, inputs, what, depth, counts);
+        }
+        let scratch = self.depth_texture(view.named("scratch depth"), size);
+        let spec = self.pass(view.named("count samples"), CULL, PassKind::CountCompare);
+        passes::count_compare_pass(self.graph(), &spec, inputs, what, depth, scratch, counts)
+    }
+
+    fn count_identities(
+        &mut self,
+        view: &ViewNodes,
+        proxies: Proxies,
+        depth: Texture,
+        size: [u32; 2],
+    ) -> Counts {
+        let [width, height] = size;
+        let blank = Clear::Colour(wgpu::Color::TRANSPARENT);
+        let ids = self.graph().texture(
+            view.named("entity ids"),
+            TextureDesc::new(width, height, IDENTITY_FORMAT).cleared(blank),
+        );
+        let spec = self.pass(view.named("entity ids"), CULL, PassKind::Identity);
+        let (ids, depth) = passes::identity_pass(
+            self.graph(),
+            &spec,
+            view.inputs(),
+            proxies.occluders,
+            ids,
+            depth,
+        );
+        let counts = self.sample_counts(view);
+        let mut counts = self.histogram(view, ids, size, counts);
+        if let Some(others) = proxies.others {
+            let way = if Counting::Atomics.lacking(self.gpu()).is_none() {
+                Counting::Atomics
+            } else {
+                Counting::Compare
+            };
+            counts = self.count_against(view, others, way, depth, size, counts);
+        }
+        Counts {
+            buffer: counts,
+            layout: CountLayout::BySlot,
+            asked: proxies.asked,
+        }
+    }
+
+    /// Adds up how many pixels of an entity-id texture each slot owns.
+    pub fn histogram(
+        &mut self,
+        view: &ViewNodes,
+        ids: Texture,
+        [width, height]: [u32; 2],
+        counts: Buffer,
+    ) -> Buffer {
+        let pipeline =
+            ComputePipeline::new(self.gpu(), &antumbra_shaders::jobs::histogram::JOB, "count");
+        let mut node = self.graph().compute(view.named("histogram"));
+        node.group(CULL).sample(ids);
+        let counts = node.storage_write(counts);
+        // As the shader has it: a thread a run of sixteen pixels, sixty-four threads a group.
+        let groups = (width.div_ceil(16) * height).div_ceil(64);
+        node.run(move |ctx| {
+            let group = ctx.bind_group(
+                0,
+                &pipeline.layout,
+                &[Bind::Texture(0, ids), Bind::Buffer(1, counts)],
+            )?;
+            let pass = ctx.pass();
+            pass.set_pipeline(&pipeline.pipeline);
+            pass.set_bind_group(0, &group, &[]);
+            pass.dispatch_workgroups(groups, 1, 1);
+            Ok(())
+        });
+        counts
+    }
+}
+
+/// A compute pipeline of one bind group.
+#[derive(Debug, Clone)]
+pub(crate) struct ComputePipeline {
+    pub pipeline: wgpu::ComputePipeline,
+    pub layout: wgpu::BindGroupLayout,
+}
+
+impl ComputePipeline {
+    pub fn new(gpu: &Gpu, job: &antumbra_shaders::Job, entry: &'static str) -> Self {
+        let layout = gpu
+            .device
+            .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                label: Some(job.name.as_ref()),
+                entries: &job.layout_entries(0),
+            });
+        let pipeline_layout = gpu
+            .device
+            .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some(job.name.as_ref()),
+                bind_group_layouts: &[Some(&layout)],
+                immediate_size: 0,
+            });
+        let pipeline = gpu
+            .device
+            .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label: Some(job.name.as_ref()),
+                layout: Some(&pipeline_layout),
+                module: &antumbra_shaders::module(&gpu.device, job),
+                entry_point: Some(entry),
+                compilation_options: Default::default(),
+                cache: None,
+            });
+        Self { pipeline, layout }
+    }
+}

@@ -1,0 +1,307 @@
+//! The graph as a strategy sees it: the raw graph, and the steps that culling is made of.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use antumbra_draw::passes::{self, PassSpec, Submitted};
+use antumbra_draw::{
+    DEPTH_FORMAT, Detail, DrawList, Gpu, PassKind, PassPipelines, SceneTable, Topology, ViewFrame,
+};
+use antumbra_graph::{
+    BodyError, BufferDesc, Clear, Graph, Host, HostBuilder, HostContext, LoopOptions, Texture,
+    TextureDesc,
+};
+
+use crate::candidates::Candidates;
+use crate::samples::outside;
+use crate::strategy::VisibleSet;
+use crate::verdict::{Verdict, Verdicts};
+use crate::view_nodes::ViewNodes;
+
+/// The label of what finding the visible set costs.
+pub const CULL: &str = "cull";
+/// The label of what drawing it costs.
+pub const DRAW: &str = "draw";
+
+/// The graph under declaration, with the steps that culling is made of.
+pub struct FrameGraph<'g> {
+    graph: &'g mut Graph,
+    shared: &'g mut Shared,
+}
+
+/// What all views of a stage share while they are declared.
+pub(crate) struct Shared {
+    pub gpu: Gpu,
+    pub topology: Topology,
+    pub colour_format: wgpu::TextureFormat,
+    pub pipelines: HashMap<PassKind, Arc<PassPipelines>>,
+}
+
+/// Verdicts and the lists that follow from them.
+#[derive(Debug, Clone, Copy)]
+pub struct Chosen {
+    /// Why each entity is drawn or not.
+    pub verdicts: Host<Verdicts>,
+    /// What is drawn without blending, in canonical order.
+    pub solid: Submitted,
+    /// What is blended, back to front; `None` for a scene without.
+    pub blended: Option<Submitted>,
+}
+
+impl<'g> FrameGraph<'g> {
+    pub(crate) fn new(graph: &'g mut Graph, shared: &'g mut Shared) -> Self {
+        Self { graph, shared }
+    }
+
+    /// The graph itself, for nodes of a strategy's own.
+    pub fn graph(&mut self) -> &mut Graph {
+        self.graph
+    }
+
+    /// The device.
+    pub fn gpu(&self) -> &Gpu {
+        &self.shared.gpu
+    }
+
+    /// What the scene asks of the plan: sizes, classes, transparency.
+    pub fn topology(&self) -> &Topology {
+        &self.shared.topology
+    }
+
+    /// Declares a sub-graph that runs until its host value is true, one turn an entity at most.
+    pub fn host_loop(
+        &mut self,
+        name: String,
+        declare: impl FnOnce(&mut FrameGraph<'_>) -> Host<bool>,
+    ) {
+        let options = LoopOptions {
+            limit: self
+                .shared
+                .topology
+                .slots
+                .saturating_mul(2)
+                .saturating_add(16),
+        };
+        let shared = &mut *self.shared;
+        self.graph.host_loop_with(name, options, |graph| {
+            declare(&mut FrameGraph { graph, shared })
+        });
+    }
+
+    /// How a drawing node is called and what it draws with. Pipelines are made once a kind.
+    pub fn pass(&mut self, name: String, group: &'static str, kind: PassKind) -> PassSpec {
+        let Shared {
+            gpu,
+            topology,
+            pipelines,
+            ..
+        } = &mut *self.shared;
+        let pipelines = pipelines
+            .entry(kind)
+            .or_insert_with(|| Arc::new(PassPipelines::new(gpu, kind, topology.classes())));
+        PassSpec {
+            name,
+            group,
+            pipelines: Arc::clone(pipelines),
+        }
+    }
+
+    /// A depth texture of some pixels, cleared to infinitely far by its first writer.
+    pub fn depth_texture(&mut self, name: String, [width, height]: [u32; 2]) -> Texture {
+        self.graph.texture(
+            name,
+            TextureDesc::new(width, height, DEPTH_FORMAT).cleared(Clear::Depth(0.0)),
+        )
+    }
+
+    /// A draw list of up to every slot, and the buffer its slots go to.
+    pub(crate) fn unsubmitted(&mut self, name: &str) -> Submitted {
+        let list = self.graph.host::<DrawList>(name);
+        let ids = self
+            .graph
+            .buffer(format!("{name}: slots"), BufferDesc::new(self.slot_bytes()));
+        Submitted { list, ids }
+    }
+
+    /// Four bytes a slot.
+    pub(crate) fn slot_bytes(&self) -> u64 {
+        u64::from(self.shared.topology.slots.max(1)) * 4
+    }
+
+    /// What of the scene lies in the view's frustum. Found once a view, however often it is asked for.
+    pub fn in_frustum(&mut self, view: &mut ViewNodes) -> Host<Candidates> {
+        if let Some(found) = view.in_frustum {
+            return found;
+        }
+        let found = self.candidates(view, "frustum", |candidates, table, frame| {
+            candidates.find(table, frame)
+        });
+        view.in_frustum = Some(found);
+        found
+    }
+
+    /// All of the scene, in the frustum or not.
+    pub fn everything(&mut self, view: &ViewNodes) -> Host<Candidates> {
+        self.candidates(view, "everything", |candidates, table, frame| {
+            candidates.take_all(table, frame)
+        })
+    }
+
+    fn candidates(
+        &mut self,
+        view: &ViewNodes,
+        name: &str,
+        find: impl Fn(&mut Candidates, &SceneTable, &ViewFrame) + Send + 'static,
+    ) -> Host<Candidates> {
+        let inputs = view.inputs;
+        let found = self.graph.host::<Candidates>(view.named("candidates"));
+        let mut node = self.graph.host_node(view.named(name));
+        node.group(CULL).read(inputs.scene).read(inputs.view);
+        let found = node.write(found);
+        node.run(move |ctx| {
+            let (scene, frame) = (ctx.get(inputs.scene)?, ctx.get(inputs.view)?);
+            find(&mut *ctx.get_mut(found)?, &scene.table, &frame);
+            Ok(())
+        });
+        found
+    }
+
+    /// A host node that gives every entity a verdict, makes the draw lists that follow, and uploads them. `reads` declares what
+    /// else the judgement reads; `judge` starts from [`Verdict::OutsideFrustum`] for every entity.
+    pub fn choose(
+        &mut self,
+        view: &ViewNodes,
+        reads: impl FnOnce(&mut HostBuilder<'_>),
+        mut judge: impl FnMut(
+            &HostContext<'_>,
+            &SceneTable,
+            &ViewFrame,
+            &mut Verdicts,
+        ) -> Result<(), BodyError>
+        + Send
+        + 'static,
+    ) -> Chosen {
+        let inputs = view.inputs;
+        let verdicts = self.graph.host::<Verdicts>(view.named("verdicts"));
+        let solid = self.unsubmitted(&view.named("visible set"));
+        let blended = self
+            .shared
+            .topology
+            .transparent
+            .then(|| self.unsubmitted(&view.named("visible transparent set")));
+        let mut node = self.graph.host_node(view.named("choose visible set"));
+        node.group(CULL).read(inputs.scene).read(inputs.view);
+        reads(&mut node);
+        let chosen = Chosen {
+            verdicts: node.write(verdicts),
+            solid: Submitted {
+                list: node.write(solid.list),
+                ids: node.upload(solid.ids),
+            },
+            blended: blended.map(|set| Submitted {
+                list: node.write(set.list),
+                ids: node.upload(set.ids),
+            }),
+        };
+        node.run(move |ctx| {
+            let (scene, frame) = (ctx.get(inputs.scene)?, ctx.get(inputs.view)?);
+            let table = &scene.table;
+            let mut verdicts = ctx.get_mut(chosen.verdicts)?;
+            outside(table, &mut verdicts);
+            judge(ctx, table, &frame, &mut verdicts)?;
+            let mut solid = ctx.get_mut(chosen.solid.list)?;
+            solid.fill(
+                table,
+                verdicts.drawn().filter(|slot| !table.is_transparent(*slot)),
+                Detail::Level(0),
+            );
+            ctx.upload(chosen.solid.ids, 0, bytemuck::cast_slice(solid.ids()))?;
+            if let Some(blended) = chosen.blended {
+                let mut list = ctx.get_mut(blended.list)?;
+                back_to_front(
+                    &mut list,
+                    table,
+                    &frame,
+                    verdicts.drawn().filter(|slot| table.is_transparent(*slot)),
+                );
+                ctx.upload(blended.ids, 0, bytemuck::cast_slice(list.ids()))?;
+            }
+            Ok(())
+        });
+        chosen
+    }
+
+    /// Shades what was chosen: first what is solid, then what is blended.
+    pub fn shade(&mut self, view: &mut ViewNodes, chosen: Chosen) -> VisibleSet {
+        self.shade_list(view, "shaded", chosen.solid);
+        if let Some(blended) = chosen.blended {
+            self.shade_list(view, "transparent", blended);
+        }
+        VisibleSet::drawn(chosen.verdicts)
+    }
+
+    /// Shades one list into the view's targets.
+    pub fn shade_list(&mut self, view: &mut ViewNodes, name: &str, list: Submitted) {
+        let spec = self.pass(
+            view.named(name),
+            DRAW,
+            PassKind::Shaded(self.shared.colour_format),
+        );
+        let targets = view.targets;
+        let (colour, depth) = passes::shaded_pass(
+            self.graph,
+            &spec,
+            view.inputs,
+            list,
+            targets.colour,
+            targets.depth,
+        );
+        view.targets.colour = colour;
+        view.targets.depth = depth;
+    }
+
+    /// The pipelines' kind for the view's colour target.
+    pub fn shaded_kind(&self) -> PassKind {
+        PassKind::Shaded(self.shared.colour_format)
+    }
+
+    /// Chooses by a rule about each candidate alone, and shades what was chosen.
+    pub fn visible_by(
+        &mut self,
+        view: &mut ViewNodes,
+        candidates: Host<Candidates>,
+        rule: impl Fn(&SceneTable, &ViewFrame, u32) -> Verdict + Send + 'static,
+    ) -> VisibleSet {
+        let chosen = self.choose(
+            view,
+            |node| {
+                node.read(candidates);
+            },
+            move |ctx, table, frame, verdicts| {
+                for slot in ctx.get(candidates)?.inside() {
+                    verdicts.set(*slot, rule(table, frame, *slot));
+                }
+                Ok(())
+            },
+        );
+        self.shade(view, chosen)
+    }
+}
+
+/// Orders transparent entities for blending: by the distance of their bounds' centres, farthest first, ties by slot.
+pub(crate) fn back_to_front(
+    list: &mut DrawList,
+    table: &SceneTable,
+    view: &ViewFrame,
+    slots: impl Iterator<Item = u32>,
+) {
+    let eye = view.camera.position;
+    let mut order: Vec<(f64, u32)> = slots
+        .map(|slot| (table.bounds(slot).centre().distance_squared(eye), slot))
+        .collect();
+    order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    list.clear();
+    for (_, slot) in order {
+        list.push(table, slot, Detail::Level(0));
+    }
+}

@@ -1,0 +1,31 @@
+//! Occlusion culling as a stage of a render graph: strategies that plug in, visible sets, sample counts, and the kit that every
+//! strategy must pass.
+//!
+//! A [`Strategy`] declares nodes on a [`FrameGraph`] for each view and leaves a [`VisibleSet`]; a [`Stage`] compiles them and runs
+//! frames. When an answer is used is one edge of the graph: read late by a host node, read now by a host node (a sync point), or read
+//! by a compute node that writes indirect draws ([`Latency`]).
+
+mod candidates;
+mod counting;
+mod frame_graph;
+mod on_gpu;
+mod registry;
+mod samples;
+mod setting;
+mod stage;
+pub mod strategies;
+mod strategy;
+mod verdict;
+mod view_nodes;
+mod visible_samples;
+
+pub use candidates::{Asked, Candidates, Stamp};
+pub use counting::{Counting, Counts, Proxies};
+pub use frame_graph::{CULL, Chosen, DRAW, FrameGraph};
+pub use registry::{Registry, RegistryError};
+pub use samples::{CountLayout, Samples, outside};
+pub use setting::{LATENCY_RANGE, Latency, Setting, SettingError, parse};
+pub use stage::{ImportedTargets, Stage, StageError, StageOptions, ViewInput, ViewSpec};
+pub use strategy::{DeclareError, Strategy, VisibleSet};
+pub use verdict::{Verdict, Verdicts};
+pub use view_nodes::{Targets, ViewNodes};

@@ -1,0 +1,103 @@
+//! Visible samples by slot, from whichever way of counting, and the judgement they lead to.
+
+use antumbra_draw::SceneTable;
+
+use crate::candidates::{Asked, Candidates, Stamp};
+use crate::verdict::{Verdict, Verdicts};
+
+/// How a buffer of counts is laid out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CountLayout {
+    /// A u32 a slot.
+    BySlot,
+    /// A u64 a query, in the order of [`Asked::slots`]: zero, or anything else for "at least one sample".
+    ByQuery,
+}
+
+/// Visible samples by slot.
+#[derive(Debug, Clone, Default)]
+pub struct Samples {
+    of: Vec<u32>,
+    asked: Option<Stamp>,
+    questions: u32,
+}
+
+/// Stands for a slot that was not asked about.
+const NOT_ASKED: u32 = u32::MAX;
+
+impl Samples {
+    /// Takes an answer in: the counts of the slots that were asked about.
+    pub fn take(&mut self, asked: &Asked, layout: CountLayout, bytes: &[u8]) {
+        self.of.clear();
+        let slots = asked
+            .slots
+            .iter()
+            .max()
+            .map_or(0, |most| *most as usize + 1);
+        self.of.resize(slots, NOT_ASKED);
+        self.asked = Some(asked.stamp);
+        self.questions = asked.slots.len() as u32;
+        for (query, slot) in asked.slots.iter().enumerate() {
+            let count = match layout {
+                CountLayout::BySlot => word(bytes, *slot as usize * 4),
+                // Boolean by contract, though some drivers count.
+                CountLayout::ByQuery => word(bytes, query * 8).map(|low| {
+                    let high = word(bytes, query * 8 + 4).unwrap_or(0);
+                    u32::from(low != 0 || high != 0)
+                }),
+            };
+            if let (Some(place), Some(count)) = (self.of.get_mut(*slot as usize), count) {
+                *place = count.min(NOT_ASKED - 1);
+            }
+        }
+    }
+
+    /// The count of a slot, if it was asked about.
+    pub fn get(&self, slot: u32) -> Option<u32> {
+        self.of
+            .get(slot as usize)
+            .copied()
+            .filter(|count| *count != NOT_ASKED)
+    }
+
+    /// Judges every entity: what has no trustworthy answer is drawn.
+    pub fn judge(
+        &self,
+        table: &SceneTable,
+        candidates: &Candidates,
+        threshold: u32,
+        verdicts: &mut Verdicts,
+    ) {
+        outside(table, verdicts);
+        verdicts.add_asked(self.questions);
+        let now = candidates.stamp();
+        let asked = self.asked.filter(|asked| asked.cuts == now.cuts);
+        for slot in candidates.inside() {
+            let born = table
+                .occupant(*slot)
+                .map_or(u64::MAX, |occupant| occupant.born);
+            let verdict = match (asked, self.get(*slot)) {
+                _ if candidates.is_near(*slot) => Verdict::Untested,
+                (Some(asked), _) if born > asked.epoch => Verdict::New,
+                (Some(_), Some(0)) => Verdict::Occluded,
+                (Some(_), Some(count)) if count <= threshold => Verdict::BelowThreshold,
+                (Some(_), Some(_)) => Verdict::Visible,
+                _ => Verdict::Untested,
+            };
+            verdicts.set(*slot, verdict);
+        }
+    }
+}
+
+/// Starts verdicts: every entity outside the frustum, until something better is known.
+pub fn outside(table: &SceneTable, verdicts: &mut Verdicts) {
+    verdicts.reset(table.slots(), Verdict::Absent);
+    for slot in table.live_slots() {
+        verdicts.set(slot, Verdict::OutsideFrustum);
+    }
+}
+
+fn word(bytes: &[u8], at: usize) -> Option<u32> {
+    let four = bytes.get(at..at.checked_add(4)?)?;
+    four.try_into().ok().map(u32::from_le_bytes)
+}

@@ -1,0 +1,519 @@
+//! The culling stage: a strategy's nodes between a scene and its image, compiled into a plan and run frame by frame.
+//!
+//! It runs on its own (it submits), or inside somebody else's frame (it records into their encoder, into their textures).
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use antumbra_draw::passes::ViewInputs;
+use antumbra_draw::{
+    DEPTH_FORMAT, DeviceError, DrawError, Gpu, GpuLights, GpuScene, GpuView, SceneFrame, Topology,
+    ViewFrame, read_back,
+};
+use antumbra_graph::{
+    BufferDesc, Clear, CompileErrors, CompileOptions, ExecuteError, FrameReport, Graph, Host, Mode,
+    Plan, TextureDesc,
+};
+use antumbra_scene::{Camera, CameraError};
+use thiserror::Error;
+
+use crate::candidates::Asked;
+use crate::frame_graph::{CULL, FrameGraph, Shared};
+use crate::samples::Samples;
+use crate::strategy::{DeclareError, Strategy, VerdictSource};
+use crate::verdict::Verdicts;
+use crate::view_nodes::{Targets, ViewNodes};
+
+/// A view of a stage: it keeps its name and size for the stage's life.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ViewSpec {
+    /// Its name: `main`, `left`, `right`.
+    pub name: String,
+    /// Width and height of its image in pixels.
+    pub size: [u32; 2],
+}
+
+impl ViewSpec {
+    /// The one view of a stage that has one.
+    pub fn main(width: u32, height: u32) -> Self {
+        Self {
+            name: "main".to_owned(),
+            size: [width, height],
+        }
+    }
+}
+
+/// How a stage is built.
+#[derive(Debug, Clone)]
+pub struct StageOptions {
+    /// Whether it runs on its own or records into somebody else's encoder.
+    pub mode: Mode,
+    /// The format of the colour targets.
+    pub colour_format: wgpu::TextureFormat,
+    /// What lies behind everything; not used when targets are imported.
+    pub background: wgpu::Color,
+    /// Whether the GPU's time is measured pass by pass, where the device can.
+    pub timing: bool,
+}
+
+impl Default for StageOptions {
+    fn default() -> Self {
+        Self {
+            mode: Mode::Owned,
+            colour_format: wgpu::TextureFormat::Rgba8UnormSrgb,
+            background: wgpu::Color {
+                r: 0.02,
+                g: 0.025,
+                b: 0.035,
+                a: 1.0,
+            },
+            timing: false,
+        }
+    }
+}
+
+/// One view's part of a frame.
+#[derive(Debug, Clone)]
+pub struct ViewInput<'a> {
+    /// The camera.
+    pub camera: Camera,
+    /// Whether the camera jumped since the last frame: answers from before say nothing now.
+    pub cut: bool,
+    /// The slots that own a pixel, ascending, for a strategy that needs to be told.
+    pub reference: Option<Arc<Vec<u32>>>,
+    /// In [`Mode::Embedded`]: where to draw. Both keep what they hold.
+    pub targets: Option<ImportedTargets<'a>>,
+}
+
+impl ViewInput<'_> {
+    /// A camera, and nothing special.
+    pub fn new(camera: Camera) -> Self {
+        Self {
+            camera,
+            cut: false,
+            reference: None,
+            targets: None,
+        }
+    }
+}
+
+/// Somebody else's textures: render attachments of the view's size. Depth is [`DEPTH_FORMAT`], reversed.
+#[derive(Debug, Clone, Copy)]
+pub struct ImportedTargets<'a> {
+    /// Colour, of the stage's format.
+    pub colour: &'a wgpu::Texture,
+    /// Depth.
+    pub depth: &'a wgpu::Texture,
+}
+
+/// Why a stage could not be built, or a frame not run.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum StageError {
+    /// The strategy's settings, or the device.
+    #[error(transparent)]
+    Declare(#[from] DeclareError),
+    /// The graph the strategy declared does not hold together.
+    #[error("the graph of strategy '{strategy}' does not compile:\n{errors}")]
+    Compile {
+        /// The strategy.
+        strategy: String,
+        /// All that is wrong.
+        errors: CompileErrors,
+    },
+    /// A frame failed.
+    #[error(transparent)]
+    Execute(#[from] ExecuteError),
+    /// The scene does not fit.
+    #[error(transparent)]
+    Draw(#[from] DrawError),
+    /// The device.
+    #[error(transparent)]
+    Device(#[from] DeviceError),
+    /// A camera that cannot see.
+    #[error("view '{view}': {error}")]
+    Camera {
+        /// The view.
+        view: String,
+        /// What is wrong with it.
+        error: CameraError,
+    },
+    /// The caller's inputs do not fit the stage.
+    #[error("the stage was given {0}")]
+    Input(String),
+}
+
+/// A strategy at work on a scene.
+pub struct Stage {
+    gpu: Gpu,
+    strategy: Box<dyn Strategy>,
+    specs: Vec<ViewSpec>,
+    options: StageOptions,
+    built: Built,
+    cuts: Vec<u64>,
+}
+
+struct Built {
+    topology: Topology,
+    plan: Plan,
+    scene: Host<SceneFrame>,
+    views: Vec<BuiltView>,
+}
+
+struct BuiltView {
+    frame: Host<ViewFrame>,
+    reference: Option<Host<Arc<Vec<u32>>>>,
+    imported: Option<Targets>,
+    targets: Targets,
+    verdicts: VerdictSource,
+}
+
+impl std::fmt::Debug for Stage {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Stage")
+            .field("strategy", &self.strategy.name())
+            .field("views", &self.specs)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Stage {
+    /// Declares a strategy's nodes for these views and compiles them.
+    ///
+    /// # Errors
+    /// [`StageError::Declare`] and [`StageError::Compile`]; [`StageError::Input`] without a view or with one of no pixels.
+    pub fn new(
+        scene: &GpuScene,
+        strategy: Box<dyn Strategy>,
+        specs: Vec<ViewSpec>,
+        options: StageOptions,
+    ) -> Result<Self, StageError> {
+        let most = scene.gpu().device.limits().max_texture_dimension_2d;
+        if specs.is_empty() {
+            return Err(StageError::Input("no view".to_owned()));
+        }
+        if let Some(spec) = specs
+            .iter()
+            .find(|spec| spec.size.iter().any(|side| *side == 0 || *side > most))
+        {
+            let [width, height] = spec.size;
+            return Err(StageError::Input(format!(
+                "view '{}' of {width} x {height} pixels: each side must be 1 to {most}",
+                spec.name
+            )));
+        }
+        let mut strategy = strategy;
+        let built = build(scene, strategy.as_mut(), &specs, &options)?;
+        let cuts = vec![0; specs.len()];
+        Ok(Self {
+            gpu: scene.gpu().clone(),
+            strategy,
+            specs,
+            options,
+            built,
+            cuts,
+        })
+    }
+
+    /// The strategy.
+    pub fn strategy(&self) -> &dyn Strategy {
+        self.strategy.as_ref()
+    }
+
+    /// The compiled plan: its passes, sync points, timings and picture.
+    pub fn plan(&self) -> &Plan {
+        &self.built.plan
+    }
+
+    /// The plan, to drain its timings.
+    pub fn plan_mut(&mut self) -> &mut Plan {
+        &mut self.built.plan
+    }
+
+    /// Runs a frame and submits it. The scene must have been [synced](GpuScene::sync).
+    ///
+    /// # Errors
+    /// [`StageError::Input`] when the inputs are not one a view; otherwise what failed.
+    pub fn frame(
+        &mut self,
+        scene: &GpuScene,
+        views: &[ViewInput<'_>],
+    ) -> Result<FrameReport, StageError> {
+        self.prepare(scene, views)?;
+        let report = self.built.plan.execute(&self.gpu.device, &self.gpu.queue)?;
+        self.gpu.check()?;
+        Ok(report)
+    }
+
+    /// Records a frame into somebody else's encoder; for a stage of [`Mode::Embedded`].
+    ///
+    /// # Errors
+    /// As for [`Self::frame`].
+    pub fn record(
+        &mut self,
+        scene: &GpuScene,
+        views: &[ViewInput<'_>],
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<FrameReport, StageError> {
+        self.prepare(scene, views)?;
+        Ok(self
+            .built
+            .plan
+            .record(&self.gpu.device, &self.gpu.queue, encoder)?)
+    }
+
+    fn prepare(&mut self, scene: &GpuScene, views: &[ViewInput<'_>]) -> Result<(), StageError> {
+        if views.len() != self.specs.len() {
+            return Err(StageError::Input(format!(
+                "{} views, and it has {}",
+                views.len(),
+                self.specs.len()
+            )));
+        }
+        if scene.topology() != self.built.topology {
+            self.built = build(scene, self.strategy.as_mut(), &self.specs, &self.options)?;
+        }
+        let Built {
+            plan,
+            scene: scene_handle,
+            views: built,
+            ..
+        } = &mut self.built;
+        plan.set(*scene_handle, scene.frame())?;
+        for (((input, spec), built), cuts) in
+            views.iter().zip(&self.specs).zip(built).zip(&mut self.cuts)
+        {
+            input
+                .camera
+                .validate()
+                .map_err(|error| StageError::Camera {
+                    view: spec.name.clone(),
+                    error,
+                })?;
+            *cuts += u64::from(input.cut);
+            plan.set(
+                built.frame,
+                ViewFrame::new(input.camera.clone(), spec.size, *cuts),
+            )?;
+            if let Some(handle) = built.reference {
+                let Some(reference) = &input.reference else {
+                    return Err(StageError::Input(format!(
+                        "no reference for view '{}', and strategy '{}' needs one",
+                        spec.name,
+                        self.strategy.name()
+                    )));
+                };
+                plan.set(handle, Arc::clone(reference))?;
+            }
+            if let Some(imported) = built.imported {
+                let Some(targets) = input.targets else {
+                    return Err(StageError::Input(format!(
+                        "no targets for view '{}', and an embedded stage draws into its owner's",
+                        spec.name
+                    )));
+                };
+                for (handle, texture) in [
+                    (imported.colour, targets.colour),
+                    (imported.depth, targets.depth),
+                ] {
+                    plan.bind_texture(handle, &texture.create_view(&Default::default()), texture)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// A view's colour texture of the last frame; `None` for one that does not exist, or whose targets are imported.
+    pub fn colour(&self, view: usize) -> Option<&wgpu::Texture> {
+        self.built
+            .plan
+            .texture(self.built.views.get(view)?.targets.colour)
+    }
+
+    /// A view's verdicts of the last frame. Where they only exist on the GPU they are fetched, and waited for: this is for measuring.
+    ///
+    /// # Errors
+    /// [`StageError::Device`] when the device is lost meanwhile; [`StageError::Input`] for a view that does not exist or no frame yet.
+    pub fn verdicts(&self, view: usize, scene: &GpuScene) -> Result<Verdicts, StageError> {
+        let missing = || StageError::Input(format!("view {view}, which has no verdicts yet"));
+        let built = self.built.views.get(view).ok_or_else(missing)?;
+        let plan = &self.built.plan;
+        match built.verdicts {
+            VerdictSource::Host(verdicts) => Ok(plan.get(verdicts).ok_or_else(missing)?.clone()),
+            VerdictSource::Gpu {
+                candidates,
+                asked,
+                counts,
+                layout,
+                threshold,
+            } => {
+                let candidates = plan.get(candidates).ok_or_else(missing)?;
+                let asked: &Asked = plan.get(asked).ok_or_else(missing)?;
+                let bytes = read_back::buffer(&self.gpu, plan.buffer(counts).ok_or_else(missing)?)?;
+                let mut samples = Samples::default();
+                samples.take(asked, layout, &bytes);
+                let mut verdicts = Verdicts::default();
+                samples.judge(scene.table(), candidates, threshold, &mut verdicts);
+                Ok(verdicts)
+            }
+        }
+    }
+}
+
+fn build(
+    scene: &GpuScene,
+    strategy: &mut dyn Strategy,
+    specs: &[ViewSpec],
+    options: &StageOptions,
+) -> Result<Built, StageError> {
+    let gpu = scene.gpu();
+    let topology = scene.topology();
+    let mut graph = Graph::new(strategy.name());
+    let scene_handle = graph.import_host::<SceneFrame>("scene");
+    let mut shared = Shared {
+        gpu: gpu.clone(),
+        topology: topology.clone(),
+        colour_format: options.colour_format,
+        pipelines: HashMap::new(),
+    };
+    let mut views = Vec::with_capacity(specs.len());
+    for (index, spec) in specs.iter().enumerate() {
+        let frame = graph.import_host::<ViewFrame>(format!("{} camera", spec.name));
+        let needs_reference = strategy.needs_reference();
+        let reference =
+            needs_reference.then(|| graph.import_host(format!("{} reference", spec.name)));
+        let (targets, imported) = targets(&mut graph, spec, options);
+        let mut nodes = ViewNodes {
+            name: spec.name.clone(),
+            index,
+            count: specs.len(),
+            size: spec.size,
+            inputs: inputs(&mut graph, spec, specs.len(), scene_handle, frame),
+            targets,
+            reference,
+            in_frustum: None,
+        };
+        let set = strategy.declare(&mut FrameGraph::new(&mut graph, &mut shared), &mut nodes)?;
+        graph.output(nodes.targets.colour);
+        match set.verdicts {
+            VerdictSource::Host(verdicts) => graph.output(verdicts),
+            VerdictSource::Gpu {
+                candidates,
+                asked,
+                counts,
+                ..
+            } => {
+                graph.output(candidates);
+                graph.output(asked);
+                graph.output(counts);
+            }
+        }
+        views.push(BuiltView {
+            frame,
+            reference,
+            imported,
+            targets: nodes.targets,
+            verdicts: set.verdicts,
+        });
+    }
+    let compile = CompileOptions {
+        mode: options.mode,
+        timing: options.timing,
+        ..CompileOptions::owned(&gpu.device)
+    };
+    let plan = graph
+        .compile(&compile)
+        .map_err(|errors| StageError::Compile {
+            strategy: strategy.name().to_owned(),
+            errors,
+        })?;
+    Ok(Built {
+        topology,
+        plan,
+        scene: scene_handle,
+        views,
+    })
+}
+
+/// The view's textures: the plan's own, or its owner's.
+fn targets(
+    graph: &mut Graph,
+    spec: &ViewSpec,
+    options: &StageOptions,
+) -> (Targets, Option<Targets>) {
+    let [width, height] = spec.size;
+    let colour = TextureDesc::new(width, height, options.colour_format);
+    let depth = TextureDesc::new(width, height, DEPTH_FORMAT);
+    let (colour_name, depth_name) = (
+        format!("{} colour", spec.name),
+        format!("{} depth", spec.name),
+    );
+    match options.mode {
+        Mode::Embedded => {
+            let targets = Targets {
+                colour: graph.import_texture(colour_name, colour),
+                depth: graph.import_texture(depth_name, depth),
+            };
+            (targets, Some(targets))
+        }
+        Mode::Owned => {
+            let colour = graph.texture(
+                colour_name,
+                colour.cleared(Clear::Colour(options.background)),
+            );
+            (
+                Targets {
+                    colour,
+                    depth: graph.texture(depth_name, depth.cleared(Clear::Depth(0.0))),
+                },
+                None,
+            )
+        }
+    }
+}
+
+/// Uploads the view's uniforms.
+fn inputs(
+    graph: &mut Graph,
+    spec: &ViewSpec,
+    count: usize,
+    scene: Host<SceneFrame>,
+    view: Host<ViewFrame>,
+) -> ViewInputs {
+    let named = |what: &str| {
+        if count > 1 {
+            format!("{}: {what}", spec.name)
+        } else {
+            what.to_owned()
+        }
+    };
+    let uniform = graph.buffer(named("view"), BufferDesc::new(size_of::<GpuView>() as u64));
+    let lights = graph.buffer(
+        named("lights"),
+        BufferDesc::new(size_of::<GpuLights>() as u64),
+    );
+    let mut node = graph.host_node(named("upload view"));
+    node.group(CULL).read(scene).read(view);
+    let (uniform, lights) = (node.upload(uniform), node.upload(lights));
+    node.run(move |ctx| {
+        let (scene, view) = (ctx.get(scene)?, ctx.get(view)?);
+        let [right, up, forward] = view.axes();
+        ctx.upload(uniform, 0, bytemuck::bytes_of(&view.uniform()))?;
+        ctx.upload(
+            lights,
+            0,
+            bytemuck::bytes_of(
+                &scene
+                    .lights
+                    .around(view.camera.position, forward, right, up),
+            ),
+        )?;
+        Ok(())
+    });
+    ViewInputs {
+        scene,
+        view,
+        uniform,
+        lights,
+    }
+}

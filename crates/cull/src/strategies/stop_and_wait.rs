@@ -1,0 +1,296 @@
+//! Stop and wait: front to back, one query an entity, its answer waited for, then its mesh. The classic, and the reason for all others.
+//!
+//! As the papers describe it before they improve on it: Plate et al. 2004, section 2; Staneker et al. 2004, section 2 (after Bartz,
+//! Meissner and Huettner, *OpenGL-assisted occlusion culling for large polygonal models*, 1999). Each turn of the loop draws what the
+//! last one found visible and asks about the next; its sync point is where the machine waits.
+
+use antumbra_draw::passes::{self, PassSpec, Submitted};
+use antumbra_draw::{Detail, DrawList, PassKind, SceneTable, ViewFrame};
+use antumbra_graph::{BufferDesc, Host};
+
+use crate::candidates::Candidates;
+use crate::frame_graph::{CULL, DRAW, FrameGraph, back_to_front};
+use crate::samples::outside;
+use crate::setting::{Latency, Setting, SettingError, parse};
+use crate::strategy::{DeclareError, Strategy, VisibleSet};
+use crate::verdict::{Verdict, Verdicts};
+use crate::view_nodes::ViewNodes;
+
+/// The strategy `stop-and-wait`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct StopAndWait {
+    /// Entities asked about between two waits: 1 is the classic. Entities of one batch are not tested against each other.
+    pub batch: u32,
+}
+
+impl Default for StopAndWait {
+    fn default() -> Self {
+        Self { batch: 1 }
+    }
+}
+
+const BATCH_RANGE: &str = "a whole number from 1 to 4096";
+
+/// Where the traversal stands.
+#[derive(Debug, Default)]
+struct Walk {
+    /// Slots front to back.
+    order: Vec<u32>,
+    /// How many of them have been asked about.
+    asked: usize,
+    /// Those of the last question.
+    pending: Vec<u32>,
+}
+
+impl Strategy for StopAndWait {
+    fn name(&self) -> &str {
+        "stop-and-wait"
+    }
+
+    fn summary(&self) -> &str {
+        "front to back, a query an entity, waited for, then its mesh"
+    }
+
+    fn conservative(&self) -> bool {
+        true
+    }
+
+    fn latency(&self) -> Option<Latency> {
+        Some(Latency::SameFrame)
+    }
+
+    fn settings(&self) -> Vec<Setting> {
+        let value = self.batch.to_string();
+        vec![Setting {
+            key: "batch",
+            value,
+            range: BATCH_RANGE,
+            meaning: "entities asked about between two waits",
+        }]
+    }
+
+    fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
+        if key != "batch" {
+            let (strategy, key) = (self.name().to_owned(), key.to_owned());
+            return Err(SettingError::Unknown {
+                strategy,
+                key,
+                known: vec!["batch"],
+            });
+        }
+        self.batch = parse(key, value, BATCH_RANGE, |batch| (1..=4096).contains(batch))?;
+        Ok(())
+    }
+
+    fn declare(
+        &mut self,
+        g: &mut FrameGraph<'_>,
+        view: &mut ViewNodes,
+    ) -> Result<VisibleSet, DeclareError> {
+        let candidates = g.in_frustum(view);
+        let (walk, verdicts) = begin(g, view, candidates);
+        let kind = g.shaded_kind();
+        let drawing = g.pass(view.named("draw the visible"), DRAW, kind);
+        let asking = g.pass(view.named("ask about the next"), CULL, PassKind::Query);
+        let mut ends = (walk, verdicts);
+        let batch = self.batch;
+        g.host_loop(view.named("stop and wait"), |g| {
+            turn(g, view, &mut ends, &drawing, &asking, batch)
+        });
+        let verdicts = ends.1;
+        if g.topology().transparent {
+            let list = g.unsubmitted(&view.named("visible transparent set"));
+            let list = submit_transparent(g, view, verdicts, list);
+            g.shade_list(view, "transparent", list);
+        }
+        Ok(VisibleSet::drawn(verdicts))
+    }
+}
+
+/// Orders the candidates by the nearest corners of their bounds.
+fn begin(
+    g: &mut FrameGraph<'_>,
+    view: &ViewNodes,
+    candidates: Host<Candidates>,
+) -> (Host<Walk>, Host<Verdicts>) {
+    let inputs = view.inputs();
+    let walk = g.graph().host::<Walk>(view.named("walk"));
+    let verdicts = g.graph().host::<Verdicts>(view.named("verdicts"));
+    let mut node = g.graph().host_node(view.named("sort front to back"));
+    node.group(CULL)
+        .read(inputs.scene)
+        .read(inputs.view)
+        .read(candidates);
+    let (walk, verdicts) = (node.write(walk), node.write(verdicts));
+    node.run(move |ctx| {
+        let (scene, frame, candidates) = (
+            ctx.get(inputs.scene)?,
+            ctx.get(inputs.view)?,
+            ctx.get(candidates)?,
+        );
+        let (mut walk, mut verdicts) = (ctx.get_mut(walk)?, ctx.get_mut(verdicts)?);
+        outside(&scene.table, &mut verdicts);
+        for slot in candidates.near() {
+            verdicts.set(*slot, Verdict::Untested);
+        }
+        walk.asked = 0;
+        walk.order.clear();
+        walk.order.extend(candidates.testable());
+        // What no test may judge is drawn first, as if a question about it had been answered.
+        walk.pending.clear();
+        walk.pending.extend(candidates.near());
+        sort_front_to_back(&mut walk.order, &scene.table, &frame);
+        Ok(())
+    });
+    (walk, verdicts)
+}
+
+fn sort_front_to_back(order: &mut [u32], table: &SceneTable, frame: &ViewFrame) {
+    order.sort_by_cached_key(|slot| {
+        let distance = frame
+            .camera
+            .nearest_corner_distance(&table.bounds(*slot))
+            .max(0.0);
+        // The bits of positive floats sort as the floats do.
+        (distance.to_bits(), *slot)
+    });
+}
+
+/// One turn: draw what the last answers showed, ask about the next, wait.
+fn turn(
+    g: &mut FrameGraph<'_>,
+    view: &mut ViewNodes,
+    ends: &mut (Host<Walk>, Host<Verdicts>),
+    drawing: &PassSpec,
+    asking: &PassSpec,
+    batch: u32,
+) -> Host<bool> {
+    let inputs = view.inputs();
+    let (walk, verdicts) = *ends;
+    let draw = g.unsubmitted(&view.named("to draw"));
+    let ask = g.unsubmitted(&view.named("to ask about"));
+    let mut node = g.graph().host_node(view.named("next"));
+    node.group(CULL).read(inputs.scene).read(verdicts);
+    let draw = Submitted {
+        list: node.write(draw.list),
+        ids: node.upload(draw.ids),
+    };
+    let ask = Submitted {
+        list: node.write(ask.list),
+        ids: node.upload(ask.ids),
+    };
+    let walk = node.write(walk);
+    node.run(move |ctx| {
+        let (scene, verdicts) = (ctx.get(inputs.scene)?, ctx.get(verdicts)?);
+        let table = &scene.table;
+        let (mut walk, mut draw_list, mut ask_list) = (
+            ctx.get_mut(walk)?,
+            ctx.get_mut(draw.list)?,
+            ctx.get_mut(ask.list)?,
+        );
+        let seen = |slot: &u32| verdicts.get(*slot).draws() && !table.is_transparent(*slot);
+        draw_list.fill(
+            table,
+            walk.pending.iter().copied().filter(seen),
+            Detail::Level(0),
+        );
+        let next = walk.order.len().min(walk.asked + batch as usize);
+        let Walk {
+            order,
+            asked,
+            pending,
+        } = &mut *walk;
+        pending.clear();
+        pending.extend_from_slice(order.get(*asked..next).unwrap_or_default());
+        *asked = next;
+        push_all(&mut ask_list, table, pending);
+        ctx.upload(draw.ids, 0, bytemuck::cast_slice(draw_list.ids()))?;
+        ctx.upload(ask.ids, 0, bytemuck::cast_slice(ask_list.ids()))?;
+        Ok(())
+    });
+    let targets = view.targets;
+    let (colour, depth) = passes::shaded_pass(
+        g.graph(),
+        drawing,
+        inputs,
+        draw,
+        targets.colour,
+        targets.depth,
+    );
+    view.targets.colour = colour;
+    view.targets.depth = depth;
+    let answers = g
+        .graph()
+        .buffer(view.named("answers"), BufferDesc::new(u64::from(batch) * 8));
+    let answers = passes::query_pass(g.graph(), asking, inputs, ask, depth, answers);
+    let done = g.graph().host::<bool>(view.named("done"));
+    let mut node = g.graph().host_node(view.named("wait"));
+    node.group(CULL).read(walk).read_back(answers);
+    let (verdicts, done) = (node.write(verdicts), node.write(done));
+    node.run(move |ctx| {
+        let walk = ctx.get(walk)?;
+        let mut verdicts = ctx.get_mut(verdicts)?;
+        let answers = ctx.bytes(answers)?;
+        for (slot, answer) in walk.pending.iter().zip(answers.as_chunks::<8>().0) {
+            let seen = u64::from_le_bytes(*answer) != 0;
+            verdicts.set(
+                *slot,
+                if seen {
+                    Verdict::Visible
+                } else {
+                    Verdict::Occluded
+                },
+            );
+        }
+        verdicts.add_asked(walk.pending.len() as u32);
+        *ctx.get_mut(done)? = walk.pending.is_empty();
+        Ok(())
+    });
+    *ends = (walk, verdicts);
+    done
+}
+
+/// Boxes in the order of asking.
+fn push_all(list: &mut DrawList, table: &SceneTable, slots: &[u32]) {
+    list.clear();
+    for slot in slots {
+        list.push(table, *slot, Detail::Box);
+    }
+}
+
+/// Transparent entities hide nothing, so they wait until all that is solid is drawn.
+fn submit_transparent(
+    g: &mut FrameGraph<'_>,
+    view: &ViewNodes,
+    verdicts: Host<Verdicts>,
+    list: Submitted,
+) -> Submitted {
+    let inputs = view.inputs();
+    let mut node = g.graph().host_node(view.named("order the transparent"));
+    node.group(CULL)
+        .read(inputs.scene)
+        .read(inputs.view)
+        .read(verdicts);
+    let list = Submitted {
+        list: node.write(list.list),
+        ids: node.upload(list.ids),
+    };
+    node.run(move |ctx| {
+        let (scene, frame, verdicts) = (
+            ctx.get(inputs.scene)?,
+            ctx.get(inputs.view)?,
+            ctx.get(verdicts)?,
+        );
+        let table = &scene.table;
+        let mut transparent = ctx.get_mut(list.list)?;
+        back_to_front(
+            &mut transparent,
+            table,
+            &frame,
+            verdicts.drawn().filter(|slot| table.is_transparent(*slot)),
+        );
+        ctx.upload(list.ids, 0, bytemuck::cast_slice(transparent.ids()))?;
+        Ok(())
+    });
+    list
+}

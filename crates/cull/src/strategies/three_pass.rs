@@ -1,0 +1,274 @@
+//! Three passes: the depth of the proxies, the visible samples of the proxies against it, the meshes above the threshold.
+//!
+//! Plate, Grundhoefer, Schmidt, Froehlich, *Occlusion Culling for Sub-Surface Models in Geo-Scientific Applications*, 2004. No order of
+//! drawing is needed and nothing is asked of the scene but proxies whose occlusion is that of their meshes. It errs where they are not.
+
+use antumbra_draw::Detail;
+
+use crate::counting::Counting;
+use crate::frame_graph::FrameGraph;
+use crate::setting::{LATENCY_RANGE, Latency, Setting, SettingError, parse};
+use crate::strategy::{DeclareError, Strategy, VisibleSet};
+use crate::view_nodes::ViewNodes;
+
+/// The strategy `three-pass`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ThreePass {
+    /// When the counts are used.
+    pub latency: Latency,
+    /// How samples are counted; `None` takes what is fastest here.
+    pub counting: Option<Counting>,
+    /// An entity is drawn when more samples of its proxy are visible, in pixels of the final image.
+    pub threshold: u32,
+    /// What stands in for the meshes in the first pass.
+    pub occluders: StandIn,
+    /// What stands in for the meshes in the second pass.
+    pub occludees: StandIn,
+    /// Side of the first two passes' image as a part of the final one's: at most 1.
+    pub scale: f64,
+}
+
+/// What stands in for a mesh.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StandIn {
+    /// Its low-resolution version.
+    Proxy,
+    /// Itself.
+    Full,
+    /// Its bounding box; never as an occluder, since a box hides more than what is in it.
+    Box,
+}
+
+impl StandIn {
+    fn detail(self) -> Detail {
+        match self {
+            Self::Proxy => Detail::Proxy,
+            Self::Full => Detail::Level(0),
+            Self::Box => Detail::Box,
+        }
+    }
+
+    fn word(self) -> &'static str {
+        match self {
+            Self::Proxy => "proxy",
+            Self::Full => "full",
+            Self::Box => "box",
+        }
+    }
+
+    fn read(
+        key: &str,
+        value: &str,
+        range: &'static str,
+        allowed: &[Self],
+    ) -> Result<Self, SettingError> {
+        let found = allowed.iter().find(|stand_in| stand_in.word() == value);
+        found.copied().ok_or_else(|| SettingError::Value {
+            key: key.to_owned(),
+            value: value.to_owned(),
+            range,
+        })
+    }
+}
+
+impl Default for ThreePass {
+    fn default() -> Self {
+        Self {
+            latency: Latency::FrameLate,
+            counting: Option::None,
+            threshold: 0,
+            occluders: StandIn::Proxy,
+            occludees: StandIn::Proxy,
+            scale: 1.0,
+        }
+    }
+}
+
+const COUNTING_RANGE: &str = "auto, queries, atomics, compare or identity";
+const THRESHOLD_RANGE: &str = "a whole number of pixels, 0 to 1000000";
+const OCCLUDERS_RANGE: &str = "proxy or full";
+const OCCLUDEES_RANGE: &str = "proxy, full or box";
+const SCALE_RANGE: &str = "a number from 0.05 to 1";
+
+impl ThreePass {
+    fn way(&self, g: &FrameGraph<'_>) -> Result<Counting, DeclareError> {
+        let alike = self.occluders == self.occludees;
+        if let Some(way) = self.counting {
+            if let Some(lacking) = way.lacking(g.gpu()) {
+                return Err(DeclareError::Device {
+                    strategy: self.name().to_owned(),
+                    lacking: lacking.to_owned(),
+                    instead: "set counting to auto".to_owned(),
+                });
+            }
+            if way == Counting::Queries && self.threshold > 0 {
+                return Err(self.conflict("hardware queries say whether any sample is visible, not how many: set threshold to 0, or counting to auto"));
+            }
+            if way == Counting::Identity && !alike {
+                return Err(self.conflict("an entity-id buffer counts what it draws: set occludees to what occluders is, or counting to auto"));
+            }
+            return Ok(way);
+        }
+        // Where occluders are what is tested, one geometry pass does for two.
+        let preferred = [
+            Counting::Identity,
+            Counting::Atomics,
+            Counting::Compare,
+            Counting::Queries,
+        ];
+        let possible = |way: &Counting| {
+            way.lacking(g.gpu()).is_none()
+                && (alike || *way != Counting::Identity)
+                && (self.threshold == 0 || *way != Counting::Queries)
+        };
+        preferred
+            .into_iter()
+            .find(possible)
+            .ok_or_else(|| DeclareError::Device {
+                strategy: self.name().to_owned(),
+                lacking: "any way of counting samples".to_owned(),
+                instead: "set threshold to 0".to_owned(),
+            })
+    }
+
+    fn conflict(&self, conflict: &str) -> DeclareError {
+        DeclareError::Settings {
+            strategy: self.name().to_owned(),
+            conflict: conflict.to_owned(),
+        }
+    }
+}
+
+impl Strategy for ThreePass {
+    fn name(&self) -> &str {
+        "three-pass"
+    }
+
+    fn summary(&self) -> &str {
+        "draws what has more visible samples than a threshold, counted on proxies (Plate et al. 2004)"
+    }
+
+    fn conservative(&self) -> bool {
+        self.latency != Latency::FrameLate
+            && self.threshold == 0
+            && self.occluders == StandIn::Full
+            && self.occludees != StandIn::Proxy
+            && self.scale == 1.0
+    }
+
+    fn latency(&self) -> Option<Latency> {
+        Some(self.latency)
+    }
+
+    fn settings(&self) -> Vec<Setting> {
+        let setting = |key, value, range, meaning| Setting {
+            key,
+            value,
+            range,
+            meaning,
+        };
+        let counting = self
+            .counting
+            .map_or_else(|| "auto".to_owned(), |way| way.to_string());
+        vec![
+            setting(
+                "latency",
+                self.latency.to_string(),
+                LATENCY_RANGE,
+                "when the counts are used",
+            ),
+            setting(
+                "counting",
+                counting,
+                COUNTING_RANGE,
+                "how visible samples are counted",
+            ),
+            setting(
+                "threshold",
+                self.threshold.to_string(),
+                THRESHOLD_RANGE,
+                "an entity is drawn when more of its proxy's pixels are visible",
+            ),
+            setting(
+                "occluders",
+                self.occluders.word().to_owned(),
+                OCCLUDERS_RANGE,
+                "what stands in for the meshes in the first pass",
+            ),
+            setting(
+                "occludees",
+                self.occludees.word().to_owned(),
+                OCCLUDEES_RANGE,
+                "what stands in for the meshes in the second pass",
+            ),
+            setting(
+                "scale",
+                self.scale.to_string(),
+                SCALE_RANGE,
+                "side of the first two passes' image as a part of the final one's",
+            ),
+        ]
+    }
+
+    fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
+        match key {
+            "latency" => self.latency = parse(key, value, LATENCY_RANGE, |_| true)?,
+            "counting" if value == "auto" => self.counting = Option::None,
+            "counting" => self.counting = Some(parse(key, value, COUNTING_RANGE, |_| true)?),
+            "threshold" => {
+                self.threshold = parse(key, value, THRESHOLD_RANGE, |pixels| *pixels <= 1_000_000)?
+            }
+            "occluders" => {
+                self.occluders = StandIn::read(
+                    key,
+                    value,
+                    OCCLUDERS_RANGE,
+                    &[StandIn::Proxy, StandIn::Full],
+                )?
+            }
+            "occludees" => {
+                self.occludees = StandIn::read(
+                    key,
+                    value,
+                    OCCLUDEES_RANGE,
+                    &[StandIn::Proxy, StandIn::Full, StandIn::Box],
+                )?;
+            }
+            "scale" => {
+                self.scale = parse(key, value, SCALE_RANGE, |scale| {
+                    (0.05..=1.0).contains(scale)
+                })?
+            }
+            _ => {
+                return Err(SettingError::Unknown {
+                    strategy: self.name().to_owned(),
+                    key: key.to_owned(),
+                    known: self.settings().iter().map(|setting| setting.key).collect(),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    fn declare(
+        &mut self,
+        g: &mut FrameGraph<'_>,
+        view: &mut ViewNodes,
+    ) -> Result<VisibleSet, DeclareError> {
+        let way = self.way(g)?;
+        let size = view
+            .size()
+            .map(|side| ((f64::from(side) * self.scale).round() as u32).max(1));
+        // The threshold counts pixels of the final image; the counts are of a smaller one.
+        let threshold = (f64::from(self.threshold) * self.scale * self.scale).floor() as u32;
+        let candidates = g.in_frustum(view);
+        let proxies = g.proxies(
+            view,
+            candidates,
+            self.occluders.detail(),
+            self.occludees.detail(),
+        );
+        let counts = g.count_samples(view, proxies, way, size);
+        Ok(g.visible_samples(view, candidates, counts, self.latency, threshold))
+    }
+}

@@ -1,0 +1,110 @@
+//! Verdicts: for each occludee, whether it is drawn and why.
+
+/// Why an occludee is drawn or not.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[repr(u8)]
+pub enum Verdict {
+    /// Not in this frame's scene: a free slot. Not drawn.
+    #[default]
+    Absent,
+    /// Its bounds lie outside the frustum. Not drawn.
+    OutsideFrustum,
+    /// No sample of its proxy passed the depth test. Not drawn.
+    Occluded,
+    /// Some samples passed, yet not more than the threshold. Not drawn.
+    BelowThreshold,
+    /// More samples passed than the threshold. Drawn.
+    Visible,
+    /// No answer about it from this camera cut, or it reaches over the near plane. Drawn.
+    Untested,
+    /// It came after the answer was asked for. Drawn.
+    New,
+}
+
+impl Verdict {
+    /// All verdicts about entities that are there, in the order of [`Verdicts::tally`].
+    pub const ALL: [Self; 6] = [
+        Self::OutsideFrustum,
+        Self::Occluded,
+        Self::BelowThreshold,
+        Self::Visible,
+        Self::Untested,
+        Self::New,
+    ];
+
+    /// Whether the entity is drawn.
+    pub fn draws(self) -> bool {
+        matches!(self, Self::Visible | Self::Untested | Self::New)
+    }
+
+    /// The word for reports.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Absent => "absent",
+            Self::OutsideFrustum => "outside the frustum",
+            Self::Occluded => "occluded",
+            Self::BelowThreshold => "below the threshold",
+            Self::Visible => "visible",
+            Self::Untested => "untested (drawn)",
+            Self::New => "new (drawn)",
+        }
+    }
+}
+
+/// The verdicts of one view in one frame, by slot.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Verdicts {
+    of: Vec<Verdict>,
+    asked: u32,
+}
+
+impl Verdicts {
+    /// Starts anew: `slots` entities, all with the same verdict.
+    pub fn reset(&mut self, slots: u32, verdict: Verdict) {
+        self.of.clear();
+        self.of.resize(slots as usize, verdict);
+        self.asked = 0;
+    }
+
+    /// Counts entities that were asked about: hardware queries, or proxies whose samples were counted.
+    pub fn add_asked(&mut self, asked: u32) {
+        self.asked += asked;
+    }
+
+    /// How many entities were asked about to reach these verdicts.
+    pub fn asked(&self) -> u32 {
+        self.asked
+    }
+
+    /// Sets one; slots beyond the end are ignored.
+    pub fn set(&mut self, slot: u32, verdict: Verdict) {
+        if let Some(place) = self.of.get_mut(slot as usize) {
+            *place = verdict;
+        }
+    }
+
+    /// One slot's verdict; [`Verdict::Absent`] beyond the end.
+    pub fn get(&self, slot: u32) -> Verdict {
+        self.of.get(slot as usize).copied().unwrap_or_default()
+    }
+
+    /// Slots that are drawn, ascending.
+    pub fn drawn(&self) -> impl Iterator<Item = u32> + Clone + '_ {
+        self.of
+            .iter()
+            .zip(0u32..)
+            .filter(|(verdict, _)| verdict.draws())
+            .map(|(_, slot)| slot)
+    }
+
+    /// How many of each, in the order of [`Verdict::ALL`].
+    pub fn tally(&self) -> [u32; 6] {
+        let mut tally = [0; 6];
+        for verdict in &self.of {
+            if let Some(at) = Verdict::ALL.iter().position(|v| v == verdict) {
+                tally[at] += 1;
+            }
+        }
+        tally
+    }
+}

@@ -1,0 +1,67 @@
+//! What a strategy is given of one view while it declares its nodes.
+
+use std::sync::Arc;
+
+use antumbra_draw::passes::ViewInputs;
+use antumbra_graph::{Host, Texture};
+
+use crate::candidates::Candidates;
+
+/// The view's image so far: shaded passes draw into these and leave the next versions here.
+#[derive(Debug, Clone, Copy)]
+pub struct Targets {
+    /// Colour.
+    pub colour: Texture,
+    /// Depth, reversed: 0 is infinitely far.
+    pub depth: Texture,
+}
+
+/// One view while its nodes are declared.
+#[derive(Debug)]
+pub struct ViewNodes {
+    pub(crate) name: String,
+    pub(crate) index: usize,
+    pub(crate) count: usize,
+    pub(crate) size: [u32; 2],
+    pub(crate) inputs: ViewInputs,
+    /// The view's image so far.
+    pub targets: Targets,
+    pub(crate) reference: Option<Host<Arc<Vec<u32>>>>,
+    pub(crate) in_frustum: Option<Host<Candidates>>,
+}
+
+impl ViewNodes {
+    /// The view's name: `main`, `left`, `right`.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Which view, from 0; views are declared in this order.
+    pub fn index(&self) -> usize {
+        self.index
+    }
+
+    /// Width and height of its image in pixels.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// The scene, camera and uniforms that every drawing node of the view reads.
+    pub fn inputs(&self) -> ViewInputs {
+        self.inputs
+    }
+
+    /// The slots that own a pixel of the reference, for a strategy that [needs it](crate::Strategy::needs_reference).
+    pub fn reference(&self) -> Option<Host<Arc<Vec<u32>>>> {
+        self.reference
+    }
+
+    /// A node's or resource's name in this view.
+    pub fn named(&self, what: &str) -> String {
+        if self.count > 1 {
+            format!("{}: {what}", self.name)
+        } else {
+            what.to_owned()
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! A growing GPU buffer of one kind of element: appended to, never shrunk, copied when it must grow.
+
+use std::marker::PhantomData;
+
+use bytemuck::Pod;
+
+use crate::device::Gpu;
+use crate::error::DrawError;
+
+/// A GPU buffer of `T` that grows by doubling. Offsets and lengths are in elements.
+#[derive(Debug)]
+pub struct Arena<T> {
+    label: &'static str,
+    usage: wgpu::BufferUsages,
+    buffer: wgpu::Buffer,
+    capacity: u64,
+    len: u64,
+    element: PhantomData<T>,
+}
+
+impl<T: Pod> Arena<T> {
+    /// An arena with room for `capacity` elements (at least one, since empty buffers cannot be bound).
+    ///
+    /// # Errors
+    /// When the device cannot hold a buffer of that size.
+    pub fn new(
+        gpu: &Gpu,
+        label: &'static str,
+        usage: wgpu::BufferUsages,
+        capacity: u64,
+    ) -> Result<Self, DrawError> {
+        let usage = usage | wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
+        let capacity = capacity.max(1);
+        let buffer = create::<T>(gpu, label, usage, capacity)?;
+        Ok(Self {
+            label,
+            usage,
+            buffer,
+            capacity,
+            len: 0,
+            element: PhantomData,
+        })
+    }
+
+    /// The buffer; another one after it has grown.
+    pub fn buffer(&self) -> &wgpu::Buffer {
+        &self.buffer
+    }
+
+    /// Elements it can hold before it grows.
+    pub fn capacity(&self) -> u64 {
+        self.capacity
+    }
+
+    /// Appends elements and returns the place of the first.
+    ///
+    /// # Errors
+    /// When it must grow beyond what the device allows.
+    pub fn append(&mut self, gpu: &Gpu, elements: &[T]) -> Result<u64, DrawError> {
+        let first = self.len;
+        self.reserve(gpu, first + elements.len() as u64)?;
+        self.write(gpu, first, elements);
+        Ok(first)
+    }
+
+    /// Makes room for `wanted` elements in all, keeping what is there.
+    ///
+    /// # Errors
+    /// As for [`Self::append`].
+    pub fn reserve(&mut self, gpu: &Gpu, wanted: u64) -> Result<(), DrawError> {
+        if wanted <= self.capacity {
+            return Ok(());
+        }
+        let most = gpu.device.limits().max_buffer_size / size_of::<T>() as u64;
+        let capacity = wanted.next_power_of_two().min(most).max(wanted);
+        let grown = create::<T>(gpu, self.label, self.usage, capacity)?;
+        let bytes = bytes_of::<T>(self.len);
+        if bytes > 0 {
+            let mut encoder = gpu
+                .device
+                .create_command_encoder(&wgpu::CommandEncoderDescriptor {
+                    label: Some(self.label),
+                });
+            encoder.copy_buffer_to_buffer(&self.buffer, 0, &grown, 0, bytes);
+            gpu.queue.submit([encoder.finish()]);
+        }
+        self.buffer = grown;
+        self.capacity = capacity;
+        Ok(())
+    }
+
+    /// Overwrites elements from `first` on; they must lie within the capacity.
+    pub fn write(&mut self, gpu: &Gpu, first: u64, elements: &[T]) {
+        if !elements.is_empty() {
+            gpu.queue.write_buffer(
+                &self.buffer,
+                first * size_of::<T>() as u64,
+                bytemuck::cast_slice(elements),
+            );
+            self.len = self.len.max(first + elements.len() as u64);
+        }
+    }
+}
+
+/// Copies move whole words.
+fn bytes_of<T>(len: u64) -> u64 {
+    (len * size_of::<T>() as u64).next_multiple_of(wgpu::COPY_BUFFER_ALIGNMENT)
+}
+
+fn create<T>(
+    gpu: &Gpu,
+    label: &'static str,
+    usage: wgpu::BufferUsages,
+    capacity: u64,
+) -> Result<wgpu::Buffer, DrawError> {
+    let size = capacity
+        .saturating_mul(size_of::<T>() as u64)
+        .next_multiple_of(wgpu::COPY_BUFFER_ALIGNMENT);
+    let limits = gpu.device.limits();
+    let most = if usage.contains(wgpu::BufferUsages::STORAGE) {
+        limits
+            .max_buffer_size
+            .min(limits.max_storage_buffer_binding_size)
+    } else {
+        limits.max_buffer_size
+    };
+    if size > most {
+        return Err(DrawError::TooLarge {
+            what: label,
+            bytes: size,
+            most,
+        });
+    }
+    Ok(gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        size,
+        usage,
+        mapped_at_creation: false,
+    }))
+}

@@ -1,0 +1,46 @@
+//! What can go wrong between a scene and the GPU.
+
+use thiserror::Error;
+
+use crate::device::DeviceError;
+
+/// Why a scene cannot be drawn.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum DrawError {
+    /// A buffer would exceed what the device can hold.
+    #[error(
+        "{what} need {bytes} bytes, and this device's buffers end at {most}: split the scene or simplify its meshes"
+    )]
+    TooLarge {
+        /// Which buffer.
+        what: &'static str,
+        /// How large it would be, in bytes.
+        bytes: u64,
+        /// The device's limit, in bytes.
+        most: u64,
+    },
+    /// A transform's numbers do not fit what the GPU computes with.
+    #[error(
+        "entity '{entity}': its world transform does not fit 32-bit floats; bring its scale and position below 3e38"
+    )]
+    Transform {
+        /// The entity's name, or its key where it has none.
+        entity: String,
+    },
+    /// A texture is larger than the device allows.
+    #[error("image {image}: {width} x {height} pixels exceed this device's {most}: scale it down")]
+    Image {
+        /// Which image, counted from 0.
+        image: usize,
+        /// Its width in pixels.
+        width: u32,
+        /// Its height in pixels.
+        height: u32,
+        /// The device's limit in pixels a side.
+        most: u32,
+    },
+    /// The device.
+    #[error(transparent)]
+    Device(#[from] DeviceError),
+}

@@ -1,0 +1,128 @@
+//! Draw lists: which entities to draw, grouped into as few draws as their batches allow.
+//!
+//! A list is plain data: runs of instance slots, each run one instanced draw. Lists made by [`DrawList::fill`] are in the
+//! canonical order (batch, then slot), so that two lists with the same members draw in the same order and equal depths
+//! fall to the same entity whichever strategy made them.
+
+use crate::table::SceneTable;
+
+/// Which of a mesh's geometries to draw.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Detail {
+    /// A level of detail: 0 is the full mesh. A mesh with fewer levels draws its coarsest.
+    Level(u8),
+    /// The stand-in for tests; the full mesh where it has none.
+    Proxy,
+    /// The bounding box of the mesh in its own space: twelve triangles.
+    Box,
+}
+
+/// Consecutive instances of one batch: one instanced draw.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Run {
+    /// Index into [`SceneTable::batches`].
+    pub batch: u32,
+    /// Which geometry.
+    pub detail: Detail,
+    /// First entry in [`DrawList::ids`].
+    pub first: u32,
+    /// How many entries.
+    pub count: u32,
+}
+
+/// Instance slots in drawing order.
+#[derive(Debug, Clone, Default)]
+pub struct DrawList {
+    runs: Vec<Run>,
+    ids: Vec<u32>,
+    primitives: u64,
+    starts: Vec<u32>,
+}
+
+impl DrawList {
+    /// The draws.
+    pub fn runs(&self) -> &[Run] {
+        &self.runs
+    }
+
+    /// The instance slots, run after run.
+    pub fn ids(&self) -> &[u32] {
+        &self.ids
+    }
+
+    /// Triangles (or lines, or points) that the list draws.
+    pub fn primitives(&self) -> u64 {
+        self.primitives
+    }
+
+    /// Whether nothing is drawn.
+    pub fn is_empty(&self) -> bool {
+        self.ids.is_empty()
+    }
+
+    /// Forgets all, keeping the memory.
+    pub fn clear(&mut self) {
+        self.runs.clear();
+        self.ids.clear();
+        self.primitives = 0;
+    }
+
+    /// Makes the list of these slots in canonical order: a stable counting sort by batch, linear in slots and batches.
+    /// The slots are walked twice and must be live.
+    pub fn fill<I>(&mut self, table: &SceneTable, slots: I, detail: Detail)
+    where
+        I: Iterator<Item = u32> + Clone,
+    {
+        self.clear();
+        self.starts.clear();
+        self.starts.resize(table.batches().len() + 1, 0);
+        for slot in slots.clone() {
+            self.starts[table.batch_of(slot) as usize + 1] += 1;
+        }
+        for (batch, pair) in table.batches().iter().zip(0u32..) {
+            let at = pair as usize;
+            let count = self.starts[at + 1];
+            let first = self.starts[at];
+            self.starts[at + 1] += first;
+            if count > 0 {
+                self.runs.push(Run {
+                    batch: pair,
+                    detail,
+                    first,
+                    count,
+                });
+                self.primitives +=
+                    u64::from(count) * u64::from(table.range(batch.mesh, detail).primitives());
+            }
+        }
+        self.ids
+            .resize(self.starts.last().copied().unwrap_or(0) as usize, 0);
+        for slot in slots {
+            let start = &mut self.starts[table.batch_of(slot) as usize];
+            self.ids[*start as usize] = slot;
+            *start += 1;
+        }
+    }
+
+    /// Adds one entity at the end; it joins the last run where batch and detail are the same. For lists whose order
+    /// matters: front to back, back to front.
+    pub fn push(&mut self, table: &SceneTable, slot: u32, detail: Detail) {
+        let batch = table.batch_of(slot);
+        let first = self.ids.len() as u32;
+        self.ids.push(slot);
+        self.primitives += u64::from(
+            table
+                .range(table.batches()[batch as usize].mesh, detail)
+                .primitives(),
+        );
+        match self.runs.last_mut() {
+            Some(run) if run.batch == batch && run.detail == detail => run.count += 1,
+            _ => self.runs.push(Run {
+                batch,
+                detail,
+                first,
+                count: 1,
+            }),
+        }
+    }
+}

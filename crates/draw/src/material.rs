@@ -1,0 +1,35 @@
+//! Materials as the shaded pass reads them: one storage buffer for the scene.
+
+use antumbra_scene::{AlphaMode, Material};
+use antumbra_shaders::assert_layout;
+use bytemuck::{Pod, Zeroable};
+
+/// Mirrors `Material` of `shared/material.wgsl`.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+pub struct GpuMaterial {
+    base_colour: [f32; 4],
+    uv_u: [f32; 3],
+    alpha_cutoff: f32,
+    uv_v: [f32; 3],
+    unlit: u32,
+}
+
+impl From<&Material> for GpuMaterial {
+    fn from(material: &Material) -> Self {
+        let [uv_u, uv_v] = material.uv_transform;
+        let alpha_cutoff = match material.alpha {
+            AlphaMode::Mask { cutoff } => cutoff,
+            AlphaMode::Opaque | AlphaMode::Blend => 0.0,
+        };
+        Self {
+            base_colour: material.base_colour,
+            uv_u,
+            alpha_cutoff,
+            uv_v,
+            unlit: u32::from(material.unlit),
+        }
+    }
+}
+
+assert_layout!(GpuMaterial, "shaded", "Material", { base_colour, uv_u, alpha_cutoff, uv_v, unlit });

@@ -1,0 +1,157 @@
+//! Meshes in three shared arenas: positions (all that a depth pass reads), the other attributes, and indices.
+//!
+//! Every mesh also gets its bounding box as a geometry of twelve triangles, so that box tests go through the same
+//! position function as everything else. The box is widened a little: it must cover what rounding lets its contents cover.
+
+use antumbra_scene::{Aabb, Geometry, Mesh};
+use bytemuck::{Pod, Zeroable};
+use glam::DVec3;
+
+use crate::arena::Arena;
+use crate::device::Gpu;
+use crate::error::DrawError;
+use crate::table::{MeshRanges, Range};
+
+/// A vertex's attributes other than its position.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+pub struct Attributes {
+    /// Unit normal as signed 16-bit fractions; all zero where the mesh has none. The fourth is padding.
+    pub normal: [i16; 4],
+    /// Texture coordinates.
+    pub uv: [f32; 2],
+    /// Linear RGBA.
+    pub colour: [u8; 4],
+}
+
+/// The arenas all meshes lie in.
+#[derive(Debug)]
+pub struct MeshArenas {
+    positions: Arena<[f32; 3]>,
+    attributes: Arena<Attributes>,
+    indices: Arena<u32>,
+}
+
+impl MeshArenas {
+    /// Empty arenas.
+    ///
+    /// # Errors
+    /// When the device cannot even hold empty ones.
+    pub fn new(gpu: &Gpu) -> Result<Self, DrawError> {
+        Ok(Self {
+            positions: Arena::new(gpu, "vertex positions", wgpu::BufferUsages::VERTEX, 1 << 12)?,
+            attributes: Arena::new(
+                gpu,
+                "vertex attributes",
+                wgpu::BufferUsages::VERTEX,
+                1 << 12,
+            )?,
+            indices: Arena::new(gpu, "indices", wgpu::BufferUsages::INDEX, 1 << 14)?,
+        })
+    }
+
+    /// Position, attribute and index buffers.
+    pub fn buffers(&self) -> [&wgpu::Buffer; 3] {
+        [
+            self.positions.buffer(),
+            self.attributes.buffer(),
+            self.indices.buffer(),
+        ]
+    }
+
+    /// Uploads all of a mesh's geometries.
+    ///
+    /// # Errors
+    /// When an arena would exceed what the device can hold.
+    pub fn add(&mut self, gpu: &Gpu, mesh: &Mesh) -> Result<MeshRanges, DrawError> {
+        let levels = mesh
+            .levels
+            .iter()
+            .map(|level| self.append(gpu, level))
+            .collect::<Result<Vec<_>, _>>()?;
+        let full = levels.first().copied().unwrap_or_default();
+        let proxy = match &mesh.proxy {
+            Some(proxy) => self.append(gpu, proxy)?,
+            None => full,
+        };
+        let boxed = match mesh.bounds() {
+            Some(bounds) => self.append(gpu, &Geometry::from_box(&widened(&bounds)))?,
+            None => Range::default(),
+        };
+        Ok(MeshRanges {
+            levels,
+            proxy,
+            boxed,
+        })
+    }
+
+    fn append(&mut self, gpu: &Gpu, geometry: &Geometry) -> Result<Range, DrawError> {
+        let first_index = self.indices.append(gpu, &geometry.indices)?;
+        let base_vertex = self.positions.append(gpu, &geometry.positions)?;
+        self.attributes.append(gpu, &attributes(geometry))?;
+        let too_many = DrawError::TooLarge {
+            what: "vertices and indices",
+            bytes: base_vertex,
+            most: i32::MAX as u64,
+        };
+        let (Ok(first_index), Ok(base_vertex)) =
+            (u32::try_from(first_index), i32::try_from(base_vertex))
+        else {
+            return Err(too_many);
+        };
+        Ok(Range {
+            first_index,
+            index_count: geometry.indices.len() as u32,
+            base_vertex,
+            corners: geometry.topology.indices_each() as u32,
+        })
+    }
+}
+
+/// Larger by a thousandth, and by what f32 can lose at these coordinates.
+fn widened(bounds: &Aabb) -> Aabb {
+    let half = (bounds.max - bounds.min) * 0.5;
+    let reach = bounds.min.abs().max(bounds.max.abs()).max_element();
+    let by = half * 1e-3 + DVec3::splat(reach * f64::from(f32::EPSILON) * 8.0);
+    Aabb {
+        min: bounds.min - by,
+        max: bounds.max + by,
+    }
+}
+
+fn attributes(geometry: &Geometry) -> Vec<Attributes> {
+    let fraction = |v: f32| (v.clamp(-1.0, 1.0) * f32::from(i16::MAX)).round() as i16;
+    (0..geometry.positions.len())
+        .map(|i| {
+            let normal = geometry.normals.get(i).map_or([0; 4], |n| {
+                [fraction(n[0]), fraction(n[1]), fraction(n[2]), 0]
+            });
+            Attributes {
+                normal,
+                uv: geometry.uvs.get(i).copied().unwrap_or_default(),
+                colour: geometry.colours.get(i).copied().unwrap_or([255; 4]),
+            }
+        })
+        .collect()
+}
+
+/// Vertex buffer 0: positions.
+pub const POSITION_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: size_of::<[f32; 3]>() as u64,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![0 => Float32x3],
+};
+
+/// Vertex buffer 1: the instance slot, one an instance.
+pub const SLOT_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: size_of::<u32>() as u64,
+    step_mode: wgpu::VertexStepMode::Instance,
+    attributes: &wgpu::vertex_attr_array![1 => Uint32],
+};
+
+/// Vertex buffer 2: [`Attributes`].
+pub const ATTRIBUTE_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: size_of::<Attributes>() as u64,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![2 => Snorm16x4, 3 => Float32x2, 4 => Unorm8x4],
+};

@@ -1,0 +1,207 @@
+//! Pipelines, made for just the classes that a scene has.
+
+use antumbra_scene::Topology as Primitive;
+use antumbra_shaders::Job;
+use antumbra_shaders::jobs::{count_atomic, count_compare, depth, identity, shaded, signature};
+
+use crate::device::Gpu;
+use crate::mesh::{ATTRIBUTE_LAYOUT, POSITION_LAYOUT, SLOT_LAYOUT};
+use crate::table::{Alpha, Class};
+
+/// The format of every depth buffer: reversed, infinite far plane.
+pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+/// The format of entity-id buffers: slot + 1, 0 for nothing.
+pub const IDENTITY_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
+
+/// What a pass writes, and so what its pipelines do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum PassKind {
+    /// Writes depth.
+    Depth,
+    /// Tests depth and writes nothing: the geometry of occlusion queries.
+    Query,
+    /// Tests depth and counts the fragments that pass, by entity.
+    CountAtomic,
+    /// Compares with a depth texture in the shader and counts, by entity.
+    CountCompare,
+    /// Writes depth and entity ids.
+    Identity,
+    /// Writes depth and shaded colour; blended classes leave the depth alone.
+    Shaded(wgpu::TextureFormat),
+    /// Adds the ids of transparent fragments up, by pixel.
+    Signature,
+}
+
+impl PassKind {
+    fn job(self) -> &'static Job {
+        match self {
+            Self::Depth | Self::Query => &depth::JOB,
+            Self::CountAtomic => &count_atomic::JOB,
+            Self::CountCompare => &count_compare::JOB,
+            Self::Identity => &identity::JOB,
+            Self::Shaded(_) => &shaded::JOB,
+            Self::Signature => &signature::JOB,
+        }
+    }
+
+    fn masked(self, class: Class) -> bool {
+        self == Self::Identity && class.alpha() == Alpha::Mask
+    }
+
+    /// Whether a class's pipeline reads vertex attributes, materials and textures.
+    pub fn textured(self, class: Class) -> bool {
+        matches!(self, Self::Shaded(_) | Self::Signature) || self.masked(class)
+    }
+}
+
+/// One kind of pass's pipelines, by class.
+#[derive(Debug)]
+pub struct PassPipelines {
+    kind: PassKind,
+    by_class: Vec<Option<wgpu::RenderPipeline>>,
+    layouts: Vec<wgpu::BindGroupLayout>,
+}
+
+impl PassPipelines {
+    /// Makes the pipelines for these classes.
+    pub fn new(gpu: &Gpu, kind: PassKind, classes: impl Iterator<Item = Class>) -> Self {
+        let job = kind.job();
+        let module = antumbra_shaders::module(&gpu.device, job);
+        let layouts: Vec<_> = (0..job.group_count())
+            .map(|group| {
+                gpu.device
+                    .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                        label: Some(job.name.as_ref()),
+                        entries: &job.layout_entries(group),
+                    })
+            })
+            .collect();
+        let groups: Vec<_> = layouts.iter().map(Some).collect();
+        let layout = gpu
+            .device
+            .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some(job.name.as_ref()),
+                bind_group_layouts: &groups,
+                immediate_size: 0,
+            });
+        let mut by_class = vec![None; Class::COUNT];
+        for class in classes {
+            if let Some(place) = by_class.get_mut(class.index()) {
+                *place = Some(create(gpu, kind, class, &module, &layout));
+            }
+        }
+        Self {
+            kind,
+            by_class,
+            layouts,
+        }
+    }
+
+    /// What the pass writes.
+    pub fn kind(&self) -> PassKind {
+        self.kind
+    }
+
+    /// The pipeline of a class; `None` for one it was not made for.
+    pub fn get(&self, class: Class) -> Option<&wgpu::RenderPipeline> {
+        self.by_class.get(class.index())?.as_ref()
+    }
+
+    /// The bind group layouts, by group.
+    pub fn layout(&self, group: usize) -> Option<&wgpu::BindGroupLayout> {
+        self.layouts.get(group)
+    }
+}
+
+fn create(
+    gpu: &Gpu,
+    kind: PassKind,
+    class: Class,
+    module: &wgpu::ShaderModule,
+    layout: &wgpu::PipelineLayout,
+) -> wgpu::RenderPipeline {
+    let blended = class.alpha() == Alpha::Blend;
+    let (vertex, fragment) = if kind.masked(class) {
+        ("masked_vertex", "masked_fragment")
+    } else {
+        ("vertex", "fragment")
+    };
+    let bare = [Some(POSITION_LAYOUT), Some(SLOT_LAYOUT)];
+    let full = [
+        Some(POSITION_LAYOUT),
+        Some(SLOT_LAYOUT),
+        Some(ATTRIBUTE_LAYOUT),
+    ];
+    let alpha_mode = [("alpha_mode", f64::from(class.alpha() as u8))];
+    let constants: &[(&str, f64)] = if matches!(kind, PassKind::Shaded(_)) {
+        &alpha_mode
+    } else {
+        &[]
+    };
+    let compilation_options = wgpu::PipelineCompilationOptions {
+        constants,
+        ..Default::default()
+    };
+    let target = match kind {
+        PassKind::Shaded(format) => Some(wgpu::ColorTargetState {
+            format,
+            blend: blended.then_some(wgpu::BlendState::ALPHA_BLENDING),
+            write_mask: wgpu::ColorWrites::ALL,
+        }),
+        PassKind::Identity => Some(IDENTITY_FORMAT.into()),
+        _ => None,
+    };
+    let targets = [target];
+    let has_fragment = !matches!(kind, PassKind::Depth | PassKind::Query);
+    let writes_depth = matches!(kind, PassKind::Depth | PassKind::Identity)
+        || matches!(kind, PassKind::Shaded(_)) && !blended;
+    // The comparing passes bring a depth attachment of their own only because a pass needs one.
+    let compares = !matches!(kind, PassKind::CountCompare | PassKind::Signature);
+    gpu.device
+        .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some(kind.job().name.as_ref()),
+            layout: Some(layout),
+            vertex: wgpu::VertexState {
+                module,
+                entry_point: Some(vertex),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: if kind.textured(class) { &full } else { &bare },
+            },
+            primitive: wgpu::PrimitiveState {
+                topology: match class.topology() {
+                    Primitive::Triangles => wgpu::PrimitiveTopology::TriangleList,
+                    Primitive::Lines => wgpu::PrimitiveTopology::LineList,
+                    Primitive::Points => wgpu::PrimitiveTopology::PointList,
+                },
+                front_face: if class.mirrored() {
+                    wgpu::FrontFace::Cw
+                } else {
+                    wgpu::FrontFace::Ccw
+                },
+                cull_mode: (!class.double_sided() && class.topology() == Primitive::Triangles)
+                    .then_some(wgpu::Face::Back),
+                ..Default::default()
+            },
+            depth_stencil: Some(wgpu::DepthStencilState {
+                format: DEPTH_FORMAT,
+                depth_write_enabled: Some(writes_depth),
+                // Reversed depth; a tie counts as visible.
+                depth_compare: Some(if compares {
+                    wgpu::CompareFunction::GreaterEqual
+                } else {
+                    wgpu::CompareFunction::Always
+                }),
+                stencil: Default::default(),
+                bias: Default::default(),
+            }),
+            multisample: Default::default(),
+            fragment: has_fragment.then_some(wgpu::FragmentState {
+                module,
+                entry_point: Some(fragment),
+                compilation_options,
+                targets: if targets[0].is_some() { &targets } else { &[] },
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+}

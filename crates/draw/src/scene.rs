@@ -1,0 +1,354 @@
+//! A scene on the GPU, kept in step with its host side.
+//!
+//! Entities get slots in the instance buffer; slots of removed entities are reused, and an epoch stamped on each slot
+//! tells an answer about its former occupant from one about the present one.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use antumbra_scene::{EntityKey, ImageKey, MaterialKey, MeshKey, Scene};
+use slotmap::SecondaryMap;
+
+use crate::arena::Arena;
+use crate::device::Gpu;
+use crate::error::DrawError;
+use crate::instance::Instance;
+use crate::light::SceneLights;
+use crate::material::GpuMaterial;
+use crate::mesh::MeshArenas;
+use crate::table::{Batch, Class, SceneTable};
+use crate::texture;
+
+/// What a frame's passes need of a scene: shared handles, cheap to clone.
+#[derive(Debug, Clone)]
+pub struct SceneFrame {
+    /// Everything drawable, by slot.
+    pub table: Arc<SceneTable>,
+    /// Vertex positions.
+    pub positions: wgpu::Buffer,
+    /// Other vertex attributes.
+    pub attributes: wgpu::Buffer,
+    /// Indices.
+    pub indices: wgpu::Buffer,
+    /// [`Instance`]s by slot.
+    pub instances: wgpu::Buffer,
+    /// Materials.
+    pub materials: wgpu::Buffer,
+    /// Bind groups of the base-colour textures.
+    pub textures: Arc<Vec<wgpu::BindGroup>>,
+    /// Lights.
+    pub lights: Arc<SceneLights>,
+}
+
+/// What a compiled plan depends on; when it changes, plans are compiled anew.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Topology {
+    /// Slots there is room for: the size of sample counts.
+    pub slots: u32,
+    /// Runs a draw list may have: the size of indirect draws.
+    pub batches: u32,
+    /// Classes in use, as a bit mask by [`Class::index`].
+    pub classes: u64,
+    /// Whether there is anything to blend.
+    pub transparent: bool,
+}
+
+impl Topology {
+    /// The classes in use, in drawing order.
+    pub fn classes(&self) -> impl Iterator<Item = Class> + '_ {
+        Class::all().filter(|class| self.classes >> class.index() & 1 != 0)
+    }
+}
+
+/// A scene's drawable side on one device.
+#[derive(Debug)]
+pub struct GpuScene {
+    gpu: Gpu,
+    table: Arc<SceneTable>,
+    arenas: MeshArenas,
+    instances: Arena<Instance>,
+    host_instances: Vec<Instance>,
+    materials: Arena<GpuMaterial>,
+    textures: Arc<Vec<wgpu::BindGroup>>,
+    texture_layout: wgpu::BindGroupLayout,
+    lights: Arc<SceneLights>,
+    mesh_index: SecondaryMap<MeshKey, u32>,
+    material_index: SecondaryMap<MaterialKey, u32>,
+    texture_index: SecondaryMap<ImageKey, u32>,
+    batch_index: HashMap<Batch, u32>,
+    slot_of: SecondaryMap<EntityKey, u32>,
+    free: Vec<u32>,
+    classes: u64,
+}
+
+impl GpuScene {
+    /// Puts a whole scene on a device. Calls [`Scene::update`]: from then on this is the one consumer of its changes.
+    ///
+    /// # Errors
+    /// When it does not fit the device, or a transform does not fit 32-bit floats.
+    pub fn new(gpu: &Gpu, scene: &mut Scene) -> Result<Self, DrawError> {
+        scene.update();
+        let layout = gpu
+            .device
+            .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                label: Some("base colour"),
+                entries: &antumbra_shaders::jobs::shaded::JOB.layout_entries(2),
+            });
+        let white = texture::upload(gpu, &layout, &texture::white(), 0)?;
+        let mut this = Self {
+            gpu: gpu.clone(),
+            table: Arc::default(),
+            arenas: MeshArenas::new(gpu)?,
+            instances: Arena::new(gpu, "instances", wgpu::BufferUsages::STORAGE, 1)?,
+            host_instances: Vec::new(),
+            materials: Arena::new(gpu, "materials", wgpu::BufferUsages::STORAGE, 1)?,
+            textures: Arc::new(vec![white]),
+            texture_layout: layout,
+            lights: Arc::default(),
+            mesh_index: SecondaryMap::new(),
+            material_index: SecondaryMap::new(),
+            texture_index: SecondaryMap::new(),
+            batch_index: HashMap::new(),
+            slot_of: SecondaryMap::new(),
+            free: Vec::new(),
+            classes: 0,
+        };
+        let all: Vec<EntityKey> = scene.drawables().map(|(key, _)| key).collect();
+        this.apply(scene, &[], &all, &[])?;
+        Ok(this)
+    }
+
+    /// Takes over what changed in the scene since the last call. Call it once a frame, before the frame is drawn.
+    ///
+    /// # Errors
+    /// As for [`Self::new`].
+    pub fn sync(&mut self, scene: &mut Scene) -> Result<(), DrawError> {
+        let changes = scene.update();
+        self.apply(scene, &changes.removed, &changes.added, &changes.moved)
+    }
+
+    /// The handles that a frame's passes use.
+    pub fn frame(&self) -> SceneFrame {
+        let [positions, attributes, indices] = self.arenas.buffers();
+        SceneFrame {
+            table: Arc::clone(&self.table),
+            positions: positions.clone(),
+            attributes: attributes.clone(),
+            indices: indices.clone(),
+            instances: self.instances.buffer().clone(),
+            materials: self.materials.buffer().clone(),
+            textures: Arc::clone(&self.textures),
+            lights: Arc::clone(&self.lights),
+        }
+    }
+
+    /// What plans over this scene depend on.
+    pub fn topology(&self) -> Topology {
+        Topology {
+            slots: self.instances.capacity() as u32,
+            batches: (self.table.batches().len() as u32).next_power_of_two(),
+            classes: self.classes,
+            transparent: self.table.has_transparent(),
+        }
+    }
+
+    /// Everything drawable, by slot.
+    pub fn table(&self) -> &Arc<SceneTable> {
+        &self.table
+    }
+
+    /// The slot of an entity.
+    pub fn slot(&self, entity: EntityKey) -> Option<u32> {
+        self.slot_of.get(entity).copied()
+    }
+
+    /// The device it lies on.
+    pub fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    fn apply(
+        &mut self,
+        scene: &Scene,
+        removed: &[EntityKey],
+        added: &[EntityKey],
+        moved: &[EntityKey],
+    ) -> Result<(), DrawError> {
+        // A light has no bounds and few exist: they are gathered anew each time.
+        self.lights = Arc::new(SceneLights::gather(scene));
+        if removed.is_empty() && added.is_empty() && moved.is_empty() {
+            return Ok(());
+        }
+        let mut table = std::mem::take(&mut self.table);
+        let outcome = self.change(Arc::make_mut(&mut table), scene, removed, added, moved);
+        self.table = table;
+        let dirty = outcome?;
+        self.upload(dirty)
+    }
+
+    fn change(
+        &mut self,
+        table: &mut SceneTable,
+        scene: &Scene,
+        removed: &[EntityKey],
+        added: &[EntityKey],
+        moved: &[EntityKey],
+    ) -> Result<Vec<u32>, DrawError> {
+        table.next_epoch();
+        let mut dirty = Vec::with_capacity(added.len() + moved.len());
+        for key in removed {
+            if let Some(slot) = self.slot_of.remove(*key) {
+                table.vacate(slot);
+                self.free.push(slot);
+            }
+        }
+        for key in added {
+            let (Some(drawable), Some(world), Some(bounds)) = (
+                scene.drawable(*key),
+                scene.world(*key),
+                scene.world_bounds(*key),
+            ) else {
+                continue;
+            };
+            let (Some(mesh), Some(material)) =
+                (scene.mesh(drawable.mesh), scene.material(drawable.material))
+            else {
+                continue;
+            };
+            let material_number = self.material(scene, drawable.material)?;
+            let texture = match material.base_colour_image {
+                Some(image) => self.texture(scene, image)?,
+                None => 0,
+            };
+            let mesh_number = match self.mesh_index.get(drawable.mesh) {
+                Some(number) => *number,
+                None => {
+                    let number = table.add_mesh(self.arenas.add(&self.gpu, mesh)?);
+                    self.mesh_index.insert(drawable.mesh, number);
+                    number
+                }
+            };
+            let instance = self.instance(scene, *key, &world, material_number)?;
+            let topology = mesh
+                .levels
+                .first()
+                .map(|level| level.topology)
+                .unwrap_or_default();
+            let class = Class::new(
+                topology,
+                world.matrix3.determinant() < 0.0,
+                material.double_sided,
+                material.alpha,
+            );
+            self.classes |=
+                1 << class.index() | 1 << class.for_detail(crate::list::Detail::Box).index();
+            let slot = self.free.pop().unwrap_or(self.host_instances.len() as u32);
+            if slot as usize == self.host_instances.len() {
+                self.host_instances.push(instance);
+            } else {
+                self.host_instances[slot as usize] = instance;
+            }
+            table.occupy(
+                slot,
+                *key,
+                bounds,
+                Batch {
+                    class,
+                    texture,
+                    mesh: mesh_number,
+                },
+                &mut self.batch_index,
+            );
+            self.slot_of.insert(*key, slot);
+            dirty.push(slot);
+        }
+        let mut turned = Vec::new();
+        for key in moved {
+            let (Some(slot), Some(world), Some(bounds)) =
+                (self.slot(*key), scene.world(*key), scene.world_bounds(*key))
+            else {
+                continue;
+            };
+            if table.class_of(slot).mirrored() != (world.matrix3.determinant() < 0.0) {
+                turned.push(*key);
+                continue;
+            }
+            let material = self.host_instances[slot as usize].material;
+            self.host_instances[slot as usize] = self.instance(scene, *key, &world, material)?;
+            table.move_to(slot, bounds);
+            dirty.push(slot);
+        }
+        table.sort_batches(&mut self.batch_index);
+        if !turned.is_empty() {
+            // Mirrored by its motion: another pipeline, so another slot.
+            dirty.extend(self.change(table, scene, &turned, &turned, &[])?);
+        }
+        Ok(dirty)
+    }
+
+    fn instance(
+        &self,
+        scene: &Scene,
+        key: EntityKey,
+        world: &glam::DAffine3,
+        material: u32,
+    ) -> Result<Instance, DrawError> {
+        Instance::new(world, material).ok_or_else(|| {
+            let name = scene.entity_name(key);
+            let entity = if name.is_empty() {
+                format!("{key:?}")
+            } else {
+                name.to_owned()
+            };
+            DrawError::Transform { entity }
+        })
+    }
+
+    fn material(&mut self, scene: &Scene, key: MaterialKey) -> Result<u32, DrawError> {
+        if let Some(number) = self.material_index.get(key) {
+            return Ok(*number);
+        }
+        let material = scene.material(key).cloned().unwrap_or_default();
+        let number = self
+            .materials
+            .append(&self.gpu, &[GpuMaterial::from(&material)])? as u32;
+        self.material_index.insert(key, number);
+        Ok(number)
+    }
+
+    fn texture(&mut self, scene: &Scene, key: ImageKey) -> Result<u32, DrawError> {
+        if let Some(number) = self.texture_index.get(key) {
+            return Ok(*number);
+        }
+        let Some(image) = scene.image(key) else {
+            return Ok(0);
+        };
+        let number = self.textures.len();
+        let bound = texture::upload(&self.gpu, &self.texture_layout, image, number)?;
+        Arc::make_mut(&mut self.textures).push(bound);
+        self.texture_index.insert(key, number as u32);
+        Ok(number as u32)
+    }
+
+    /// Writes the changed instances, neighbours together.
+    fn upload(&mut self, mut dirty: Vec<u32>) -> Result<(), DrawError> {
+        dirty.sort_unstable();
+        dirty.dedup();
+        self.instances
+            .reserve(&self.gpu, self.host_instances.len() as u64)?;
+        let mut rest = dirty.as_slice();
+        while let Some(first) = rest.first() {
+            // A gap of a few unchanged ones is cheaper to write over than another write is.
+            let run = rest
+                .windows(2)
+                .position(|pair| pair[1] - pair[0] > 8)
+                .map_or(rest.len(), |at| at + 1);
+            let last = rest.get(run - 1).copied().unwrap_or(*first);
+            if let Some(changed) = self.host_instances.get(*first as usize..=last as usize) {
+                self.instances.write(&self.gpu, u64::from(*first), changed);
+            }
+            rest = rest.get(run..).unwrap_or_default();
+        }
+        Ok(())
+    }
+}

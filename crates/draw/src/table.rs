@@ -1,0 +1,346 @@
+//! What the host knows of everything drawable, laid out for culling: one slot an entity, dense arrays by slot.
+//!
+//! A table is a snapshot shared with the graph's host nodes through an `Arc`; the scene's owner changes it between
+//! frames, when nobody else holds it.
+
+use std::collections::HashMap;
+
+use antumbra_scene::bounds::BoxArray;
+use antumbra_scene::{Aabb, AlphaMode, EntityKey, Topology};
+use glam::DVec3;
+
+use crate::list::Detail;
+
+/// What decides a pipeline: topology, winding, sidedness, alpha. Fewer than [`Class::COUNT`] exist.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Class(u8);
+
+/// How a material's alpha is used; the order is the order of drawing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Alpha {
+    /// Ignored.
+    Opaque,
+    /// Fragments below the cutoff are dropped.
+    Mask,
+    /// Blended over what lies behind.
+    Blend,
+}
+
+impl Class {
+    /// One more than the largest index.
+    pub const COUNT: usize = 64;
+
+    /// Puts a class together. `mirrored`: the transform turns windings around.
+    pub fn new(topology: Topology, mirrored: bool, double_sided: bool, alpha: AlphaMode) -> Self {
+        let topology = match topology {
+            Topology::Triangles => 0,
+            Topology::Lines => 1,
+            Topology::Points => 2,
+        };
+        let alpha = match alpha {
+            AlphaMode::Opaque => 0,
+            AlphaMode::Mask { .. } => 1,
+            AlphaMode::Blend => 2,
+        };
+        Self(alpha << 4 | topology << 2 | u8::from(mirrored) << 1 | u8::from(double_sided))
+    }
+
+    /// All classes, in drawing order.
+    pub fn all() -> impl Iterator<Item = Self> {
+        (0..Self::COUNT as u8).map(Self)
+    }
+
+    /// An index below [`Class::COUNT`].
+    pub fn index(self) -> usize {
+        usize::from(self.0)
+    }
+
+    /// The alpha mode.
+    pub fn alpha(self) -> Alpha {
+        match self.0 >> 4 {
+            0 => Alpha::Opaque,
+            1 => Alpha::Mask,
+            _ => Alpha::Blend,
+        }
+    }
+
+    /// The topology.
+    pub fn topology(self) -> Topology {
+        match self.0 >> 2 & 3 {
+            0 => Topology::Triangles,
+            1 => Topology::Lines,
+            _ => Topology::Points,
+        }
+    }
+
+    /// Whether front faces are clockwise.
+    pub fn mirrored(self) -> bool {
+        self.0 & 2 != 0
+    }
+
+    /// Whether back faces are drawn.
+    pub fn double_sided(self) -> bool {
+        self.0 & 1 != 0
+    }
+
+    /// Whether entities of this class may stand in an occluder depth: opaque triangles. What has holes or no surface hides nothing.
+    pub fn hides(self) -> bool {
+        self.alpha() == Alpha::Opaque && self.topology() == Topology::Triangles
+    }
+
+    /// The class that a geometry of this class's batch is drawn with: a box is made of triangles whatever it encloses.
+    pub fn for_detail(self, detail: Detail) -> Self {
+        match detail {
+            Detail::Box => Self(self.0 & !0b1100),
+            _ => self,
+        }
+    }
+}
+
+/// One geometry in the shared vertex and index arenas.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Range {
+    /// First index in the index arena.
+    pub first_index: u32,
+    /// Number of indices.
+    pub index_count: u32,
+    /// Added to every index.
+    pub base_vertex: i32,
+    /// Indices a primitive: 3, 2 or 1.
+    pub corners: u32,
+}
+
+impl Range {
+    /// Triangles, lines or points.
+    pub fn primitives(&self) -> u32 {
+        self.index_count / self.corners.max(1)
+    }
+}
+
+/// A mesh's geometries in the arenas.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MeshRanges {
+    /// Levels of detail, full first; never empty.
+    pub levels: Vec<Range>,
+    /// The stand-in for tests; the full level where the mesh has none.
+    pub proxy: Range,
+    /// The widened bounding box.
+    pub boxed: Range,
+}
+
+/// What can be drawn in one instanced draw: same pipeline, same texture, same mesh. Sorts in drawing order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Batch {
+    /// Decides the pipeline.
+    pub class: Class,
+    /// Index of the base-colour texture's bind group.
+    pub texture: u32,
+    /// Index of the mesh.
+    pub mesh: u32,
+}
+
+/// What a slot holds. Slots of removed entities are reused.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Occupant {
+    /// The entity.
+    pub key: EntityKey,
+    /// The epoch in which it came into this slot: answers of older epochs are not about it.
+    pub born: u64,
+}
+
+/// Everything drawable, by slot.
+#[derive(Debug, Clone, Default)]
+pub struct SceneTable {
+    occupants: Vec<Option<Occupant>>,
+    boxes: BoxArray,
+    batch_of: Vec<u32>,
+    batches: Vec<Batch>,
+    meshes: Vec<MeshRanges>,
+    epoch: u64,
+    live: usize,
+    transparent: usize,
+}
+
+impl SceneTable {
+    /// Number of slots, free ones included. Slots are below this.
+    pub fn slots(&self) -> u32 {
+        self.occupants.len() as u32
+    }
+
+    /// Number of entities.
+    pub fn live(&self) -> usize {
+        self.live
+    }
+
+    /// Counts the changes; every answer is stamped with the epoch it was asked in.
+    pub fn epoch(&self) -> u64 {
+        self.epoch
+    }
+
+    /// Who is in a slot; `None` for a free one.
+    pub fn occupant(&self, slot: u32) -> Option<&Occupant> {
+        self.occupants.get(slot as usize)?.as_ref()
+    }
+
+    /// Slots in use, ascending.
+    pub fn live_slots(&self) -> impl Iterator<Item = u32> + Clone + '_ {
+        self.occupants
+            .iter()
+            .zip(0u32..)
+            .filter_map(|(occupant, slot)| occupant.as_ref().map(|_| slot))
+    }
+
+    /// World bounds by slot, for culling. Those of free slots are empty, yet may pass a test: see [`Self::occupant`].
+    pub fn boxes(&self) -> &BoxArray {
+        &self.boxes
+    }
+
+    /// World bounds of a slot; of one that does not exist, the origin.
+    pub fn bounds(&self, slot: u32) -> Aabb {
+        self.boxes.get(slot as usize).unwrap_or(Aabb {
+            min: DVec3::ZERO,
+            max: DVec3::ZERO,
+        })
+    }
+
+    /// The batch of a live slot.
+    pub fn batch_of(&self, slot: u32) -> u32 {
+        self.batch_of[slot as usize]
+    }
+
+    /// The class of a live slot.
+    pub fn class_of(&self, slot: u32) -> Class {
+        self.batches[self.batch_of(slot) as usize].class
+    }
+
+    /// Whether a live slot's entity is blended.
+    pub fn is_transparent(&self, slot: u32) -> bool {
+        self.class_of(slot).alpha() == Alpha::Blend
+    }
+
+    /// Whether a live slot's entity may hide others ([`Class::hides`]).
+    pub fn is_occluder(&self, slot: u32) -> bool {
+        self.class_of(slot).hides()
+    }
+
+    /// Whether any entity is blended.
+    pub fn has_transparent(&self) -> bool {
+        self.transparent > 0
+    }
+
+    /// Batches in drawing order.
+    pub fn batches(&self) -> &[Batch] {
+        &self.batches
+    }
+
+    /// Where a mesh's geometry lies.
+    pub fn range(&self, mesh: u32, detail: Detail) -> Range {
+        let Some(ranges) = self.meshes.get(mesh as usize) else {
+            return Range::default();
+        };
+        match detail {
+            Detail::Level(level) => {
+                let coarsest = ranges.levels.len().saturating_sub(1);
+                ranges
+                    .levels
+                    .get(usize::from(level).min(coarsest))
+                    .copied()
+                    .unwrap_or_default()
+            }
+            Detail::Proxy => ranges.proxy,
+            Detail::Box => ranges.boxed,
+        }
+    }
+
+    /// Triangles of an entity's full mesh.
+    pub fn primitives_of(&self, slot: u32) -> u32 {
+        self.range(
+            self.batches[self.batch_of(slot) as usize].mesh,
+            Detail::Level(0),
+        )
+        .primitives()
+    }
+
+    pub(crate) fn next_epoch(&mut self) {
+        self.epoch += 1;
+    }
+
+    pub(crate) fn add_mesh(&mut self, ranges: MeshRanges) -> u32 {
+        self.meshes.push(ranges);
+        self.meshes.len() as u32 - 1
+    }
+
+    /// Puts an entity into a slot (the next new one, or a free one). Its batch index is provisional until [`Self::sort_batches`].
+    pub(crate) fn occupy(
+        &mut self,
+        slot: u32,
+        key: EntityKey,
+        bounds: Aabb,
+        batch: Batch,
+        index: &mut HashMap<Batch, u32>,
+    ) {
+        let occupant = Some(Occupant {
+            key,
+            born: self.epoch,
+        });
+        let number = *index.entry(batch).or_insert_with(|| {
+            self.batches.push(batch);
+            self.batches.len() as u32 - 1
+        });
+        let at = slot as usize;
+        if at == self.occupants.len() {
+            self.occupants.push(occupant);
+            self.boxes.push(bounds);
+            self.batch_of.push(number);
+        } else {
+            self.occupants[at] = occupant;
+            self.boxes.set(at, bounds);
+            self.batch_of[at] = number;
+        }
+        self.live += 1;
+        self.count(batch.class, 1);
+    }
+
+    pub(crate) fn vacate(&mut self, slot: u32) {
+        let Some(place) = self.occupants.get_mut(slot as usize) else {
+            return;
+        };
+        if place.take().is_some() {
+            self.live -= 1;
+            self.count(
+                self.batches[self.batch_of[slot as usize] as usize].class,
+                -1,
+            );
+        }
+    }
+
+    pub(crate) fn move_to(&mut self, slot: u32, bounds: Aabb) {
+        self.boxes.set(slot as usize, bounds);
+    }
+
+    /// Brings the batches into drawing order and renumbers the slots' batches.
+    pub(crate) fn sort_batches(&mut self, index: &mut HashMap<Batch, u32>) {
+        if self.batches.is_sorted() {
+            return;
+        }
+        let before = self.batches.clone();
+        self.batches.sort_unstable();
+        for (batch, number) in self.batches.iter().zip(0u32..) {
+            index.insert(*batch, number);
+        }
+        for number in &mut self.batch_of {
+            if let Some(new) = before
+                .get(*number as usize)
+                .and_then(|batch| index.get(batch))
+            {
+                *number = *new;
+            }
+        }
+    }
+
+    fn count(&mut self, class: Class, by: isize) {
+        if class.alpha() == Alpha::Blend {
+            self.transparent = self.transparent.saturating_add_signed(by);
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! A view: a camera and the image it makes, as the host and the GPU see it.
+
+use antumbra_scene::{Camera, Frustum};
+use antumbra_shaders::assert_layout;
+use bytemuck::{Pod, Zeroable};
+use glam::DVec3;
+
+use crate::instance::split;
+
+/// Mirrors `View` of `shared/view.wgsl`.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+pub struct GpuView {
+    clip_from_relative: [f32; 16],
+    eye_high: [f32; 3],
+    pixels_wide: f32,
+    eye_low: [f32; 3],
+    pixels_high: f32,
+}
+
+assert_layout!(GpuView, "depth", "View", { clip_from_relative, eye_high, pixels_wide, eye_low, pixels_high });
+
+/// A view in one frame.
+#[derive(Debug, Clone)]
+pub struct ViewFrame {
+    /// The camera.
+    pub camera: Camera,
+    /// Pixels wide and high.
+    pub size: [u32; 2],
+    /// What the camera sees, in world space.
+    pub frustum: Frustum,
+    /// Counts the cuts of this view: an answer asked before a cut says nothing after it.
+    pub cuts: u64,
+}
+
+impl ViewFrame {
+    /// A camera looking at an image of `size` pixels.
+    pub fn new(camera: Camera, size: [u32; 2], cuts: u64) -> Self {
+        let frustum = camera.frustum(aspect(size));
+        Self {
+            camera,
+            size,
+            frustum,
+            cuts,
+        }
+    }
+
+    /// Width over height.
+    pub fn aspect(&self) -> f64 {
+        aspect(self.size)
+    }
+
+    /// What the shaders read.
+    pub fn uniform(&self) -> GpuView {
+        let clip_from_relative =
+            self.camera.projection_matrix(self.aspect()) * self.camera.view_rotation();
+        let (eye_high, eye_low) = split(self.camera.position);
+        GpuView {
+            clip_from_relative: clip_from_relative.to_cols_array(),
+            eye_high,
+            pixels_wide: self.size[0] as f32,
+            eye_low,
+            pixels_high: self.size[1] as f32,
+        }
+    }
+
+    /// The camera's right, up and forward directions.
+    pub fn axes(&self) -> [DVec3; 3] {
+        [DVec3::X, DVec3::Y, DVec3::NEG_Z].map(|axis| self.camera.rotation * axis)
+    }
+}
+
+fn aspect(size: [u32; 2]) -> f64 {
+    f64::from(size[0].max(1)) / f64::from(size[1].max(1))
+}

@@ -1,0 +1,23 @@
+// Answers of hardware queries, which come in the order of asking, brought into the order of slots: 1 where any sample
+// passed. Only for the on-gpu way; the host does the same with an index.
+
+struct Settings {
+    queries: u32,
+    padding_a: u32,
+    padding_b: u32,
+    padding_c: u32,
+}
+
+@group(0) @binding(0) var<uniform> settings: Settings;
+@group(0) @binding(1) var<storage, read> asked: array<u32>;
+// Each answer is a u64: zero, or something else.
+@group(0) @binding(2) var<storage, read> answers: array<vec2<u32>>;
+@group(0) @binding(3) var<storage, read_write> counts: array<u32>;
+
+@compute @workgroup_size(64)
+fn scatter(@builtin(global_invocation_id) at: vec3<u32>) {
+    if at.x < settings.queries {
+        let answer = answers[at.x];
+        counts[asked[at.x]] = select(0u, 1u, (answer.x | answer.y) != 0u);
+    }
+}

@@ -1,0 +1,56 @@
+// Up to eight lights: directional, positional, spot. Positions are relative to the eye.
+const LIGHTS_MOST: u32 = 8u;
+const LIGHT_DIRECTIONAL: u32 = 0u;
+const LIGHT_POINT: u32 = 1u;
+const LIGHT_SPOT: u32 = 2u;
+
+struct Light {
+    colour: vec3<f32>,
+    kind: u32,
+    // Towards where the light shines, unit length.
+    direction: vec3<f32>,
+    // Metres; 0 means without end.
+    range: f32,
+    position: vec3<f32>,
+    cos_outer: f32,
+    cos_inner: f32,
+    // Distance in metres at which a positional light has the strength that `colour` says.
+    reference_distance: f32,
+    padding: vec2<f32>,
+}
+
+struct Lights {
+    ambient: vec3<f32>,
+    count: u32,
+    lights: array<Light, 8>,
+}
+
+@group(1) @binding(1) var<uniform> lights: Lights;
+
+fn lit(base: vec3<f32>, normal: vec3<f32>, eye: vec3<f32>, relative: vec3<f32>) -> vec3<f32> {
+    var sum = base * lights.ambient;
+    for (var i = 0u; i < min(lights.count, LIGHTS_MOST); i++) {
+        let light = lights.lights[i];
+        var towards = -light.direction;
+        var strength = 1.0;
+        if light.kind != LIGHT_DIRECTIONAL {
+            let offset = light.position - relative;
+            let distance_squared = max(dot(offset, offset), 1e-12);
+            towards = offset * inverseSqrt(distance_squared);
+            strength = light.reference_distance * light.reference_distance / distance_squared;
+            if light.range > 0.0 {
+                let part = distance_squared / (light.range * light.range);
+                strength *= clamp(1.0 - part * part, 0.0, 1.0);
+            }
+        }
+        if light.kind == LIGHT_SPOT {
+            let cosine = dot(-towards, light.direction);
+            strength *= smoothstep(light.cos_outer, light.cos_inner, cosine);
+        }
+        let lambert = max(dot(normal, towards), 0.0);
+        let half_way = normalize(towards + eye);
+        let gloss = select(0.0, 0.12 * pow(max(dot(normal, half_way), 0.0), 32.0), lambert > 0.0);
+        sum += light.colour * strength * (base * lambert + vec3<f32>(gloss));
+    }
+    return sum;
+}

@@ -1,0 +1,23 @@
+// Materials: one storage buffer for the scene, one texture and sampler a batch.
+const ALPHA_OPAQUE: u32 = 0u;
+const ALPHA_MASK: u32 = 1u;
+const ALPHA_BLEND: u32 = 2u;
+
+struct Material {
+    base_colour: vec4<f32>,
+    // Rows of the 2x3 texture transform.
+    uv_u: vec3<f32>,
+    alpha_cutoff: f32,
+    uv_v: vec3<f32>,
+    unlit: u32,
+}
+
+@group(1) @binding(0) var<storage, read> materials: array<Material>;
+@group(2) @binding(0) var base_colour_texture: texture_2d<f32>;
+@group(2) @binding(1) var base_colour_sampler: sampler;
+
+fn base_colour(material: Material, uv: vec2<f32>, vertex_colour: vec4<f32>) -> vec4<f32> {
+    let place = vec3<f32>(uv, 1.0);
+    let st = vec2<f32>(dot(material.uv_u, place), dot(material.uv_v, place));
+    return material.base_colour * vertex_colour * textureSample(base_colour_texture, base_colour_sampler, st);
+}

@@ -1,0 +1,13 @@
+// What a camera is to every pass. World positions are f64 on the host; the eye reaches the GPU as a sum of two f32
+// (high + low), so that subtracting it from an instance's origin is exact to about 48 bits.
+// (Relative to the eye with two floats a coordinate: Cozzi and Ring, 3D Engine Design for Virtual Globes, 2011, section 5.4.)
+struct View {
+    // Rotation and projection in one: camera-relative world space to clip space, reversed depth.
+    clip_from_relative: mat4x4<f32>,
+    eye_high: vec3<f32>,
+    pixels_wide: f32,
+    eye_low: vec3<f32>,
+    pixels_high: f32,
+}
+
+@group(0) @binding(0) var<uniform> view: View;

@@ -1,0 +1,51 @@
+//!import position
+//!import material
+// The oracle's view of transparent entities: each visible fragment adds a mix of its entity's id to its pixel's
+// signature and one to its entity's samples. Sums do not depend on the order of drawing, unlike blended colours.
+
+struct Varying {
+    @invariant @builtin(position) clip: vec4<f32>,
+    @location(0) @interpolate(flat) slot: u32,
+    @location(1) uv: vec2<f32>,
+    @location(2) colour: vec4<f32>,
+}
+
+@group(3) @binding(0) var<storage, read_write> signatures: array<atomic<u32>>;
+@group(3) @binding(1) var<storage, read_write> samples: array<atomic<u32>>;
+@group(3) @binding(2) var opaque_depth: texture_2d<f32>;
+
+@vertex
+fn vertex(
+    @location(0) local: vec3<f32>,
+    @location(1) slot: u32,
+    @location(2) normal: vec4<f32>,
+    @location(3) uv: vec2<f32>,
+    @location(4) colour: vec4<f32>,
+) -> Varying {
+    var out: Varying;
+    out.clip = clip_position(relative_position(instances[slot], local));
+    out.slot = slot;
+    out.uv = uv;
+    out.colour = colour;
+    return out;
+}
+
+// The finaliser of MurmurHash3 (Appleby): neighbouring ids land far apart.
+fn mixed(id: u32) -> u32 {
+    var h = id;
+    h = (h ^ (h >> 16u)) * 0x85ebca6bu;
+    h = (h ^ (h >> 13u)) * 0xc2b2ae35u;
+    return h ^ (h >> 16u);
+}
+
+@fragment
+fn fragment(in: Varying) {
+    let base = base_colour(materials[instances[in.slot].material], in.uv, in.colour);
+    let pixel = vec2<u32>(in.clip.xy);
+    // What adds less than half of an 8-bit step is seen by nobody.
+    if base.a >= 0.002 && in.clip.z >= textureLoad(opaque_depth, vec2<i32>(in.clip.xy), 0).x {
+        let width = textureDimensions(opaque_depth).x;
+        atomicAdd(&signatures[pixel.y * width + pixel.x], mixed(in.slot + 1u));
+        atomicAdd(&samples[in.slot], 1u);
+    }
+}
