@@ -1,0 +1,155 @@
+//! Frame-late read-back: answers with their frame and tag, delivered once, forgotten on demand, never waited for.
+
+use std::sync::mpsc;
+
+use antumbra_graph::{BufferDesc, CompileOptions, Graph, Host, Plan};
+
+use crate::device::{Gpu, vulkan};
+
+/// (frame of the answer, its tag, its bytes as u32) as the body saw them.
+type Seen = (u64, u64, Vec<u32>);
+
+struct Late {
+    plan: Plan,
+    number: Host<u64>,
+    seen: mpsc::Receiver<Option<Seen>>,
+}
+
+/// A graph that uploads `number` and reads it back late, tagged with itself; the reader is declared first.
+fn graph(gpu: &Gpu, embedded: bool, slots: usize) -> Late {
+    let mut g = Graph::new("late");
+    let number = g.import_host::<u64>("number");
+    let tag = g.host::<u64>("tag");
+    let data = g.buffer("data", BufferDesc::new(16));
+    let (sender, seen) = mpsc::channel();
+
+    let mut node = g.host_node("read");
+    let answers = node.read_previous(data, tag);
+    node.bytes(|_| 7);
+    node.side_effect().run(move |ctx| {
+        let late = ctx.late(answers);
+        let again = ctx.late(answers);
+        assert_eq!(late.map(|l| l.frame), again.map(|l| l.frame));
+        let late = late.map(|late| {
+            (
+                late.frame,
+                *late.tag,
+                bytemuck::pod_collect_to_vec(late.bytes),
+            )
+        });
+        sender.send(late).unwrap();
+        Ok(())
+    });
+
+    let mut node = g.host_node("write");
+    node.read(number);
+    let (tag, data) = (node.write(tag), node.upload(data));
+    node.run(move |ctx| {
+        let number = *ctx.get(number)?;
+        *ctx.get_mut(tag)? = number;
+        let words = [number as u32, !(number as u32), 0, 0];
+        ctx.upload(data, 0, bytemuck::cast_slice(&words))?;
+        Ok(())
+    });
+    let options = if embedded {
+        CompileOptions::embedded(&gpu.device)
+    } else {
+        CompileOptions::owned(&gpu.device)
+    };
+    let options = CompileOptions {
+        read_back_slots: slots,
+        ..options
+    };
+    Late {
+        plan: g.compile(&options).unwrap(),
+        number,
+        seen,
+    }
+}
+
+#[test]
+fn an_answer_names_its_frame_and_carries_its_tag_once() {
+    let gpu = vulkan();
+    let mut late = graph(&gpu, false, 3);
+    let mut frames = Vec::new();
+    for frame in 0..6_u64 {
+        late.plan.set(late.number, 100 + frame).unwrap();
+        let report = late.plan.execute(&gpu.device, &gpu.queue).unwrap();
+        assert_eq!((report.frame, report.skipped_read_backs), (frame, 0));
+        gpu.wait();
+        if let Some((of, tag, words)) = late.seen.recv().unwrap() {
+            assert_eq!(tag, 100 + of);
+            assert_eq!(
+                words,
+                [tag as u32, !(tag as u32)],
+                "7 bytes rounded up to 8"
+            );
+            assert!(of < frame, "an answer is of an earlier frame");
+            frames.push(of);
+        }
+    }
+    assert_eq!(frames, [0, 1, 2, 3, 4], "each answer once, in order");
+}
+
+#[test]
+fn forgotten_answers_never_arrive() {
+    let gpu = vulkan();
+    let mut late = graph(&gpu, false, 3);
+    for frame in 0..4 {
+        late.plan.set(late.number, frame).unwrap();
+        late.plan.execute(&gpu.device, &gpu.queue).unwrap();
+        gpu.wait();
+        if frame == 2 {
+            late.plan.forget_answers();
+        }
+    }
+    let seen: Vec<_> = late.seen.try_iter().map(|seen| seen.map(|s| s.0)).collect();
+    assert_eq!(seen, [None, Some(0), Some(1), None]);
+}
+
+#[test]
+fn a_frame_without_a_free_slot_goes_on_and_says_so() {
+    let gpu = vulkan();
+    let mut late = graph(&gpu, true, 1);
+    let mut skipped = 0;
+    let mut encoders = Vec::new();
+    for frame in 0..3 {
+        late.plan.set(late.number, frame).unwrap();
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let report = late
+            .plan
+            .record(&gpu.device, &gpu.queue, &mut encoder)
+            .unwrap();
+        skipped += report.skipped_read_backs;
+        encoders.push(encoder.finish());
+    }
+    assert_eq!(
+        skipped, 2,
+        "nothing was submitted, so the only slot stayed taken"
+    );
+    gpu.queue.submit(encoders);
+    gpu.wait();
+    late.plan.set(late.number, 9).unwrap();
+    let mut encoder = gpu.device.create_command_encoder(&Default::default());
+    late.plan
+        .record(&gpu.device, &gpu.queue, &mut encoder)
+        .unwrap();
+    let seen: Vec<_> = late.seen.try_iter().flatten().map(|seen| seen.0).collect();
+    assert_eq!(seen, [0]);
+}
+
+#[test]
+fn a_dropped_encoder_gives_its_slot_back() {
+    let gpu = vulkan();
+    let mut late = graph(&gpu, true, 1);
+    for frame in 0..4 {
+        late.plan.set(late.number, frame).unwrap();
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let report = late
+            .plan
+            .record(&gpu.device, &gpu.queue, &mut encoder)
+            .unwrap();
+        assert_eq!(report.skipped_read_backs, 0);
+    }
+    assert!(late.seen.try_iter().flatten().next().is_none());
+}
