@@ -237,7 +237,7 @@ impl Pair {
 fn step() -> impl Strategy<Value = Step> {
     let numbers = any::<[i8; 3]>();
     prop_oneof![
-        5 => (any::<usize>(), numbers.clone()).prop_map(|(p, n)| Step::Spawn(p, n)),
+        5 => (any::<usize>(), numbers).prop_map(|(p, n)| Step::Spawn(p, n)),
         1 => any::<usize>().prop_map(Step::Despawn),
         2 => (any::<usize>(), numbers).prop_map(|(i, n)| Step::Move(i, n)),
         2 => any::<(usize, usize)>().prop_map(|(i, p)| Step::Reparent(i, p)),

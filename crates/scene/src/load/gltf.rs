@@ -1,0 +1,42 @@
+//! glTF 2.0. The `gltf` crate parses the JSON; the accessors are read here, checked against the bytes that are there, and
+//! the crate's validation, which expects well-meaning files, is not relied upon.
+//!
+//! Read are all primitive modes, sparse accessors and component types, default morph weights, skins in their rest pose (baked
+//! into the mesh), cameras, base colours and their images, and the extensions in [`SUPPORTED`]. Animations are not.
+
+mod accessor;
+mod container;
+mod document;
+mod extras;
+mod geometry;
+mod material;
+mod nodes;
+mod skin;
+mod tree;
+
+use super::budget::Budget;
+use super::error::LoadProblem;
+use super::files::Files;
+use crate::scene::Scene;
+use document::Document;
+
+/// The extensions that a file may require.
+const SUPPORTED: &[&str] = &[
+    "EXT_mesh_gpu_instancing",
+    "KHR_lights_punctual",
+    "KHR_materials_unlit",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+    "MSFT_lod",
+];
+
+pub(super) fn read(
+    bytes: &[u8],
+    files: &Files<'_>,
+    budget: &mut Budget,
+) -> Result<Scene, LoadProblem> {
+    let parts = container::split(bytes)?;
+    let root = container::parse(parts.json, budget)?;
+    let document = Document::open(root, parts.binary, files, budget)?;
+    nodes::place(&document, files, budget)
+}

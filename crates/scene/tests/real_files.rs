@@ -1,0 +1,113 @@
+//! Files that other programs wrote. They are not part of the repository: without the git-ignored folder `data/` these tests
+//! say so and pass. `apt-get download assimp-testmodels && dpkg -x assimp-testmodels_*.deb data/assimp` fills it.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use antumbra_scene::{Format, LoadOptions, LoadProblem, load};
+use std::path::{Path, PathBuf};
+
+fn models() -> Option<PathBuf> {
+    let folder =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/assimp/usr/share/assimp/models");
+    if folder.is_dir() {
+        return Some(folder);
+    }
+    eprintln!("skipped: {} is not there", folder.display());
+    None
+}
+
+fn files(folder: &Path, found: &mut Vec<PathBuf>) {
+    let mut entries: Vec<_> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|e| e.unwrap().path())
+        .collect();
+    entries.sort();
+    for path in entries {
+        if path.is_dir() {
+            files(&path, found);
+        } else if path
+            .extension()
+            .and_then(|e| Format::from_extension(e.to_str()?))
+            .is_some()
+        {
+            found.push(path);
+        }
+    }
+}
+
+/// Every file gives a scene with something in it, or an error that names the file; the readable ones are most of them.
+#[test]
+fn every_file_gives_a_scene_or_a_reason() {
+    let Some(folder) = models() else { return };
+    let mut all = Vec::new();
+    files(&folder, &mut all);
+    let mut refused = Vec::new();
+    for path in &all {
+        match load(path, &LoadOptions::default()) {
+            Ok(mut scene) => {
+                scene.update();
+                println!(
+                    "{}: {scene:?}",
+                    path.strip_prefix(&folder).unwrap().display()
+                );
+                if scene.drawable_count() > 0 {
+                    assert!(scene.bounds().is_some(), "{}", path.display());
+                }
+            }
+            Err(error) => {
+                let text = error.to_string();
+                assert!(text.contains(path.to_str().unwrap()), "{text}");
+                assert!(text.len() < 1000, "{text}");
+                refused.push(text.replace(folder.to_str().unwrap(), ""));
+            }
+        }
+    }
+    println!(
+        "{} of {} refused:\n{}",
+        refused.len(),
+        all.len(),
+        refused.join("\n")
+    );
+    // A third of the collection is old, broken on purpose, or compressed.
+    assert!(refused.len() * 5 < all.len() * 2, "too many refused");
+}
+
+#[test]
+fn the_engine_has_the_parts_it_is_known_to_have() {
+    let Some(folder) = models() else { return };
+    let path = folder.join("glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb");
+    let mut scene = load(&path, &LoadOptions::default()).unwrap();
+    assert_eq!(scene.name(), "2CylinderEngine");
+    assert_eq!(scene.triangle_count(), 121_496);
+    assert_eq!(scene.update().added.len(), scene.drawable_count());
+    let is_part = |name: &str| name.contains(", primitive ");
+    let nodes: Vec<_> = (scene.entities())
+        .filter(|e| !is_part(scene.entity_name(*e)))
+        .collect();
+    assert_eq!(nodes.len(), 82);
+    let placed = nodes.iter().filter(|node| {
+        let drawn_below = scene
+            .children(**node)
+            .any(|c| is_part(scene.entity_name(c)));
+        scene.drawable(**node).is_some() || drawn_below
+    });
+    assert_eq!(placed.count(), 67);
+    let meshes: std::collections::BTreeSet<_> = (scene.meshes())
+        .map(|(_, mesh)| mesh.name.split(", primitive ").next().unwrap().to_owned())
+        .collect();
+    assert_eq!(meshes.len(), 29);
+}
+
+#[test]
+fn more_triangles_than_allowed_are_refused() {
+    let Some(folder) = models() else { return };
+    let path = folder.join("glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb");
+    let options = LoadOptions {
+        max_triangles: 10_000,
+        ..LoadOptions::default()
+    };
+    let error = load(&path, &options).unwrap_err();
+    assert!(
+        matches!(*error.problem, LoadProblem::TooLarge { .. }),
+        "{error}"
+    );
+}

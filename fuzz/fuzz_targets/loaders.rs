@@ -1,0 +1,46 @@
+//! Whatever the bytes are, a loader answers with a scene or an error: no panic, no endless loop, bounded memory. The first
+//! byte picks the format, the rest is the file.
+#![no_main]
+
+use antumbra_scene::{Format, LoadOptions, ProxyOptions, load_slice};
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|data: &[u8]| {
+    let Some((pick, bytes)) = data.split_first() else {
+        return;
+    };
+    let formats = [Format::Gltf, Format::Obj, Format::Ply, Format::Stl];
+    let options = LoadOptions {
+        max_file_bytes: 1 << 20,
+        max_vertices: 1 << 16,
+        max_triangles: 1 << 16,
+        max_entities: 1 << 12,
+        max_image_pixels: 1 << 16,
+        max_json_objects: 1 << 14,
+        skip_images: false,
+    };
+    let format = formats[usize::from(*pick) % formats.len()];
+    match load_slice(format, bytes, None, &options) {
+        Err(error) => assert!(error.to_string().len() > 10),
+        Ok(mut scene) => {
+            assert!(scene.len() as u64 <= options.max_entities);
+            let changes = scene.update();
+            assert_eq!(changes.added.len(), scene.drawable_count());
+            assert!(scene.bounds().is_none_or(|bounds| bounds.is_finite()));
+            for (_, mesh) in scene.meshes() {
+                assert!(mesh.validate().is_ok());
+            }
+            let triangles = scene.triangle_count();
+            scene.ensure_proxies(&ProxyOptions::default());
+            assert_eq!(scene.triangle_count(), triangles);
+            for (_, mesh) in scene.meshes() {
+                let proxy = mesh
+                    .proxy
+                    .as_ref()
+                    .map_or(0, |proxy| proxy.triangle_count());
+                assert!(proxy <= mesh.triangle_count().max(12));
+            }
+            assert!(scene.update().is_empty());
+        }
+    }
+});
