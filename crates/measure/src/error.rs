@@ -94,4 +94,13 @@ pub enum MeasureError {
         /// What the plotter said.
         reason: String,
     },
+    /// A stage could not be built, or a frame failed.
+    #[error(transparent)]
+    Stage(#[from] antumbra_cull::StageError),
+    /// The scene does not fit the device.
+    #[error(transparent)]
+    Draw(#[from] antumbra_draw::DrawError),
+    /// The device.
+    #[error(transparent)]
+    Device(#[from] antumbra_draw::DeviceError),
 }

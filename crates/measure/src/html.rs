@@ -1,7 +1,8 @@
-//! The page: one self-contained `report.html`, drawn from a report and the pictures it names, that a person understands at a glance.
+//! The page: one self-contained `report.html`, drawn from a report and the pictures it names, that
+//! a person understands at a glance.
 //!
-//! No scripts, no fonts, nothing fetched; styles and pictures are inside. Whatever the report says is escaped: names of scenes, adapters
-//! and strategies come from strangers' files.
+//! No scripts, no fonts, nothing fetched; styles and pictures are inside. Whatever the report says
+//! is escaped: names of scenes, adapters and strategies come from strangers' files.
 
 use std::path::{Path, PathBuf};
 
@@ -16,8 +17,8 @@ mod pictures;
 
 const CSS: &str = include_str!("html/page.css");
 
-/// Writes `report.html` into `dir`, where the report's pictures are looked for, and gives its path. A picture that cannot be read is
-/// replaced by a sentence that says so.
+/// Writes `report.html` into `dir`, where the report's pictures are looked for, and gives its path.
+/// A picture that cannot be read is replaced by a sentence that says so.
 ///
 /// # Errors
 /// When the report does not pass [`Report::check`], a plot fails, or the page cannot be written.

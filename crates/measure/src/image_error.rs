@@ -1,7 +1,8 @@
-//! How wrong a frame is: pixels and entities against the reference's id buffer, FLIP against its picture, and images that show a person
-//! where.
+//! How wrong a frame is: pixels and entities against the reference's id buffer, FLIP against its
+//! picture, and images that show a person where.
 //!
-//! An id buffer holds the entity id each pixel belongs to, row by row from the top left, and one agreed id for the background.
+//! An id buffer holds the entity id each pixel belongs to, row by row from the top left, and one
+//! agreed id for the background.
 
 use crate::MeasureError;
 
@@ -90,7 +91,8 @@ pub fn false_culls(reference: &[Owner], drawn: &[u32]) -> Vec<Owner> {
         .collect()
 }
 
-/// How many of the `drawn` entities own no pixel of the reference; `reference` as [`owners`] gives it.
+/// How many of the `drawn` entities own no pixel of the reference; `reference` as [`owners`] gives
+/// it.
 pub fn overdrawn(reference: &[Owner], drawn: &[u32]) -> usize {
     drawn
         .iter()

@@ -1,7 +1,9 @@
-//! The report's plots as SVG text: speed against error, frame times along the path, and what a frame's time is spent on.
+//! The report's plots as SVG text: speed against error, frame times along the path, and what a
+//! frame's time is spent on.
 //!
-//! Each is a whole `<svg>` element, fit for a file or for a page. What is ink takes the colour of the text around it (`currentColor`), and
-//! grids and faint words follow the CSS variables `--grid` and `--faint` where a page sets them, so that one plot serves light and dark.
+//! Each is a whole `<svg>` element, fit for a file or for a page. What is ink takes the colour of
+//! the text around it (`currentColor`), and grids and faint words follow the CSS variables `--grid`
+//! and `--faint` where a page sets them, so that one plot serves light and dark.
 
 mod axis;
 mod canvas;

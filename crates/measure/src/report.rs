@@ -1,7 +1,9 @@
-//! The nouns of `report.json`: everything a comparison measured, and the only thing that tables, plots and the page are drawn from.
+//! The nouns of `report.json`: everything a comparison measured, and the only thing that tables,
+//! plots and the page are drawn from.
 //!
-//! The schema is documented field by field in `docs/report.md`. A field once published keeps its name; fields of later versions are
-//! skipped when read. What was not measured is absent, never NaN.
+//! The schema is documented field by field in `docs/report.md`. A field once published keeps its
+//! name; fields of later versions are skipped when read. What was not measured is absent, never
+//! NaN.
 
 use std::collections::BTreeMap;
 
@@ -11,12 +13,14 @@ mod file;
 
 pub use file::MAX_REPORT_BYTES;
 
-/// One comparison: what ran, on what, how noisy the machine was, and what each strategy cost and got wrong.
+/// One comparison: what ran, on what, how noisy the machine was, and what each strategy cost and
+/// got wrong.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Report {
     /// The version of Antumbra that measured.
     pub antumbra: String,
-    /// The command line that made this report, as one would type it again; empty when a library made it.
+    /// The command line that made this report, as one would type it again; empty when a library
+    /// made it.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub command: String,
     /// The adapter that drew.
@@ -73,8 +77,8 @@ pub struct SceneFacts {
 /// How much two runs of the same strategy differ.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Noise {
-    /// The 95th percentile of the block ratios (larger over smaller) of an A/A run: 1.02 means that below 2 % nothing was shown. Absent
-    /// when no A/A run was made.
+    /// The 95th percentile of the block ratios (larger over smaller) of an A/A run: 1.02 means that
+    /// below 2 % nothing was shown. Absent when no A/A run was made.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub frame_time_ratio_p95: Option<f64>,
 }
@@ -96,10 +100,12 @@ pub struct PoseRecord {
 pub struct StrategyReport {
     /// The strategy's registered name.
     pub name: String,
-    /// What tables and plots call it when the name alone is not enough (the same strategy with other settings); empty: the name.
+    /// What tables and plots call it when the name alone is not enough (the same strategy with
+    /// other settings); empty: the name.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub label: String,
-    /// How answers come back: `frame-late`, `same-frame`, `on-gpu`, or `none` for a strategy that asks nothing.
+    /// How answers come back: `frame-late`, `same-frame`, `on-gpu`, or `none` for a strategy that
+    /// asks nothing.
     pub latency: String,
     /// The settings it ran with, all of them, defaults included.
     pub settings: BTreeMap<String, serde_json::Value>,
@@ -274,12 +280,14 @@ impl StrategyReport {
             .map(f64::recip)
     }
 
-    /// Whether it is one of the three yardsticks (`none`, `frustum`, `ideal`) that the others are held against.
+    /// Whether it is one of the three yardsticks (`none`, `frustum`, `ideal`) that the others are
+    /// held against.
     pub fn is_yardstick(&self) -> bool {
         matches!(self.name.as_str(), "none" | "frustum" | "ideal")
     }
 
-    /// Whether it claims to be conservative and yet missed something: a defect of the strategy, to be said loudly.
+    /// Whether it claims to be conservative and yet missed something: a defect of the strategy, to
+    /// be said loudly.
     pub fn breaks_its_promise(&self) -> bool {
         self.conservative
             && (self.error.false_culls.entities > 0 || self.error.wrong_pixels_percent.max > 0.0)

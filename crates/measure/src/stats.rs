@@ -1,7 +1,9 @@
-//! The statistics of a fair comparison: medians, percentiles, ratios block by block, and runs of frames.
+//! The statistics of a fair comparison: medians, percentiles, ratios block by block, and runs of
+//! frames.
 //!
-//! Strategies are measured in blocks of consecutive poses and in rotation, so that heat, clocks and neighbours on the machine strike all of
-//! them alike; the ratio is taken within a block, where both met the same conditions, and then the median over the blocks.
+//! Strategies are measured in blocks of consecutive poses and in rotation, so that heat, clocks and
+//! neighbours on the machine strike all of them alike; the ratio is taken within a block, where
+//! both met the same conditions, and then the median over the blocks.
 
 use crate::MeasureError;
 
@@ -13,8 +15,8 @@ pub fn median(values: &[f64]) -> Result<f64, MeasureError> {
     quantile("median", values, 0.5)
 }
 
-/// The value below which `percent` of 100 of the values lie, linear between neighbours (Hyndman and Fan's type 7): 0 is the smallest, 100
-/// the largest.
+/// The value below which `percent` of 100 of the values lie, linear between neighbours (Hyndman and
+/// Fan's type 7): 0 is the smallest, 100 the largest.
 ///
 /// # Errors
 /// No values, one that is not finite, or `percent` outside 0 to 100.
@@ -41,11 +43,12 @@ pub fn mean(values: &[f64]) -> Result<f64, MeasureError> {
         .fold(0.0, |mean, (value, n)| mean + (value - mean) / n as f64))
 }
 
-/// The ratio of the medians, block by block: `times` over `baseline`, both a value a pose in path order and measured at the same poses. A last block that is not full counts as
-/// a block.
+/// The ratio of the medians, block by block: `times` over `baseline`, both a value a pose in path
+/// order and measured at the same poses. A last block that is not full counts as a block.
 ///
 /// # Errors
-/// Different lengths, a block length of 0, no values, one that is not finite, or a block whose baseline has a median of 0 or less.
+/// Different lengths, a block length of 0, no values, one that is not finite, or a block whose
+/// baseline has a median of 0 or less.
 pub fn block_ratios(
     times: &[f64],
     baseline: &[f64],
@@ -84,8 +87,9 @@ pub fn block_ratios(
         .collect()
 }
 
-/// The noise of an A/A run, in which the same strategy stood on both sides: the 95th percentile of its block ratios, each turned so that it
-/// is at least 1. A difference between strategies that is smaller shows nothing.
+/// The noise of an A/A run, in which the same strategy stood on both sides: the 95th percentile of
+/// its block ratios, each turned so that it is at least 1. A difference between strategies that is
+/// smaller shows nothing.
 ///
 /// # Errors
 /// No ratios, or one that is not finite and positive.

@@ -1,4 +1,5 @@
-//! Files in and out: reading with a limit, and writing beside the target with a rename at the end, so that nobody ever sees half a file.
+//! Files in and out: reading with a limit, and writing beside the target with a rename at the end,
+//! so that nobody ever sees half a file.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{Read, Write};
@@ -7,7 +8,8 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use crate::MeasureError;
 
-/// Reads a whole file of at most `limit` bytes; never allocates more than that, whatever the file claims its length is.
+/// Reads a whole file of at most `limit` bytes; never allocates more than that, whatever the file
+/// claims its length is.
 pub(crate) fn read_limited(
     path: &Path,
     kind: &'static str,
@@ -33,7 +35,8 @@ pub(crate) fn read_limited(
     Ok(bytes)
 }
 
-/// Writes `bytes` to a new file beside `path` and renames it onto `path`; on failure nothing is left behind.
+/// Writes `bytes` to a new file beside `path` and renames it onto `path`; on failure nothing is
+/// left behind.
 pub(crate) fn write_beside(path: &Path, bytes: &[u8]) -> Result<(), MeasureError> {
     let fail = |source| MeasureError::File {
         action: "write",

@@ -50,7 +50,8 @@ pub struct Cell {
 type Show = fn(&StrategyReport) -> Option<String>;
 type Cost = fn(&StrategyReport) -> Option<f64>;
 
-/// A column: how a strategy's cell reads, and what the best one has the least of, where less is better.
+/// A column: how a strategy's cell reads, and what the best one has the least of, where less is
+/// better.
 struct Definition(Column, Show, Option<Cost>);
 
 const fn text(title: &'static str, unit: &'static str, show: Show) -> Definition {
@@ -206,7 +207,8 @@ impl Table {
         }
     }
 
-    /// The table for a terminal, its columns aligned. With `colour` the best values are bold, the yardsticks dim and broken promises red.
+    /// The table for a terminal, its columns aligned. With `colour` the best values are bold, the
+    /// yardsticks dim and broken promises red.
     pub fn terminal(&self, colour: bool) -> String {
         let widths = self.widths();
         let mut out = String::new();

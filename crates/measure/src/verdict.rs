@@ -1,9 +1,11 @@
-//! What a person would say on seeing the numbers: how fast against the yardsticks, how wrong, and which strategy to take.
+//! What a person would say on seeing the numbers: how fast against the yardsticks, how wrong, and
+//! which strategy to take.
 
 use crate::report::{Report, StrategyReport};
 use crate::words;
 
-/// Up to this share of wrong pixels (percent, mean) most viewers of a moving picture notice nothing; the picks of [`picks`] use it.
+/// Up to this share of wrong pixels (percent, mean) most viewers of a moving picture notice
+/// nothing; the picks of [`picks`] use it.
 const HARDLY_WRONG_PERCENT: f64 = 0.1;
 
 /// How a strategy fared, beyond the words.
@@ -24,7 +26,8 @@ pub enum Tone {
 /// The words about one strategy.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Verdict {
-    /// One line without the strategy's name: "3.4 times as fast as frustum, 0.012 % wrong pixels on average (0.31 % in the worst frame)".
+    /// One line without the strategy's name: "3.4 times as fast as frustum, 0.012 % wrong pixels on
+    /// average (0.31 % in the worst frame)".
     pub text: String,
     /// How it fared.
     pub tone: Tone,
@@ -76,8 +79,9 @@ pub fn verdict(report: &Report, strategy: &StrategyReport) -> Verdict {
     Verdict { text, tone }
 }
 
-/// The strategies to look at first: the fastest with every pixel right, the fastest that is hardly wrong, the fastest of all. A strategy is
-/// named once, by its best title; yardsticks are not picked.
+/// The strategies to look at first: the fastest with every pixel right, the fastest that is hardly
+/// wrong, the fastest of all. A strategy is named once, by its best title; yardsticks are not
+/// picked.
 pub fn picks(report: &Report) -> Vec<Pick<'_>> {
     type Question = (&'static str, &'static str, fn(&StrategyReport) -> bool);
     let questions: [Question; 3] = [

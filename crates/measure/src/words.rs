@@ -1,5 +1,5 @@
-//! Numbers and strings as a person reads them: few digits, always the same number of them, and nothing that a hostile name could smuggle
-//! into a terminal.
+//! Numbers and strings as a person reads them: few digits, always the same number of them, and
+//! nothing that a hostile name could smuggle into a terminal.
 
 /// Milliseconds with three significant digits or so: `0.042`, `1.25`, `16.7`, `250`.
 pub(crate) fn milliseconds(ms: f64) -> String {
@@ -36,7 +36,8 @@ pub(crate) fn factor(factor: f64) -> String {
     }
 }
 
-/// A factor in a column of factors, where the second place still tells two apart: `0.85`, `3.42`, `12.3`, `120`.
+/// A factor in a column of factors, where the second place still tells two apart: `0.85`, `3.42`,
+/// `12.3`, `120`.
 pub(crate) fn ratio(factor: f64) -> String {
     match factor.abs() {
         f if f < 9.995 => format!("{factor:.2}"),
@@ -45,7 +46,8 @@ pub(crate) fn ratio(factor: f64) -> String {
     }
 }
 
-/// A mean count: whole from 100 on, grouped by threes; one decimal below, and none when it is whole.
+/// A mean count: whole from 100 on, grouped by threes; one decimal below, and none when it is
+/// whole.
 pub(crate) fn count(count: f64) -> String {
     if count.abs() < 99.95 && count.fract().abs() >= 0.05 {
         return format!("{count:.1}");
@@ -65,7 +67,8 @@ pub(crate) fn count(count: f64) -> String {
     }
 }
 
-/// A FLIP difference: `0` when exactly alike, else with four decimals, or as a power of ten when they would be zeros.
+/// A FLIP difference: `0` when exactly alike, else with four decimals, or as a power of ten when
+/// they would be zeros.
 pub(crate) fn flip(flip: f64) -> String {
     match flip.abs() {
         0.0 => "0".to_owned(),
@@ -74,7 +77,8 @@ pub(crate) fn flip(flip: f64) -> String {
     }
 }
 
-/// One line without control characters and direction overrides, which could repaint a terminal or turn a line around.
+/// One line without control characters and direction overrides, which could repaint a terminal or
+/// turn a line around.
 pub(crate) fn clean(text: &str) -> String {
     let hostile = |c: char| {
         c.is_control()

@@ -1,4 +1,5 @@
-//! The table and the verdicts: that a reader finds what the report says, and that no name can repaint a terminal.
+//! The table and the verdicts: that a reader finds what the report says, and that no name can
+//! repaint a terminal.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 #[path = "common/synthetic.rs"]

@@ -1,4 +1,5 @@
-//! The folded lower part of the page: pass times, settings and verdict counts, and how the run was made.
+//! The folded lower part of the page: pass times, settings and verdict counts, and how the run was
+//! made.
 
 use super::escape;
 use crate::report::{PassTime, Report, StrategyReport};

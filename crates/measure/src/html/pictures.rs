@@ -1,4 +1,5 @@
-//! The worst frame of each strategy: reference, frame, and the wrong pixels marked, embedded into the page.
+//! The worst frame of each strategy: reference, frame, and the wrong pixels marked, embedded into
+//! the page.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -21,7 +22,8 @@ const MAX_DECODED: u64 = 1 << 30;
 /// Larger pictures are shrunk to this width: three of them share a row.
 const EMBEDDED_WIDTH: u32 = 1000;
 
-/// A row of three pictures for each strategy that got something wrong, and a line for those that did not.
+/// A row of three pictures for each strategy that got something wrong, and a line for those that
+/// did not.
 pub(super) fn worst_frames(report: &Report, dir: &Path) -> String {
     let shown: Vec<(&StrategyReport, &WorstFrame)> = report
         .strategies
@@ -90,7 +92,8 @@ fn row(report: &Report, strategy: &StrategyReport, worst: &WorstFrame, dir: &Pat
     html + "</div>\n"
 }
 
-/// The picture as a data URI: as it is when it is small, shrunk when it is not. Only PNG and JPEG get through, by what they hold, not by name.
+/// The picture as a data URI: as it is when it is small, shrunk when it is not. Only PNG and JPEG
+/// get through, by what they hold, not by name.
 fn embed(path: &Path) -> Result<String, MeasureError> {
     let bytes = read_limited(path, "picture", MAX_BYTES)?;
     let fail = |source| MeasureError::Image {

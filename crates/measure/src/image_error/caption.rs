@@ -17,7 +17,8 @@ pub struct Panel<'a> {
     pub image: &'a RgbaImage,
 }
 
-/// Sets the pictures beside one another, aligned at the top, each with its caption below. No panels give an image of no pixels.
+/// Sets the pictures beside one another, aligned at the top, each with its caption below. No panels
+/// give an image of no pixels.
 pub fn side_by_side(panels: &[Panel<'_>]) -> RgbaImage {
     let Some(tallest) = panels.iter().map(|p| p.image.height()).max() else {
         return RgbaImage::new(0, 0);

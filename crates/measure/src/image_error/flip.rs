@@ -1,7 +1,8 @@
 //! FLIP, the difference that a person flipping between two images would see.
 //!
-//! Pontus Andersson, Jim Nilsson, Tomas Akenine-Moller, Magnus Oskarsson, Kalle Astrom, Mark D. Fairchild: "FLIP: A Difference Evaluator for
-//! Alternating Images", 2020. The computing is theirs too, by way of `nv-flip`.
+//! Pontus Andersson, Jim Nilsson, Tomas Akenine-Moller, Magnus Oskarsson, Kalle Astrom, Mark D.
+//! Fairchild: "FLIP: A Difference Evaluator for Alternating Images", 2020. The computing is theirs
+//! too, by way of `nv-flip`.
 
 use image::RgbaImage;
 use nv_flip::{DEFAULT_PIXELS_PER_DEGREE, FlipImageRgb8};
@@ -19,7 +20,8 @@ pub struct Flip {
 
 /// The FLIP difference of two sRGB images at the usual 67 pixels a degree; alpha is not looked at.
 ///
-/// Images that agree in every byte are told so without computing: exactly 0, which FLIP's arithmetic would only approach.
+/// Images that agree in every byte are told so without computing: exactly 0, which FLIP's
+/// arithmetic would only approach.
 ///
 /// # Errors
 /// When the images differ in size.

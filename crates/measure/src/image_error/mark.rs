@@ -1,4 +1,5 @@
-//! Wrong pixels made visible: the frame in grey, what is wrong in magenta, and a halo so that one pixel of a large frame is still found.
+//! Wrong pixels made visible: the frame in grey, what is wrong in magenta, and a halo so that one
+//! pixel of a large frame is still found.
 
 use image::{Rgba, RgbaImage};
 
@@ -6,10 +7,12 @@ use crate::MeasureError;
 
 const WRONG: [u8; 3] = [255, 0, 255];
 
-/// The picture desaturated and dimmed, each wrong pixel in full magenta, with a paler halo around it that grows with the image:
-/// shrunk to a thumbnail of 128 pixels, a single wrong pixel still shows.
+/// The picture desaturated and dimmed, each wrong pixel in full magenta, with a paler halo around
+/// it that grows with the image: shrunk to a thumbnail of 128 pixels, a single wrong pixel still
+/// shows.
 ///
-/// `mask` is a flag a pixel, row by row from the top left, as [`WrongPixels`](super::WrongPixels) has it.
+/// `mask` is a flag a pixel, row by row from the top left, as [`WrongPixels`](super::WrongPixels)
+/// has it.
 ///
 /// # Errors
 /// When the mask has another number of pixels than the image.
@@ -38,7 +41,8 @@ pub fn mark_wrong(image: &RgbaImage, mask: &[bool]) -> Result<RgbaImage, Measure
     Ok(marked)
 }
 
-/// Rec. 709 luma, pressed into the middle of the scale so that magenta stands out on black and on white.
+/// Rec. 709 luma, pressed into the middle of the scale so that magenta stands out on black and on
+/// white.
 fn dimmed(Rgba([r, g, b, _]): Rgba<u8>) -> u8 {
     let luma = (u32::from(r) * 54 + u32::from(g) * 183 + u32::from(b) * 19) / 256;
     (40 + luma * 160 / 255) as u8
@@ -72,7 +76,8 @@ fn dilate(mask: &[bool], width: usize, radius: usize) -> Vec<bool> {
     out
 }
 
-/// Calls `set` with every index within `radius` of a `true`, each at most once, possibly past the end.
+/// Calls `set` with every index within `radius` of a `true`, each at most once, possibly past the
+/// end.
 fn spread(line: impl Iterator<Item = bool>, radius: usize, mut set: impl FnMut(usize)) {
     let mut done = 0;
     for (i, _) in line.enumerate().filter(|(_, wrong)| *wrong) {

@@ -7,15 +7,17 @@
 //!              { "eye": [6, 10, 40], "rotation": [0, 0, 0, 1] } ] }
 //! ```
 //!
-//! A pose looks at a `target` or has a `rotation` (a unit quaternion x, y, z, w), which is how paths are saved: to the last bit.
+//! A pose looks at a `target` or has a `rotation` (a unit quaternion x, y, z, w), which is how
+//! paths are saved: to the last bit.
 
 use std::fmt;
 
+use antumbra_scene::Projection;
 use glam::{DQuat, DVec3};
 use serde::de::{self, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::{Path, Pose, Projection, is_unit};
+use super::{Path, Pose};
 use crate::MeasureError;
 use crate::store::{read_limited, write_beside};
 
@@ -30,8 +32,8 @@ impl Path {
     /// Reads a path file; its name is the file's without the folder.
     ///
     /// # Errors
-    /// When the file cannot be read, is larger than [`MAX_PATH_BYTES`], is no valid JSON, or holds no valid path; what is wrong with a pose names
-    /// the pose by its number, the first is 0.
+    /// When the file cannot be read, is larger than [`MAX_PATH_BYTES`], is no valid JSON, or holds
+    /// no valid path; what is wrong with a pose names the pose by its number, the first is 0.
     pub fn load(path: impl AsRef<std::path::Path>) -> Result<Self, MeasureError> {
         let path = path.as_ref();
         let bytes = read_limited(path, KIND, MAX_PATH_BYTES)?;
@@ -61,14 +63,22 @@ impl Path {
         Self::new(name, projection, file.poses.0)
     }
 
-    /// Writes the path so that reading it gives the same poses to the last bit; whole or not at all.
+    /// Writes the path so that reading it gives the same poses to the last bit; whole or not at
+    /// all.
     ///
     /// # Errors
-    /// When the file cannot be written.
+    /// When the file cannot be written, or the projection is one that path files have no word for.
     pub fn save(&self, path: impl AsRef<std::path::Path>) -> Result<(), MeasureError> {
         let path = path.as_ref();
+        let unknown = || MeasureError::Path {
+            name: self.name.clone(),
+            problem: format!(
+                "path files have no word for the projection {:?}",
+                self.projection
+            ),
+        };
         let out = FileOut {
-            projection: ProjectionFile::write(self.projection),
+            projection: ProjectionFile::write(self.projection).ok_or_else(unknown)?,
             poses: self
                 .poses
                 .iter()
@@ -140,19 +150,18 @@ impl ProjectionFile {
         }
     }
 
-    fn write(projection: Projection) -> Self {
+    fn write(projection: Projection) -> Option<Self> {
         match projection {
-            Projection::Perspective { fov_y, near } => {
-                // Radians: degrees and back would not give the same bits.
-                Self::Perspective {
-                    fov_y_degrees: None,
-                    fov_y_radians: Some(fov_y),
-                    near,
-                }
-            }
+            // Radians: degrees and back would not give the same bits.
+            Projection::Perspective { fov_y, near } => Some(Self::Perspective {
+                fov_y_degrees: None,
+                fov_y_radians: Some(fov_y),
+                near,
+            }),
             Projection::Orthographic { height, near, far } => {
-                Self::Orthographic { height, near, far }
+                Some(Self::Orthographic { height, near, far })
             }
+            _ => None,
         }
     }
 }
@@ -177,29 +186,19 @@ struct PoseIn {
 }
 
 impl PoseIn {
-    fn read(self) -> Result<Pose, &'static str> {
+    fn read(self) -> Result<Pose, String> {
         let eye = DVec3::from_array(self.eye);
         let pose = match (self.target, self.up, self.rotation) {
-            (Some(target), None, None) => {
-                Pose::look_at(eye, DVec3::from_array(target)).ok_or("target coincides with eye")?
+            (Some(target), up, None) => {
+                let (target, up) = (DVec3::from_array(target), up.map(DVec3::from_array));
+                Pose::look_at(eye, target, up).map_err(|e| e.to_string())?
             }
-            (Some(target), Some(up), None) => {
-                Pose::look_at_with_up(eye, DVec3::from_array(target), DVec3::from_array(up)).ok_or(
-                    "target coincides with eye, or up is 0 or lies along the line of sight",
-                )?
-            }
-            (None, None, Some(rotation)) => {
-                let rotation = DQuat::from_array(rotation);
-                if !is_unit(rotation) {
-                    return Err("rotation is no unit quaternion x, y, z, w");
-                }
-                Pose {
-                    position: eye,
-                    rotation,
-                    cut: false,
-                }
-            }
-            _ => return Err("give a target (and perhaps an up), or a rotation"),
+            (None, None, Some(rotation)) => Pose {
+                position: eye,
+                rotation: DQuat::from_array(rotation),
+                cut: false,
+            },
+            _ => return Err("give a target (and perhaps an up), or a rotation".to_owned()),
         };
         Ok(Pose {
             cut: self.cut,
@@ -208,7 +207,8 @@ impl PoseIn {
     }
 }
 
-/// The poses, read one by one: an error knows its pose, and a file with too many is left before memory is.
+/// The poses, read one by one: an error knows its pose, and a file with too many is left before
+/// memory is.
 struct Poses(Vec<Pose>);
 
 impl<'de> Deserialize<'de> for Poses {

@@ -1,16 +1,18 @@
-//! A flight through and around a scene: a smooth spline by seeded points, one outside, two inside, and so on.
+//! A flight through and around a scene: a smooth spline by seeded points, one outside, two inside,
+//! and so on.
 //!
-//! The curve is a uniform cubic B-spline (William J. Gordon and Richard F. Riesenfeld, "B-Spline Curves and
-//! Surfaces", 1974) flown in its own time: speed and direction never jump, and tight turns are flown slowly.
-//! Where the camera looks is a spline of its own, of yaw and pitch: without roll, and without the flips of a
-//! target that passes the eye.
+//! The curve is a uniform cubic B-spline (William J. Gordon and Richard F. Riesenfeld, "B-Spline
+//! Curves and Surfaces", 1974) flown in its own time: speed and direction never jump, and tight
+//! turns are flown slowly. Where the camera looks is a spline of its own, of yaw and pitch: without
+//! roll, and without the flips of a target that passes the eye.
 
+use antumbra_scene::{Aabb, Projection};
 use glam::{DQuat, DVec3, EulerRot};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::orbit::bounding_sphere;
-use super::{Path, Pose, Projection};
+use super::{Path, Pose};
 use crate::MeasureError;
 
 /// Points of the spline: from outside through the inside and out again, three times.
@@ -27,14 +29,19 @@ struct Key {
 }
 
 impl Path {
-    /// A smooth flight around and through the scene: `min` and `max` are the corners of its bounds in world metres. The same seed flies the
-    /// same path on every machine.
+    /// A smooth flight around and through a scene. The same seed flies the same path. Empty bounds,
+    /// those of a scene without entities, are a point.
     ///
     /// # Errors
-    /// No frames or more than [`MAX_POSES`](super::MAX_POSES); bounds whose corners are not finite or not in order.
-    pub fn flight(min: DVec3, max: DVec3, seed: u64, frames: usize) -> Result<Self, MeasureError> {
-        let (centre, radius) = bounding_sphere("flight", min, max)?;
-        let keys = keys(centre, (max - min) * 0.5, radius, seed);
+    /// No frames or more than [`MAX_POSES`](super::MAX_POSES); bounds that are not finite.
+    pub fn flight(bounds: &Aabb, seed: u64, frames: usize) -> Result<Self, MeasureError> {
+        let (centre, radius) = bounding_sphere("flight", bounds)?;
+        let half = if bounds.is_empty() {
+            DVec3::ZERO
+        } else {
+            bounds.half_extents()
+        };
+        let keys = keys(centre, half, radius, seed);
         let frames = frames.min(super::MAX_POSES + 1);
         let step = (POINTS - 1) as f64 / frames.saturating_sub(1).max(1) as f64;
         let poses = (0..frames)
@@ -48,7 +55,8 @@ impl Path {
     }
 }
 
-/// One outside, two inside, and so on. Outside, the camera looks at a point inside; inside, along its way.
+/// One outside, two inside, and so on. Outside, the camera looks at a point inside; inside, along
+/// its way.
 fn keys(centre: DVec3, half: DVec3, radius: f64, seed: u64) -> Vec<Key> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     let start = random.random_range(0.0..std::f64::consts::TAU);

@@ -1,11 +1,13 @@
 //! Around a centre at one height, looking at it: the steady camera of the papers.
 
+use antumbra_scene::{Aabb, Projection};
 use glam::DVec3;
 
-use super::{Path, Pose, Projection};
+use super::{Path, Pose};
 use crate::MeasureError;
 
-/// How steeply [`Path::orbit_around`] looks down: 20 degrees see past the first row of things without becoming a map.
+/// How steeply [`Path::orbit_around`] looks down: 20 degrees see past the first row of things
+/// without becoming a map.
 const ELEVATION: f64 = 20.0 * std::f64::consts::PI / 180.0;
 
 /// A circle around a centre.
@@ -28,7 +30,8 @@ pub struct Orbit {
 }
 
 impl Orbit {
-    /// The orbit of the built-in grid: 40 m from the centre, 10 m up, 45 degrees, 0.02 radians a frame.
+    /// The orbit of the built-in grid: 40 m from the centre, 10 m up, 45 degrees, 0.02 radians a
+    /// frame.
     pub fn grid(frames: usize) -> Self {
         Self {
             centre: DVec3::ZERO,
@@ -46,21 +49,19 @@ impl Path {
     /// A circle around a centre, starting on the +Z side of it.
     ///
     /// # Errors
-    /// No frames or more than [`MAX_POSES`](super::MAX_POSES), a number that is not finite, the eye on the centre, or a projection that cannot be
-    /// drawn.
+    /// No frames or more than [`MAX_POSES`](super::MAX_POSES), a number that is not finite, the eye
+    /// on the centre, or a projection that cannot be drawn.
     pub fn orbit(orbit: &Orbit) -> Result<Self, MeasureError> {
-        let fail = |problem: &str| MeasureError::Path {
+        let fail = |problem| MeasureError::Path {
             name: "orbit".to_owned(),
-            problem: problem.to_owned(),
+            problem,
         };
         let frames = orbit.frames.min(super::MAX_POSES + 1);
         let poses = (0..frames).map(|frame| {
             let (sin, cos) = (frame as f64 * orbit.radians_per_frame).sin_cos();
-            let eye =
-                orbit.centre + DVec3::new(orbit.distance * sin, orbit.height, orbit.distance * cos);
-            Pose::look_at(eye, orbit.centre).ok_or_else(|| {
-                fail("the eye and the centre are one point or not finite: give a distance above 0")
-            })
+            let away = DVec3::new(orbit.distance * sin, orbit.height, orbit.distance * cos);
+            Pose::look_at(orbit.centre + away, orbit.centre, None)
+                .map_err(|e| fail(format!("pose {frame}: {e}")))
         });
         let projection = Projection::Perspective {
             fov_y: orbit.fov_y,
@@ -69,18 +70,14 @@ impl Path {
         Self::new("orbit", projection, poses.collect::<Result<_, _>>()?)
     }
 
-    /// One turn around any scene with the whole of it in view: `min` and `max` are the corners of its bounds in world metres, `aspect` is
-    /// width over height of the picture, 45 degrees are the vertical field of view.
+    /// One turn around any scene with the whole of it in view. `aspect` is width over height of the
+    /// picture, 45 degrees are the vertical field of view. Empty bounds, those of a scene without
+    /// entities, are a point.
     ///
     /// # Errors
-    /// As [`Path::orbit`]; bounds whose corners are not finite or not in order; an aspect that is not above 0.
-    pub fn orbit_around(
-        min: DVec3,
-        max: DVec3,
-        aspect: f64,
-        frames: usize,
-    ) -> Result<Self, MeasureError> {
-        let (centre, radius) = bounding_sphere("orbit", min, max)?;
+    /// As [`Path::orbit`]; bounds that are not finite; an aspect that is not above 0.
+    pub fn orbit_around(bounds: &Aabb, aspect: f64, frames: usize) -> Result<Self, MeasureError> {
+        let (centre, radius) = bounding_sphere("orbit", bounds)?;
         if !(aspect > 0.0 && aspect.is_finite()) {
             let problem = format!("an aspect of {aspect} is not above 0");
             return Err(MeasureError::Path {
@@ -104,20 +101,19 @@ impl Path {
     }
 }
 
-/// The sphere through a box's corners; that of a point has a radius of 1 m, so that there is something to stand off from.
-pub(super) fn bounding_sphere(
-    name: &str,
-    min: DVec3,
-    max: DVec3,
-) -> Result<(DVec3, f64), MeasureError> {
-    let half = (max - min) * 0.5;
-    if !(min.is_finite() && half.is_finite() && half.min_element() >= 0.0) {
-        let problem = format!("the bounds {min} to {max} are not finite or not in order");
+/// The sphere through a box's corners; that of a point, or of nothing, has a radius of 1 m, so that
+/// there is something to stand off from.
+pub(super) fn bounding_sphere(name: &str, bounds: &Aabb) -> Result<(DVec3, f64), MeasureError> {
+    if bounds.is_empty() {
+        return Ok((DVec3::ZERO, 1.0));
+    }
+    if !bounds.is_finite() {
+        let problem = format!("the bounds {} to {} are not finite", bounds.min, bounds.max);
         return Err(MeasureError::Path {
             name: name.to_owned(),
             problem,
         });
     }
-    let radius = half.length();
-    Ok((min + half, if radius > 0.0 { radius } else { 1.0 }))
+    let radius = bounds.half_extents().length();
+    Ok((bounds.centre(), if radius > 0.0 { radius } else { 1.0 }))
 }

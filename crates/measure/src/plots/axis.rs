@@ -9,7 +9,8 @@ use plotters::coord::types::RangedCoordf64;
 
 use crate::words;
 
-/// An axis for plotters: values are mapped evenly between its ends; scales that are not even are made so before, by [`Axis::place`].
+/// An axis for plotters: values are mapped evenly between its ends; scales that are not even are
+/// made so before, by [`Axis::place`].
 #[derive(Debug, Clone)]
 pub(super) struct Axis {
     ends: Range<f64>,

@@ -1,4 +1,5 @@
-//! What all plots share: the SVG sheet, its inks, its letters, the frame with its axes, and the legend.
+//! What all plots share: the SVG sheet, its inks, its letters, the frame with its axes, and the
+//! legend.
 
 use plotters::chart::ChartContext;
 use plotters::coord::Shift;
@@ -11,7 +12,8 @@ use crate::MeasureError;
 use crate::report::{Report, StrategyReport};
 use crate::words;
 
-/// Units of the sheet a CSS pixel at full size: plotters rounds to whole units, and halves are finer.
+/// Units of the sheet a CSS pixel at full size: plotters rounds to whole units, and halves are
+/// finer.
 pub(super) const UNIT: i32 = 2;
 /// The sheet's width in CSS pixels at full size.
 const WIDTH: i32 = 920;
@@ -64,7 +66,8 @@ pub(super) fn sheet(
     for (stand_in, css) in TO_CSS {
         svg = svg.replace(stand_in, css);
     }
-    // A title is what a screen reader says, and makes the width and height of the sheet those of CSS.
+    // A title is what a screen reader says, and makes the width and height of the sheet those of
+    // CSS.
     let (width, height) = (WIDTH * UNIT, height * UNIT);
     let head = format!("<svg width=\"{width}\" height=\"{height}\"");
     let css = format!(
@@ -172,7 +175,8 @@ pub(super) fn letters<'a>(height: i32, colour: &'a RGBColor) -> TextStyle<'a> {
         .color(colour)
 }
 
-/// About how wide a text is, in units of the sheet; rather too wide, since the reader's font is not known.
+/// About how wide a text is, in units of the sheet; rather too wide, since the reader's font is not
+/// known.
 pub(super) fn text_width(text: &str, height: i32) -> i32 {
     let wide = unicode_width::UnicodeWidthStr::width(text) as f64;
     (wide * 0.58 * f64::from(height * UNIT)).ceil() as i32

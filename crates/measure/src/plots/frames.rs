@@ -21,8 +21,9 @@ struct Line {
     times: Vec<f64>,
 }
 
-/// Pose to the right, serialised milliseconds upwards, one line a strategy. Spikes above every strategy's 99th percentile by far are cut at
-/// the upper edge. None where no strategy has a series.
+/// Pose to the right, serialised milliseconds upwards, one line a strategy. Spikes above every
+/// strategy's 99th percentile by far are cut at the upper edge. None where no strategy has a
+/// series.
 ///
 /// # Errors
 /// When the plotter fails.
@@ -98,7 +99,8 @@ fn draw(area: &Area<'_>, lines: &[Line], y: Axis, means: &str) -> Drawing {
     Ok(())
 }
 
-/// The series with no more than [`MOST_POINTS`] points: of each stretch the least and the most, so that no spike is lost.
+/// The series with no more than [`MOST_POINTS`] points: of each stretch the least and the most, so
+/// that no spike is lost.
 fn thinned(times: &[f64]) -> Vec<(usize, f64)> {
     let stretch = (2 * times.len()).div_ceil(MOST_POINTS).max(1);
     let mut points: Vec<(usize, f64)> = Vec::new();

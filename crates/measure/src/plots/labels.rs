@@ -1,7 +1,8 @@
-//! Words beside points without one lying on another: each takes the first free place around its point, near ones first.
+//! Words beside points without one lying on another: each takes the first free place around its
+//! point, near ones first.
 //!
-//! After the greedy placement in Jon Christensen, Joe Marks and Stuart Shieber, "An Empirical Study of Algorithms for Point-Feature Label
-//! Placement", 1995.
+//! After the greedy placement in Jon Christensen, Joe Marks and Stuart Shieber, "An Empirical Study
+//! of Algorithms for Point-Feature Label Placement", 1995.
 
 /// A rectangle of the sheet: left, top, right, bottom.
 pub(super) type Box4 = [i32; 4];
@@ -17,8 +18,8 @@ pub(super) struct Place {
     pub(super) far: bool,
 }
 
-/// Places a label of the given width at each point, all of one `height`, inside `bounds` and beside `obstacles`; `radius` is that of
-/// the points' marks.
+/// Places a label of the given width at each point, all of one `height`, inside `bounds` and beside
+/// `obstacles`; `radius` is that of the points' marks.
 pub(super) fn place(
     points: &[((i32, i32), i32)],
     height: i32,

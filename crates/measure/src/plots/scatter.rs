@@ -78,9 +78,10 @@ struct Point {
     error: f64,
 }
 
-/// Speed to the right, mean wrong pixels upwards by decades with a place of their own for those that are 0. The efficient edge joins the
-/// strategies than which nothing measured is both faster and less wrong; `ideal`, where it was measured, is the line no strategy can
-/// cross. None for a report without strategies.
+/// Speed to the right, mean wrong pixels upwards by decades with a place of their own for those
+/// that are 0. The efficient edge joins the strategies than which nothing measured is both faster
+/// and less wrong; `ideal`, where it was measured, is the line no strategy can cross. None for a
+/// report without strategies.
 ///
 /// # Errors
 /// When the plotter fails.

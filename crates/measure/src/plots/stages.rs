@@ -25,7 +25,8 @@ struct Bar {
     frame: f64,
 }
 
-/// A bar a strategy: culling, drawing, and what of the serialised frame is neither. None for a report without strategies.
+/// A bar a strategy: culling, drawing, and what of the serialised frame is neither. None for a
+/// report without strategies.
 ///
 /// # Errors
 /// When the plotter fails.

@@ -1,4 +1,5 @@
-//! `report.json` on disk: loaded with limits and checked, saved whole or not at all, and never with a number that is none.
+//! `report.json` on disk: loaded with limits and checked, saved whole or not at all, and never with
+//! a number that is none.
 
 use std::path::{Component, Path};
 
@@ -8,14 +9,16 @@ use super::Report;
 use crate::MeasureError;
 use crate::store::{read_limited, write_beside};
 
-/// The most bytes a `report.json` may have when read: far above a hundred strategies at ten thousand poses.
+/// The most bytes a `report.json` may have when read: far above a hundred strategies at ten
+/// thousand poses.
 pub const MAX_REPORT_BYTES: u64 = 64 << 20;
 
 impl Report {
     /// Reads and checks a `report.json`. Fields it does not know are skipped.
     ///
     /// # Errors
-    /// When the file cannot be read, is larger than [`MAX_REPORT_BYTES`], is no report, or contradicts itself (see [`Report::check`]).
+    /// When the file cannot be read, is larger than [`MAX_REPORT_BYTES`], is no report, or
+    /// contradicts itself (see [`Report::check`]).
     pub fn load(path: impl AsRef<Path>) -> Result<Self, MeasureError> {
         let path = path.as_ref();
         let bytes = read_limited(path, "report.json", MAX_REPORT_BYTES)?;
@@ -28,10 +31,12 @@ impl Report {
         Ok(report)
     }
 
-    /// Writes the report beside `path` and renames it there: readers see the old file or the new one, never half of it.
+    /// Writes the report beside `path` and renames it there: readers see the old file or the new
+    /// one, never half of it.
     ///
     /// # Errors
-    /// When a number is NaN or infinite (the field is named), the report contradicts itself, or the file cannot be written.
+    /// When a number is NaN or infinite (the field is named), the report contradicts itself, or the
+    /// file cannot be written.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<(), MeasureError> {
         let mut text = self.to_json()?;
         text.push('\n');
@@ -48,7 +53,8 @@ impl Report {
         Ok(format!("{value:#}"))
     }
 
-    /// Whether the report is fit to be written and shown: all numbers finite, the view not empty, every image inside the report's folder.
+    /// Whether the report is fit to be written and shown: all numbers finite, the view not empty,
+    /// every image inside the report's folder.
     ///
     /// # Errors
     /// The first field that is not, by its name.
@@ -84,8 +90,8 @@ impl Report {
     }
 }
 
-/// JSON has no NaN: serde_json writes null for it. Absent values are skipped by their fields, so that every null that is left, outside the
-/// free-form settings, was a number that is none.
+/// JSON has no NaN: serde_json writes null for it. Absent values are skipped by their fields, so
+/// that every null that is left, outside the free-form settings, was a number that is none.
 fn refuse_null(value: &Value, at: &str) -> Result<(), MeasureError> {
     match value {
         Value::Null => Err(MeasureError::NotFinite {

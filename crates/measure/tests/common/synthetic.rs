@@ -1,4 +1,5 @@
-//! A made-up report with plausible numbers: four strategies beside the three yardsticks, on a software adapter.
+//! A made-up report with plausible numbers: four strategies beside the three yardsticks, on a
+//! software adapter.
 
 use std::collections::BTreeMap;
 
@@ -53,7 +54,8 @@ pub fn report() -> Report {
     }
 }
 
-/// A strategy whose frames take about `ms`, `cull` of it culling, and get `wrong` percent wrong on average.
+/// A strategy whose frames take about `ms`, `cull` of it culling, and get `wrong` percent wrong on
+/// average.
 pub fn strategy(
     name: &str,
     latency: &str,
