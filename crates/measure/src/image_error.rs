@@ -9,10 +9,12 @@ use crate::MeasureError;
 mod caption;
 mod flip;
 mod mark;
+mod png;
 
 pub use caption::{Panel, side_by_side};
 pub use flip::{Flip, flip};
 pub use mark::mark_wrong;
+pub use png::save_png;
 
 /// Which pixels of a frame differ from the reference.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

@@ -1,0 +1,267 @@
+//! Speed: blocks of consecutive poses, the strategies in rotation; serialised frames first, then
+//! two in flight.
+
+use std::collections::VecDeque;
+use std::sync::Arc;
+use std::time::Instant;
+
+use antumbra_cull::{Stage, ViewInput};
+use antumbra_draw::{Gpu, GpuScene};
+
+use super::accuracy::camera;
+use super::{CompareOptions, Progress};
+use crate::MeasureError;
+use crate::path::Path;
+use crate::report::PassTime;
+use crate::stats;
+
+/// What all strategies cost.
+pub struct Speed {
+    /// One a stage.
+    pub runs: Vec<Run>,
+    /// Poses a block.
+    pub block: usize,
+}
+
+/// What one strategy cost.
+#[derive(Default)]
+pub struct Run {
+    /// Serialised frame times in milliseconds, pose after pose, path after path.
+    pub frame_ms: Vec<f64>,
+    pub free_running_ms: Option<f64>,
+    passes: Vec<PassSeries>,
+    last_timed: Option<u64>,
+}
+
+/// Times of one pass in milliseconds.
+struct PassSeries {
+    name: String,
+    group: &'static str,
+    cpu_ms: Vec<f64>,
+    gpu_ms: Vec<f64>,
+}
+
+/// The path is flown this often at most.
+const REPEATS_MOST: usize = 5;
+
+pub fn measure(
+    scene: &GpuScene,
+    path: &Path,
+    stages: &mut [Stage],
+    owners: &[Arc<Vec<u32>>],
+    options: &CompareOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Speed, MeasureError> {
+    let poses = path.poses().len();
+    let block = options
+        .block
+        .unwrap_or_else(|| poses.div_ceil(6).clamp(1, 20))
+        .clamp(1, poses.max(1));
+    let mut runs: Vec<Run> = stages.iter().map(|_| Run::default()).collect();
+    let blocks: Vec<std::ops::Range<usize>> = (0..poses)
+        .step_by(block)
+        .map(|first| first..(first + block).min(poses))
+        .collect();
+    let begin = Instant::now();
+    let total = (poses * stages.len()) as u64;
+    let (mut repeats, mut turn) = (0, 0);
+    while repeats < 1
+        || (begin.elapsed().as_secs_f64() < options.least_seconds && repeats < REPEATS_MOST)
+    {
+        let mut done = 0;
+        for range in &blocks {
+            for offset in 0..stages.len() {
+                let at = (offset + turn) % stages.len();
+                let (stage, run) = (&mut stages[at], &mut runs[at]);
+                if range.start == 0 {
+                    warm_up(scene, path, stage, owners)?;
+                }
+                for frame in range.clone() {
+                    let input = input(path, frame, owners)?;
+                    let start = Instant::now();
+                    stage.frame(scene, &[input])?;
+                    scene.gpu().wait()?;
+                    run.frame_ms.push(start.elapsed().as_secs_f64() * 1e3);
+                    run.take_timings(stage);
+                }
+                done += range.len() as u64;
+                progress(Progress {
+                    phase: "speed",
+                    done,
+                    total,
+                });
+            }
+            turn += 1;
+        }
+        repeats += 1;
+    }
+    free_running(scene, path, stages, owners, &mut runs, &blocks, progress)?;
+    Ok(Speed { runs, block })
+}
+
+/// Brings a strategy to the path's beginning, so that no block pays for a jump that the path does
+/// not make.
+fn warm_up(
+    scene: &GpuScene,
+    path: &Path,
+    stage: &mut Stage,
+    owners: &[Arc<Vec<u32>>],
+) -> Result<(), MeasureError> {
+    for cut in [true, false] {
+        stage.frame(
+            scene,
+            &[ViewInput {
+                cut,
+                ..input(path, 0, owners)?
+            }],
+        )?;
+        scene.gpu().wait()?;
+    }
+    Ok(())
+}
+
+/// Two frames in flight: a strategy that stalls shows it only here. Every fourth block is enough.
+fn free_running(
+    scene: &GpuScene,
+    path: &Path,
+    stages: &mut [Stage],
+    owners: &[Arc<Vec<u32>>],
+    runs: &mut [Run],
+    blocks: &[std::ops::Range<usize>],
+    progress: &mut dyn FnMut(Progress),
+) -> Result<(), MeasureError> {
+    let chosen: Vec<_> = blocks.iter().step_by(4).collect();
+    let mut means: Vec<Vec<f64>> = stages.iter().map(|_| Vec::new()).collect();
+    let total = chosen.iter().map(|range| range.len() as u64).sum::<u64>() * stages.len() as u64;
+    let mut done = 0;
+    for (turn, range) in chosen.into_iter().enumerate() {
+        for offset in 0..stages.len() {
+            let at = (offset + turn) % stages.len();
+            let stage = &mut stages[at];
+            stage.frame(
+                scene,
+                &[ViewInput {
+                    cut: true,
+                    ..input(path, range.start, owners)?
+                }],
+            )?;
+            scene.gpu().wait()?;
+            let start = Instant::now();
+            let mut in_flight = VecDeque::new();
+            for frame in range.clone() {
+                if in_flight.len() == 2 {
+                    wait_for(scene.gpu(), in_flight.pop_front())?;
+                }
+                let report = stage.frame(scene, &[input(path, frame, owners)?])?;
+                in_flight.extend(report.submission);
+            }
+            scene.gpu().wait()?;
+            means[at].push(start.elapsed().as_secs_f64() * 1e3 / range.len() as f64);
+            done += range.len() as u64;
+            progress(Progress {
+                phase: "free running",
+                done,
+                total,
+            });
+        }
+    }
+    for (run, means) in runs.iter_mut().zip(means) {
+        run.free_running_ms = Some(stats::median(&means)?);
+    }
+    Ok(())
+}
+
+fn wait_for(gpu: &Gpu, submission: Option<wgpu::SubmissionIndex>) -> Result<(), MeasureError> {
+    gpu.device
+        .poll(wgpu::PollType::Wait {
+            submission_index: submission,
+            timeout: None,
+        })
+        .map_err(|error| antumbra_draw::DeviceError::Lost(error.to_string()))?;
+    Ok(gpu.check()?)
+}
+
+fn input<'a>(
+    path: &Path,
+    frame: usize,
+    owners: &[Arc<Vec<u32>>],
+) -> Result<ViewInput<'a>, MeasureError> {
+    let cut = path.poses().get(frame).is_some_and(|pose| pose.cut);
+    Ok(ViewInput {
+        cut,
+        reference: owners.get(frame).map(Arc::clone),
+        ..ViewInput::new(camera(path, frame)?)
+    })
+}
+
+impl Run {
+    fn take_timings(&mut self, stage: &Stage) {
+        let Some(timings) = stage.plan().timings() else {
+            return;
+        };
+        if self.last_timed == Some(timings.frame) {
+            return;
+        }
+        self.last_timed = Some(timings.frame);
+        for (at, pass) in timings.passes.iter().enumerate() {
+            if self.passes.len() <= at {
+                let (name, group) = (pass.name.clone(), pass.group.unwrap_or(""));
+                self.passes.push(PassSeries {
+                    name,
+                    group,
+                    cpu_ms: Vec::new(),
+                    gpu_ms: Vec::new(),
+                });
+            }
+            let series = &mut self.passes[at];
+            series.cpu_ms.push(pass.cpu.as_secs_f64() * 1e3);
+            series
+                .gpu_ms
+                .extend(pass.gpu.map(|time| time.as_secs_f64() * 1e3));
+        }
+    }
+
+    /// The medians of a group's passes, summed: GPU time where it was measured, CPU time for what
+    /// runs there.
+    pub fn group_median(&self, group: &str) -> Option<f64> {
+        let mut passes = self
+            .passes
+            .iter()
+            .filter(|pass| pass.group == group)
+            .peekable();
+        passes.peek()?;
+        Some(
+            passes
+                .filter_map(|pass| {
+                    stats::median(&pass.gpu_ms)
+                        .or_else(|_| stats::median(&pass.cpu_ms))
+                        .ok()
+                })
+                .sum(),
+        )
+    }
+
+    /// Each pass's medians.
+    pub fn pass_medians(&self) -> Vec<PassTime> {
+        let times = |pass: &PassSeries| PassTime {
+            name: pass.name.clone(),
+            group: pass.group.to_owned(),
+            cpu_ms: stats::median(&pass.cpu_ms).ok(),
+            gpu_ms: stats::median(&pass.gpu_ms).ok(),
+        };
+        self.passes.iter().map(times).collect()
+    }
+
+    /// Frame times a pose: the median over the repetitions of the path.
+    pub fn by_pose(&self, poses: usize) -> Result<Vec<f64>, MeasureError> {
+        let of = |pose: usize| {
+            self.frame_ms
+                .iter()
+                .skip(pose)
+                .step_by(poses.max(1))
+                .copied()
+                .collect::<Vec<_>>()
+        };
+        (0..poses).map(|pose| stats::median(&of(pose))).collect()
+    }
+}

@@ -1,0 +1,6 @@
+//! The verbs, one file each.
+
+pub mod compare;
+pub mod doctor;
+pub mod graph;
+pub mod render;

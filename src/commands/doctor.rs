@@ -1,0 +1,67 @@
+//! `antumbra doctor`: which adapters there are and what each of them can do for culling.
+
+use antumbra::cull::Counting;
+use antumbra::draw::{Gpu, WANTED_FEATURES, adapters, title};
+
+use crate::failure::Failure;
+
+/// Lists the adapters.
+///
+/// # Errors
+/// When there is none that Antumbra can draw with, with what to install.
+pub fn run() -> Result<(), Failure> {
+    let all = pollster::block_on(adapters(wgpu::Backends::all()));
+    let mut usable = 0;
+    for adapter in &all {
+        let info = adapter.get_info();
+        println!(
+            "{}\n  type: {:?}; driver: {} {}",
+            title(&info),
+            info.device_type,
+            info.driver,
+            info.driver_info
+        );
+        match pollster::block_on(Gpu::from_adapter(adapter)) {
+            Ok(gpu) => {
+                usable += 1;
+                describe(&gpu);
+            }
+            Err(error) => println!("  not usable: {error}"),
+        }
+    }
+    if usable == 0 {
+        let found = all
+            .iter()
+            .map(|adapter| title(&adapter.get_info()))
+            .collect();
+        return Err(antumbra::draw::DeviceError::NoAdapter {
+            choice: Default::default(),
+            found,
+        }
+        .into());
+    }
+    Ok(())
+}
+
+fn describe(gpu: &Gpu) {
+    let has = gpu.device.features();
+    for (name, flag) in WANTED_FEATURES.iter_names() {
+        println!(
+            "  {name}: {}",
+            if has.contains(flag) { "yes" } else { "no" }
+        );
+    }
+    let limits = gpu.device.limits();
+    println!(
+        "  limits: images {} pixels a side, buffers {} MiB, storage bindings {} MiB, 4096 queries a set",
+        limits.max_texture_dimension_2d,
+        limits.max_buffer_size >> 20,
+        limits.max_storage_buffer_binding_size >> 20,
+    );
+    for way in Counting::ALL {
+        match way.lacking(gpu) {
+            None => println!("  counting by {way}: yes"),
+            Some(lacking) => println!("  counting by {way}: no, it lacks {lacking}"),
+        }
+    }
+}

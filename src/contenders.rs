@@ -1,0 +1,140 @@
+//! Which strategies a comparison compares.
+
+use std::sync::Arc;
+
+use antumbra::cull::{Registry, RegistryError, Strategy};
+use antumbra::measure::compare::Contender;
+
+use crate::args::CompareArgs;
+use crate::failure::Failure;
+
+/// Waiting for each of more occludees than this takes minutes: only when asked for.
+const PATIENCE: usize = 2_000;
+
+/// What is compared when nothing is asked for: label, then the strategy.
+const STANDARD: [(&str, &str); 8] = [
+    ("", "none"),
+    ("", "frustum"),
+    ("", "ideal"),
+    ("", "stop-and-wait"),
+    ("three-pass late", "three-pass:latency=frame-late"),
+    ("three-pass same", "three-pass:latency=same-frame"),
+    ("three-pass on-gpu", "three-pass:latency=on-gpu"),
+    (
+        "three-pass exact",
+        "three-pass:latency=same-frame:occluders=full:occludees=full",
+    ),
+];
+
+/// The contenders and what is said about them.
+pub struct Contenders {
+    /// In order.
+    pub list: Vec<Contender>,
+    /// For the person at the terminal.
+    pub notes: Vec<String>,
+}
+
+/// Reads the arguments; all of them are checked before anything is drawn.
+///
+/// # Errors
+/// [`Failure::Registry`] for a strategy or setting that does not exist, with what exists; [`Failure::Usage`] for a `--set` without a dot.
+pub fn contenders(args: &CompareArgs, entities: usize) -> Result<Contenders, Failure> {
+    let registry = Arc::new(Registry::built_in());
+    let mut notes = Vec::new();
+    let mut specs: Vec<(String, String)> = Vec::new();
+    if args.strategies.is_empty() {
+        for (label, spec) in STANDARD {
+            if spec == "stop-and-wait" && entities > PATIENCE {
+                notes.push(format!(
+                    "stop-and-wait is left out: it would wait for {entities} answers a frame, one by one. Ask for it with --strategies"
+                ));
+            } else {
+                specs.push((label.to_owned(), spec.to_owned()));
+            }
+        }
+    } else {
+        specs.extend(args.strategies.iter().map(|spec| {
+            (
+                if spec.contains(':') {
+                    spec.clone()
+                } else {
+                    String::new()
+                },
+                spec.clone(),
+            )
+        }));
+    }
+    let sets = args
+        .set
+        .iter()
+        .map(|set| split_set(set))
+        .collect::<Result<Vec<_>, _>>()?;
+    for (name, ..) in &sets {
+        registry.make(name)?;
+    }
+    let mut list: Vec<Contender> = Vec::new();
+    let mut seen: Vec<String> = Vec::new();
+    for (label, spec) in specs {
+        let name = spec.split(':').next().unwrap_or_default().to_owned();
+        let mut spec = spec;
+        for (_, key, value) in sets.iter().filter(|(of, ..)| *of == name) {
+            spec = format!("{spec}:{key}={value}");
+        }
+        let asks = registry
+            .make(&name)?
+            .settings()
+            .iter()
+            .any(|setting| setting.key == "latency");
+        let mut label = label;
+        if let Some(latency) = args.latency.filter(|_| asks) {
+            spec = format!("{spec}:latency={latency}");
+            label = if label.ends_with("exact") {
+                label
+            } else {
+                String::new()
+            };
+        }
+        let strategy = registry.parse(&spec)?;
+        let identity = identity(strategy.as_ref());
+        if seen.contains(&identity) {
+            continue;
+        }
+        seen.push(identity);
+        let registry = Arc::clone(&registry);
+        let fallback = name.clone();
+        list.push(Contender::new(label, move || {
+            make(&registry, &spec, &fallback)
+        }));
+    }
+    Ok(Contenders { list, notes })
+}
+
+/// Made once already, when the arguments were read; so the specification holds.
+fn make(registry: &Registry, spec: &str, name: &str) -> Box<dyn Strategy> {
+    registry
+        .parse(spec)
+        .or_else(|_: RegistryError| registry.make(name))
+        .unwrap_or_else(|_| Box::new(antumbra::cull::strategies::Frustum))
+}
+
+/// Two entries with the same settings are one.
+fn identity(strategy: &dyn Strategy) -> String {
+    let settings: Vec<String> = strategy
+        .settings()
+        .iter()
+        .map(|setting| format!("{}={}", setting.key, setting.value))
+        .collect();
+    format!("{} {}", strategy.name(), settings.join(" "))
+}
+
+fn split_set(text: &str) -> Result<(String, String, String), Failure> {
+    let parts = text
+        .split_once('=')
+        .and_then(|(left, value)| left.split_once('.').map(|(name, key)| (name, key, value)));
+    match parts {
+        Some((name, key, value)) => Ok((name.to_owned(), key.to_owned(), value.to_owned())),
+        None => Err(Failure::Usage(format!(
+            "'{text}' is no setting: write STRATEGY.KEY=VALUE"
+        ))),
+    }
+}
