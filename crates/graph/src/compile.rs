@@ -125,7 +125,6 @@ impl Graph {
                     steps,
                     prepared,
                     kept,
-                    edges,
                     layout,
                     store,
                     made,

@@ -294,6 +294,5 @@ fn host_type<T: Send + 'static>(make: fn() -> Box<dyn Any + Send>) -> HostType {
         make,
         empty: empty::<T>,
         is_set: is_set::<T>,
-        type_name: std::any::type_name::<T>(),
     }
 }

@@ -162,7 +162,6 @@ pub(crate) struct HostType {
     pub make: fn() -> Box<dyn Any + Send>,
     pub empty: fn(&mut (dyn Any + Send)),
     pub is_set: fn(&(dyn Any + Send)) -> bool,
-    pub type_name: &'static str,
 }
 
 #[derive(Clone, Copy, Debug)]

@@ -3,6 +3,7 @@
 //! the number of sync points is thus the longest chain of them, which no order can beat.
 
 use std::cmp::Reverse;
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap, VecDeque};
 
 use petgraph::algo::tarjan_scc;
@@ -126,8 +127,8 @@ fn shortest_cycle(map: &DiGraph<(), ()>, component: &[NodeIndex]) -> Vec<usize> 
                 path.reverse();
                 return path;
             }
-            if !came_from.contains_key(&to) {
-                came_from.insert(to, at);
+            if let Entry::Vacant(entry) = came_from.entry(to) {
+                entry.insert(at);
                 queue.push_back(to);
             }
         }
