@@ -133,6 +133,8 @@ impl BoxArray {
         };
         let centre = bounds.centre();
         let half = (bounds.max - centre).max(centre - bounds.min);
+        // So that centre and half extents, added and rounded again, hold the box.
+        let half = half + (centre.abs() + half) * f64::EPSILON;
         let numbers = (centre.to_array().into_iter()).zip(half.to_array());
         for ((centre, half), (c, h)) in (block.centre.iter_mut().zip(&mut block.half)).zip(numbers)
         {

@@ -32,7 +32,8 @@ pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Geometry, LoadPr
     let broken = |place: &str, problem: String| LoadProblem::Syntax {
         format: "PLY",
         place: place.to_owned(),
-        problem,
+        // The crate quotes the line at fault, however long it is.
+        problem: problem.chars().take(300).collect(),
     };
     if !bytes.starts_with(b"ply") {
         return Err(broken("the start", "it does not begin with \"ply\"".into()));

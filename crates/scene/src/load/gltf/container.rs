@@ -21,8 +21,9 @@ struct Head {
 #[derive(Default, Deserialize)]
 #[serde(rename_all = "camelCase")]
 struct Asset {
-    version: Option<String>,
-    min_version: Option<String>,
+    /// A string; a number in files of version 1.
+    version: Option<serde_json::Value>,
+    min_version: Option<serde_json::Value>,
 }
 
 const HEADER: usize = 12;
@@ -114,8 +115,8 @@ pub(super) fn parse(json: &[u8], budget: &Budget) -> Result<Root, LoadProblem> {
     let head: Head = serde_json::from_slice(json).map_err(|e| broken("the JSON", e.to_string()))?;
     let asset = head.asset.unwrap_or_default();
     let version = asset.min_version.or(asset.version).unwrap_or_default();
-    if !version.starts_with("2.") {
-        let problem = format!("it is {version:?}; only 2.x is known: convert the file");
+    if !version.as_str().is_some_and(|v| v.starts_with("2.")) {
+        let problem = format!("it is {version}; only 2.x is known: convert the file");
         return Err(broken("asset.version", problem));
     }
     let root = Root::from_slice(json).map_err(|e| broken("the JSON", e.to_string()))?;
