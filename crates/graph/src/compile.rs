@@ -117,6 +117,14 @@ impl Graph {
         let made = guarded(options.device, || {
             Made::new(&self, &layout, &steps, options)
         });
+        tracing::debug!(
+            graph = self.name,
+            passes = self.passes.len(),
+            pruned = kept.iter().filter(|kept| !**kept).count(),
+            textures = layout.textures.len(),
+            buffers = layout.buffers.len(),
+            "compiled"
+        );
         match made {
             Ok(made) => Ok(Plan::assemble(
                 self,

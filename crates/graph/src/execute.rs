@@ -316,7 +316,11 @@ impl Plan {
             let taken = self.rings[place].record(Shot {
                 encoder: target.encoder(),
                 source,
-                bytes: bytes.saturating_add(3).min(placed.bytes()) & !3,
+                bytes: bytes
+                    .saturating_add(3)
+                    .min(placed.bytes())
+                    .min(source.size())
+                    & !3,
                 frame: self.frame,
                 store: &self.store,
                 tag_slot: self.layout.placed[decl.tag].slot(self.frame, false),

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 /// The query sets of a plan, by pass and chunk.
 pub(crate) struct QuerySets {
-    sets: Vec<Vec<wgpu::QuerySet>>,
+    sets: Vec<Vec<(u32, wgpu::QuerySet)>>,
 }
 
 /// One run of a body with queries.
@@ -46,16 +46,21 @@ impl QuerySets {
         capacity: u32,
     ) -> wgpu::QuerySet {
         let sets = &mut self.sets[pass];
-        while sets.len() <= chunk.number {
-            let begun = sets.len() as u32 * wgpu::QUERY_SET_MAX_QUERIES;
-            let count = (capacity.saturating_sub(begun)).clamp(1, wgpu::QUERY_SET_MAX_QUERIES);
-            sets.push(device.create_query_set(&wgpu::QuerySetDescriptor {
+        let count = capacity
+            .saturating_sub(chunk.range.start)
+            .clamp(1, wgpu::QUERY_SET_MAX_QUERIES);
+        let made = sets.get(chunk.number).map_or(0, |(count, _)| *count);
+        // A pass asks for its chunks in order, so a missing set is the next one; one too small is of a smaller import.
+        if made < count {
+            let set = device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: Some(label),
                 ty: wgpu::QueryType::Occlusion,
                 count,
-            }));
+            });
+            sets.truncate(chunk.number);
+            sets.push((count, set));
         }
-        sets[chunk.number].clone()
+        sets[chunk.number].1.clone()
     }
 }
 

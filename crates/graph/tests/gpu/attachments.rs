@@ -1,8 +1,8 @@
 //! Clears and loads: the first writer of a frame clears, later ones keep what is there; imports keep theirs unless told.
 
-use antumbra_graph::{Bind, Clear, Graph, TextureDesc};
+use antumbra_graph::{Bind, Clear, CompileError, CompileOptions, Graph, Texture, TextureDesc};
 
-use crate::device::vulkan;
+use crate::device::{Gpu, gpu, vulkan};
 
 const RED: &str = "vec4f(1.0, 0.0, 0.0, 1.0)";
 
@@ -63,9 +63,8 @@ fn a_later_writer_keeps_the_earlier_ones_work() {
     assert_eq!(gpu.middle(plan.texture(image).unwrap()), [255, 0, 0, 255]);
 }
 
-#[test]
-fn depth_of_one_pass_hides_what_a_later_one_draws() {
-    let gpu = vulkan();
+/// A plate at 1/2, then green before it and red behind it; `sampled`: the depth is looked at while it is attached.
+fn hidden(gpu: &Gpu, sampled: bool) -> (Graph, Texture) {
     let mut g = Graph::new("depth");
     let depth = g.texture(
         "depth",
@@ -80,9 +79,12 @@ fn depth_of_one_pass_hides_what_a_later_one_draws() {
         ctx.pass().draw(0..3, 4096..4097);
         Ok(())
     });
-    let mut node = g.raster("behind it, then before it");
+    let mut node = g.raster("before it, then behind it");
     let image = node.colour(image);
-    node.depth_read(depth).sample(depth);
+    node.depth_read(depth);
+    if sampled {
+        node.sample(depth);
+    }
     let green = gpu.fill(Some("vec4f(0.0, 1.0, 0.0, 1.0)"), Some(false));
     let red = gpu.fill(Some(RED), Some(false));
     node.run(move |ctx| {
@@ -93,9 +95,51 @@ fn depth_of_one_pass_hides_what_a_later_one_draws() {
         Ok(())
     });
     g.output(image);
-    let mut plan = gpu.compile(g);
-    plan.execute(&gpu.device, &gpu.queue).unwrap();
-    assert_eq!(gpu.middle(plan.texture(image).unwrap()), [0, 255, 0, 255]);
+    (g, image)
+}
+
+#[test]
+fn depth_of_one_pass_hides_what_a_later_one_draws() {
+    for backends in [wgpu::Backends::VULKAN, wgpu::Backends::GL] {
+        let gpu = gpu(backends);
+        let (g, image) = hidden(&gpu, false);
+        let mut plan = gpu.compile(g);
+        plan.execute(&gpu.device, &gpu.queue).unwrap();
+        assert_eq!(gpu.middle(plan.texture(image).unwrap()), [0, 255, 0, 255]);
+    }
+}
+
+#[test]
+fn depth_is_sampled_while_attached_only_where_that_is_possible() {
+    for (backends, guess) in [
+        (wgpu::Backends::VULKAN, false),
+        (wgpu::Backends::GL, false),
+        (wgpu::Backends::GL, true),
+    ] {
+        let gpu = gpu(backends);
+        let possible = gpu
+            .adapter
+            .get_downlevel_capabilities()
+            .flags
+            .contains(wgpu::DownlevelFlags::READ_ONLY_DEPTH_STENCIL);
+        let mut options = CompileOptions::owned(&gpu.device);
+        if !guess {
+            options = options.adapter(&gpu.adapter);
+        }
+        match hidden(&gpu, true).0.compile(&options) {
+            Ok(mut plan) => {
+                assert!(possible);
+                plan.execute(&gpu.device, &gpu.queue).unwrap();
+            }
+            Err(refused) => {
+                assert!(!possible || guess, "{refused}");
+                assert!(matches!(
+                    &refused.errors[..],
+                    [CompileError::MissingCapability { pass, .. }] if pass == "before it, then behind it"
+                ));
+            }
+        }
+    }
 }
 
 #[test]

@@ -177,3 +177,23 @@ fn previous_host_values_lag_by_a_frame_and_updates_go_on() {
     assert_eq!(plan.get(seen), Some(&(6, 0, false)));
     assert_eq!(plan.get(sum), Some(&6));
 }
+
+#[test]
+fn a_plan_can_move_to_another_thread() {
+    let (device, queue) = noop();
+    let mut g = Graph::new("thread");
+    let value = g.host::<u32>("value");
+    let mut node = g.host_node("write");
+    let value = node.write(value);
+    node.run(move |ctx| {
+        *ctx.get_mut(value)? = 7;
+        Ok(())
+    });
+    g.output(value);
+    let mut plan = g.compile(&CompileOptions::owned(&device)).unwrap();
+    let plan = std::thread::spawn(move || plan.execute(&device, &queue).map(|_| plan))
+        .join()
+        .unwrap()
+        .unwrap();
+    assert_eq!(plan.get(value), Some(&7));
+}

@@ -140,9 +140,6 @@ fn sizes_and_counts_beyond_the_limits() {
     ));
 
     let mut g = Graph::new("attachments");
-    let mut node = g.raster("draw");
-    node.side_effect();
-    let _ = node;
     let images: Vec<_> = (0..9)
         .map(|n| g.texture(format!("{n}"), colour()))
         .collect();
