@@ -8,6 +8,7 @@
 mod candidates;
 mod counting;
 mod frame_graph;
+pub mod kit;
 mod on_gpu;
 mod oracle;
 mod registry;
