@@ -22,6 +22,10 @@ pub(super) struct Shapes {
     pub lines: MeshKey,
     /// A few points.
     pub points: MeshKey,
+    /// One line a metre long, along X.
+    pub line: MeshKey,
+    /// One point.
+    pub point: MeshKey,
     /// A cube whose triangles have no area.
     pub collapsed: MeshKey,
 }
@@ -34,6 +38,8 @@ pub(super) struct Paints {
     /// With holes, from a texture.
     pub mask: MaterialKey,
     pub blend: MaterialKey,
+    /// The same colour from every side, for surfaces in one place: whoever wins, the picture is the same.
+    pub unlit: MaterialKey,
 }
 
 /// A scene under construction.
@@ -55,6 +61,11 @@ impl Props {
             square: mesh("square", square())?,
             lines: mesh("lines", edges(&cube))?,
             points: mesh("points", points())?,
+            line: mesh(
+                "line",
+                bare(Topology::Lines, &[[-0.5, 0.0, 0.0], [0.5, 0.0, 0.0]]),
+            )?,
+            point: mesh("point", bare(Topology::Points, &[[0.0; 3]]))?,
             collapsed: mesh("collapsed", collapsed(&cube))?,
             cube: mesh("cube", cube)?,
         };
@@ -114,12 +125,14 @@ impl Props {
             double_sided,
             mask,
             blend,
+            ..
         } = self.paints;
         for number in 0..count {
             let place = DVec3::from_array(std::array::from_fn(|_| random.random_range(-4.0..4.0)));
             let turn = turn(random);
             let mut size = DVec3::splat(random.random_range(0.3..1.4));
-            if random.random_bool(0.2) {
+            // Mirrored, of what is solid; every further kind of pipeline costs the kit its time.
+            if number % 12 < 7 && random.random_bool(0.3) {
                 size.x = -size.x;
             }
             let plain = opaque
@@ -215,6 +228,11 @@ fn paints(scene: &mut Scene) -> Result<Paints, SceneError> {
             alpha: AlphaMode::Blend,
             ..Material::default()
         }),
+        unlit: scene.add_material(Material {
+            base_colour: [0.9, 0.5, 0.1, 1.0],
+            unlit: true,
+            ..Material::default()
+        }),
     })
 }
 
@@ -266,18 +284,23 @@ fn edges(cube: &Geometry) -> Geometry {
     }
 }
 
+/// Vertices in the order of their primitives.
+fn bare(topology: Topology, positions: &[[f32; 3]]) -> Geometry {
+    Geometry {
+        topology,
+        positions: positions.to_vec(),
+        indices: (0..positions.len() as u32).collect(),
+        ..Geometry::default()
+    }
+}
+
 fn points() -> Geometry {
     // A golden-angle spiral: no two at the same height.
     let at = |i: u32| {
         let (height, angle) = (i as f32 / 20.0 - 0.5, i as f32 * 2.4);
         (Vec3::new(angle.cos(), 0.0, angle.sin()) * 0.4 + Vec3::Y * height).to_array()
     };
-    Geometry {
-        topology: Topology::Points,
-        positions: (0..20).map(at).collect(),
-        indices: (0..20).collect(),
-        ..Geometry::default()
-    }
+    bare(Topology::Points, &(0..20).map(at).collect::<Vec<_>>())
 }
 
 fn collapsed(cube: &Geometry) -> Geometry {

@@ -7,6 +7,7 @@
 use antumbra_draw::passes::{self, PassSpec, Submitted};
 use antumbra_draw::{Detail, DrawList, PassKind, SceneTable, ViewFrame};
 use antumbra_graph::{BufferDesc, Host};
+use antumbra_scene::Topology;
 
 use crate::candidates::Candidates;
 use crate::frame_graph::{CULL, DRAW, FrameGraph, back_to_front};
@@ -250,11 +251,15 @@ fn turn(
     done
 }
 
-/// Boxes in the order of asking.
+/// Boxes in the order of asking. Lines and points stand for themselves: they cover pixels that their boxes do not.
 fn push_all(list: &mut DrawList, table: &SceneTable, slots: &[u32]) {
     list.clear();
     for slot in slots {
-        list.push(table, *slot, Detail::Box);
+        let detail = match table.class_of(*slot).topology() {
+            Topology::Triangles => Detail::Box,
+            Topology::Lines | Topology::Points => Detail::Level(0),
+        };
+        list.push(table, *slot, detail);
     }
 }
 

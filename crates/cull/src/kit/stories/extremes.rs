@@ -84,14 +84,20 @@ pub(super) fn flat(bench: &mut Bench<'_>) -> Result<(), Breach> {
     }
     let place = placed(DVec3::new(0.0, 1.0, -4.0), DVec3::ONE);
     props.put(shapes.collapsed, paints.double_sided, place)?;
-    // Twins in one place: whoever draws last owns the pixels, and both are of one colour.
-    for _ in 0..2 {
-        props.cube(DVec3::new(1.2, -0.8, -3.5), DVec3::splat(0.7))?;
+    // A line and a point: boxes that cover no pixel at all.
+    let (line, point) = (DVec3::new(0.0, -1.2, -4.0), DVec3::new(0.3, 1.3, -4.0));
+    props.put(shapes.line, paints.opaque[1], placed(line, DVec3::ONE))?;
+    props.put(shapes.point, paints.opaque[2], placed(point, DVec3::ONE))?;
+    // Twins in one place, and one flat on another's face: whoever draws last owns the pixels.
+    let coplanar = [
+        (shapes.cube, DVec3::new(1.2, -0.8, -3.5), 0.7),
+        (shapes.cube, DVec3::new(1.2, -0.8, -3.5), 0.7),
+        (shapes.cube, DVec3::new(-1.2, -0.8, -4.0), 1.0),
+        (shapes.square, DVec3::new(-1.2, -0.8, -3.5), 0.5),
+    ];
+    for (mesh, centre, size) in coplanar {
+        props.put(mesh, paints.unlit, placed(centre, DVec3::splat(size)))?;
     }
-    // One flat on another's face.
-    props.cube(DVec3::new(-1.2, -0.8, -4.0), DVec3::splat(1.0))?;
-    let label = placed(DVec3::new(-1.2, -0.8, -3.5), DVec3::splat(0.5));
-    props.put(shapes.square, paints.opaque[0], label)?;
     let mut play = Play::new(bench, props.scene)?;
     for step in 0..3 {
         let eye = DVec3::new(f64::from(step) * 0.02, 0.0, 0.0);
