@@ -46,6 +46,21 @@ impl Candidates {
         self.inside.extend(table.live_slots());
     }
 
+    /// Takes over what `keep` leaves of others, in whatever order it leaves them; what it adds is dropped.
+    pub fn narrow(&mut self, others: &Self, keep: impl FnOnce(&mut Vec<u32>)) {
+        self.stamp = others.stamp;
+        self.inside.clear();
+        self.inside.extend_from_slice(&others.inside);
+        keep(&mut self.inside);
+        self.inside.sort_unstable();
+        self.inside.dedup();
+        let known = |slot: &u32| others.inside.binary_search(slot).is_ok();
+        self.inside.retain(known);
+        self.near.clear();
+        let kept = |slot: &u32| self.inside.binary_search(slot).is_ok();
+        self.near.extend(others.near.iter().copied().filter(kept));
+    }
+
     fn find_near(&mut self, table: &SceneTable, view: &ViewFrame) {
         let aspect = view.aspect();
         let crosses = |slot: &u32| view.camera.crosses_near(&table.bounds(*slot), aspect);

@@ -119,14 +119,29 @@ impl FrameGraph<'_> {
         occluder: Detail,
         occludee: Detail,
     ) -> Proxies {
+        self.proxies_of(view, (candidates, occluder), (candidates, occludee))
+    }
+
+    /// Submits stand-ins of some candidates as occluders and of others as occludees. Of the former, only what hides is drawn; each
+    /// of them is among the latter.
+    pub fn proxies_of(
+        &mut self,
+        view: &ViewNodes,
+        (hiding, occluder): (Host<Candidates>, Detail),
+        (candidates, occludee): (Host<Candidates>, Detail),
+    ) -> Proxies {
         let inputs = view.inputs();
-        let apart = occluder != occludee || self.topology().classes().any(|class| !class.hides());
+        let all_hide = hiding == candidates && self.topology().classes().all(|class| class.hides());
+        let apart = occluder != occludee || !all_hide;
         let occluders = self.unsubmitted(&view.named("occluders"));
         let others = apart.then(|| self.unsubmitted(&view.named("other occludees")));
         let occludees = apart.then(|| self.unsubmitted(&view.named("occludees")));
         let asked = self.graph().host::<Asked>(view.named("asked"));
         let mut node = self.graph().host_node(view.named("submit proxies"));
         node.group(CULL).read(inputs.scene).read(candidates);
+        if hiding != candidates {
+            node.read(hiding);
+        }
         let mut submit = |set: Submitted| Submitted {
             list: node.write(set.list),
             ids: node.upload(set.ids),
@@ -137,12 +152,14 @@ impl FrameGraph<'_> {
         let asked = node.write(asked);
         node.run(move |ctx| {
             let (scene, candidates) = (ctx.get(inputs.scene)?, ctx.get(candidates)?);
+            let hiding = ctx.get(hiding)?;
             let table = &scene.table;
             let inside = || candidates.inside().iter().copied();
+            let hides = |slot: &u32| table.is_occluder(*slot);
             let mut occluder_list = ctx.get_mut(occluders.list)?;
             occluder_list.fill(
                 table,
-                inside().filter(|slot| table.is_occluder(*slot)),
+                hiding.inside().iter().copied().filter(hides),
                 occluder,
             );
             ctx.upload(occluders.ids, 0, bytemuck::cast_slice(occluder_list.ids()))?;
@@ -151,7 +168,9 @@ impl FrameGraph<'_> {
                 let mut list = ctx.get_mut(others.list)?;
                 list.fill(
                     table,
-                    inside().filter(|slot| !table.is_occluder(*slot)),
+                    inside().filter(|slot| {
+                        !hides(slot) || hiding.inside().binary_search(slot).is_err()
+                    }),
                     occludee,
                 );
                 ctx.upload(others.ids, 0, bytemuck::cast_slice(list.ids()))?;

@@ -166,6 +166,31 @@ impl<'g> FrameGraph<'g> {
         found
     }
 
+    /// Some of the candidates: `keep` takes away from their slots, in any order. What is left may be the occluders of
+    /// [`Self::proxies_of`].
+    pub fn narrowed(
+        &mut self,
+        view: &ViewNodes,
+        name: &str,
+        candidates: Host<Candidates>,
+        keep: impl Fn(&SceneTable, &ViewFrame, &mut Vec<u32>) + Send + 'static,
+    ) -> Host<Candidates> {
+        let inputs = view.inputs;
+        let kept = self.graph.host::<Candidates>(view.named(name));
+        let mut node = self.graph.host_node(view.named(&format!("find {name}")));
+        node.group(CULL).read(inputs.scene).read(inputs.view);
+        let kept = node.read(candidates).write(kept);
+        node.run(move |ctx| {
+            let (scene, frame) = (ctx.get(inputs.scene)?, ctx.get(inputs.view)?);
+            let mut narrower = ctx.get_mut(kept)?;
+            narrower.narrow(&*ctx.get(candidates)?, |slots| {
+                keep(&scene.table, &frame, slots)
+            });
+            Ok(())
+        });
+        kept
+    }
+
     /// A host node that gives every entity a verdict, makes the draw lists that follow, and uploads them. `reads` declares what
     /// else the judgement reads; `judge` starts from [`Verdict::OutsideFrustum`] for every entity.
     pub fn choose(
