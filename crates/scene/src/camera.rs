@@ -281,7 +281,8 @@ impl Camera {
             // The column before the near plane has no end; only what straddles the plane is cut by it.
             planes.push(Plane::through(near_point, forward));
         }
-        Frustum::new(planes).intersects(&bounds) && self.near_pyramid(aspect).overlaps(&bounds)
+        let (centre, radius) = self.near_ball(aspect);
+        bounds.distance(centre) <= radius && Frustum::new(planes).intersects(&bounds)
     }
 
     /// Distance in metres from the eye to the nearest of the box's eight corners.
@@ -323,20 +324,20 @@ impl Camera {
         }
     }
 
-    /// The box around the near rectangle and, in perspective, the eye.
-    fn near_pyramid(&self, aspect: f64) -> Aabb {
-        let centre = self.position + self.forward() * self.near();
-        let y = match self.projection {
-            Projection::Perspective { fov_y, near } => near * (fov_y * 0.5).tan(),
-            Projection::Orthographic { height, .. } => height * 0.5,
-        } * (1.0 + OPENING);
-        let (right, up) = (self.right() * (y * aspect), self.up() * y);
-        let mut bounds = Aabb::new(centre - right - up, centre + right + up)
-            .union(&Aabb::new(centre - right + up, centre + right - up));
-        if matches!(self.projection, Projection::Perspective { .. }) {
-            bounds = bounds.union(&Aabb::new(self.position, self.position));
+    /// The ball around what lies before the near plane and can be seen: around the eye in perspective, around the near
+    /// rectangle otherwise. Centre and radius in metres.
+    fn near_ball(&self, aspect: f64) -> (DVec3, f64) {
+        let diagonal = (1.0 + aspect * aspect).sqrt() * (1.0 + OPENING);
+        match self.projection {
+            Projection::Perspective { fov_y, near } => {
+                let corner = (fov_y * 0.5).tan() * diagonal;
+                (self.position, near * (1.0 + corner * corner).sqrt())
+            }
+            Projection::Orthographic { height, near, .. } => (
+                self.position + self.forward() * near,
+                height * 0.5 * diagonal,
+            ),
         }
-        bounds
     }
 
     /// How far, in metres, f64 arithmetic on planes through this camera's position may be off.

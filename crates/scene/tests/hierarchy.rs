@@ -315,3 +315,29 @@ fn a_tree_as_deep_as_it_has_entities_is_no_deeper_than_the_stack() {
     assert_eq!(scene.despawn(root), 100_000);
     assert_eq!(scene.update().removed, [deepest]);
 }
+
+/// An entity that hangs elsewhere but stands where it stood still counts in its new parent's box, and no longer in the old one's.
+#[test]
+fn boxes_follow_an_entity_that_does_not_move() {
+    let mut scene = Scene::new();
+    let material = scene.add_material(Material::default());
+    let mesh = scene.add_mesh(mesh(1.0)).unwrap();
+    // Enough bystanders that a change of one entity is a small one.
+    for _ in 0..100 {
+        scene.spawn(None, DAffine3::IDENTITY).unwrap();
+    }
+    let [from, to] = [(); 2].map(|()| scene.spawn(None, DAffine3::IDENTITY).unwrap());
+    let between = scene.spawn(Some(from), DAffine3::IDENTITY).unwrap();
+    let leaf = scene.spawn(Some(between), DAffine3::IDENTITY).unwrap();
+    scene
+        .set_drawable(leaf, Drawable { mesh, material })
+        .unwrap();
+    scene.update();
+    let bounds = scene.subtree_bounds(from);
+    assert!(bounds.is_some());
+    scene.set_parent(between, Some(to)).unwrap();
+    assert!(scene.update().is_empty(), "nothing drawable moved");
+    assert_eq!(scene.subtree_bounds(from), None);
+    assert_eq!(scene.subtree_bounds(to), bounds);
+    assert_eq!(scene.bounds(), bounds);
+}

@@ -206,3 +206,21 @@ impl Hull {
         self.half = half + slack;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A hull only grows with each change; were it never computed anew, boxes that wander would end up in huge blocks.
+    #[test]
+    fn hulls_shrink_again_after_as_many_changes_as_a_block_has_boxes() {
+        let mut array = BoxArray::new();
+        let around = |centre: DVec3| Aabb::from_centre(centre, DVec3::ONE);
+        (0..LANES).for_each(|_| array.push(around(DVec3::X * 1e6)));
+        for lane in (0..LANES).cycle().take(LANES * 3) {
+            array.set(lane, around(DVec3::ZERO));
+        }
+        let (_, hulls) = array.blocks();
+        assert!(hulls[0].half.max_element() < 1.1, "{:?}", hulls[0]);
+    }
+}
