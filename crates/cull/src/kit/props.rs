@@ -18,6 +18,8 @@ pub(super) struct Shapes {
     pub sliver: MeshKey,
     /// A square without thickness, facing +Z, with texture coordinates.
     pub square: MeshKey,
+    /// A square that rises through its box from the lower front edge to the upper back one.
+    pub ramp: MeshKey,
     /// The edges of a cube.
     pub lines: MeshKey,
     /// A few points.
@@ -59,6 +61,7 @@ impl Props {
             sphere: mesh("sphere", icosphere(2, 0.5))?,
             sliver: mesh("sliver", sliver())?,
             square: mesh("square", square())?,
+            ramp: mesh("ramp", ramp())?,
             lines: mesh("lines", edges(&cube))?,
             points: mesh("points", points())?,
             line: mesh(
@@ -268,6 +271,14 @@ fn square() -> Geometry {
         indices: vec![0, 1, 2, 0, 2, 3],
         ..Geometry::default()
     }
+}
+
+fn ramp() -> Geometry {
+    let mut geometry = square();
+    for [_, y, z] in &mut geometry.positions {
+        *z = -*y;
+    }
+    geometry
 }
 
 fn edges(cube: &Geometry) -> Geometry {

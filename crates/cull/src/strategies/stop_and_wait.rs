@@ -251,17 +251,20 @@ fn turn(
     done
 }
 
-/// Boxes in the order of asking. Lines and points stand for themselves: they cover pixels that their boxes do not.
+/// Boxes in the order of asking. A mesh that is no dearer than its box stands for itself, and so do lines and points: they cover pixels
+/// that their boxes do not.
 fn push_all(list: &mut DrawList, table: &SceneTable, slots: &[u32]) {
     list.clear();
     for slot in slots {
-        let detail = match table.class_of(*slot).topology() {
-            Topology::Triangles => Detail::Box,
-            Topology::Lines | Topology::Points => Detail::Level(0),
-        };
+        let boxed = table.class_of(*slot).topology() == Topology::Triangles
+            && table.primitives_of(*slot) > BOX_TRIANGLES;
+        let detail = if boxed { Detail::Box } else { Detail::Level(0) };
         list.push(table, *slot, detail);
     }
 }
+
+/// Triangles of a box.
+const BOX_TRIANGLES: u32 = 12;
 
 /// Transparent entities hide nothing, so they wait until all that is solid is drawn.
 fn submit_transparent(

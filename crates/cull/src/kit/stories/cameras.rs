@@ -1,6 +1,6 @@
 //! Where cameras stand and jump: to the other side, inside of things, right in front of them, away from them.
 
-use glam::{DAffine3, DQuat, DVec3};
+use glam::DVec3;
 
 use crate::kit::failure::Breach;
 use crate::kit::play::{Bench, Play};
@@ -47,13 +47,9 @@ pub(super) fn inside_box(bench: &mut Bench<'_>) -> Result<(), Breach> {
 
 pub(super) fn near_plane(bench: &mut Bench<'_>) -> Result<(), Breach> {
     let mut props = Props::new()?;
-    // Slanting from in front of the near plane to far behind it: its box begins before the near plane, itself lies beyond.
-    let slant = DAffine3::from_scale_rotation_translation(
-        DVec3::new(6.0, 6.0, 1.0),
-        DQuat::from_rotation_y(0.7),
-        DVec3::new(0.0, 0.0, -2.0),
-    );
-    props.put(props.shapes.square, props.paints.double_sided, slant)?;
+    // Its box begins before the near plane, and its front faces with it; the ramp inside lies beyond, in plain sight.
+    let ramp = placed(DVec3::new(0.0, 0.0, -1.2), DVec3::splat(3.0));
+    props.put(props.shapes.ramp, props.paints.opaque[0], ramp)?;
     props.sphere(DVec3::new(0.4, 0.2, -5.0), 1.0)?;
     // A bar along the view, cut by the near plane.
     props.cube(DVec3::new(-0.5, -0.4, -0.6), DVec3::new(0.1, 0.1, 3.0))?;

@@ -1,0 +1,192 @@
+//! The conformance kit over every strategy of this crate, in every setting that makes it another strategy, on Vulkan and on GL.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use antumbra_cull::kit::{Breach, Case, Kit, KitFailure};
+use antumbra_cull::{Counting, Registry};
+use antumbra_draw::{AdapterChoice, Gpu};
+
+fn gpu(name: &str) -> Gpu {
+    Gpu::open(&AdapterChoice::Named(name.to_owned()))
+        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
+}
+
+/// Checks strategies given as the registry reads them, and shows all that fail at once.
+fn conform(gpu: &Gpu, kit: &Kit, strategies: impl IntoIterator<Item = String>) {
+    let registry = Registry::built_in();
+    let failures: Vec<String> = strategies
+        .into_iter()
+        .filter_map(|text| {
+            // Late answers are right once nothing moves, where nothing else makes them wrong.
+            let exact_when_still = text.contains("occluders=full:occludees=full");
+            let kit = Kit {
+                exact_when_still,
+                ..kit.clone()
+            };
+            let outcome = kit.check_on(gpu, || registry.parse(&text).unwrap());
+            Some(format!("{text}: {}", outcome.err()?))
+        })
+        .collect();
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+fn named(names: &[&str]) -> Vec<String> {
+    names.iter().map(|name| (*name).to_owned()).collect()
+}
+
+/// The three-pass strategy in all its latencies, ways of counting and stand-ins that go together on the device.
+fn three_passes(gpu: &Gpu) -> Vec<String> {
+    let mut all = Vec::new();
+    for latency in ["frame-late", "same-frame", "on-gpu"] {
+        for way in Counting::ALL {
+            for occluders in ["full", "proxy"] {
+                for occludees in ["full", "proxy", "box"] {
+                    let apart = occluders != occludees;
+                    if way.lacking(gpu).is_none() && !(way == Counting::Identity && apart) {
+                        all.push(format!(
+                            "three-pass:latency={latency}:counting={way}:occluders={occluders}:occludees={occludees}"
+                        ));
+                    }
+                }
+            }
+        }
+    }
+    all
+}
+
+/// What tells the settings of one strategy from each other, for the price of a few frames.
+fn quick() -> Kit {
+    Kit {
+        size: [96, 72],
+        scenes: 1,
+        cases: vec![
+            Case::RandomScenes,
+            Case::Cut,
+            Case::NearPlane,
+            Case::SlotReuse,
+        ],
+        ..Kit::default()
+    }
+}
+
+fn baselines(name: &str) {
+    conform(
+        &gpu(name),
+        &Kit::default(),
+        named(&["none", "frustum", "ideal"]),
+    );
+}
+
+fn stop_and_wait(name: &str) {
+    let gpu = gpu(name);
+    // One query a wait takes its time with five thousand.
+    let fewer = Kit {
+        many: 300,
+        ..Kit::default()
+    };
+    conform(&gpu, &fewer, named(&["stop-and-wait"]));
+    conform(&gpu, &Kit::default(), named(&["stop-and-wait:batch=16"]));
+}
+
+fn three_pass_in_every_case(name: &str) {
+    let notable = [
+        "three-pass",
+        "three-pass:occluders=full:occludees=full",
+        "three-pass:latency=same-frame:occluders=full:occludees=full",
+        "three-pass:latency=same-frame:threshold=8",
+        "three-pass:latency=on-gpu:occluders=full:occludees=full:counting=queries",
+        "three-pass:latency=on-gpu:scale=0.5",
+    ];
+    conform(&gpu(name), &Kit::default(), named(&notable));
+}
+
+fn three_pass_in_every_setting(name: &str) {
+    let gpu = gpu(name);
+    let all = three_passes(&gpu);
+    assert!(
+        all.len() >= 12,
+        "only {all:?} can be set on {}",
+        gpu.title()
+    );
+    conform(&gpu, &quick(), all);
+}
+
+#[test]
+fn baselines_conform_on_vulkan() {
+    baselines("vulkan");
+}
+
+#[test]
+fn baselines_conform_on_gl() {
+    baselines("gl");
+}
+
+#[test]
+fn stop_and_wait_conforms_on_vulkan() {
+    stop_and_wait("vulkan");
+}
+
+#[test]
+fn stop_and_wait_conforms_on_gl() {
+    stop_and_wait("gl");
+}
+
+#[test]
+fn three_pass_conforms_in_every_case_on_vulkan() {
+    three_pass_in_every_case("vulkan");
+}
+
+#[test]
+fn three_pass_conforms_in_every_case_on_gl() {
+    three_pass_in_every_case("gl");
+}
+
+#[test]
+fn three_pass_conforms_in_every_setting_on_vulkan() {
+    three_pass_in_every_setting("vulkan");
+}
+
+#[test]
+fn three_pass_conforms_in_every_setting_on_gl() {
+    three_pass_in_every_setting("gl");
+}
+
+#[test]
+fn claims_are_made_where_they_hold_and_nowhere_else() {
+    let conservative = |text: &str| Registry::built_in().parse(text).unwrap().conservative();
+    let exact = "three-pass:latency=same-frame:occluders=full:occludees=full";
+    for text in ["none", "frustum", "ideal", "stop-and-wait", exact] {
+        assert!(conservative(text), "{text}");
+    }
+    for setting in [
+        "latency=frame-late",
+        "threshold=1",
+        "occluders=proxy",
+        "occludees=proxy",
+        "occludees=box",
+        "scale=0.9",
+    ] {
+        let text = format!("{exact}:{setting}");
+        assert!(!conservative(&text), "{text}");
+    }
+}
+
+#[test]
+fn a_missing_adapter_is_named_with_what_is_there() {
+    let kit = Kit::on(AdapterChoice::Named("no such adapter".to_owned()));
+    let make = || Registry::built_in().make("frustum").unwrap();
+    let failure = kit.check(make).unwrap_err();
+    assert!(matches!(failure, KitFailure::Device { .. }));
+    assert!(failure.to_string().contains("no such adapter"), "{failure}");
+}
+
+#[test]
+fn settings_that_do_not_go_together_fail_every_case_in_words() {
+    let text = "three-pass:counting=queries:threshold=3";
+    let make = || Registry::built_in().parse(text).unwrap();
+    let failure = quick().check_on(&gpu("vulkan"), make).unwrap_err();
+    assert_eq!(failure.cases(), quick().cases);
+    let KitFailure::Violations { violations, .. } = &failure else {
+        panic!("{failure}");
+    };
+    assert!(matches!(&violations[0].breach, Breach::Failed(text) if text.contains("threshold")));
+}
