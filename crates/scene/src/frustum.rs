@@ -68,24 +68,19 @@ impl Frustum {
     /// Appends the indices of the boxes that may share a point with the frustum, ascending. The same boxes on every
     /// machine and with every number of threads. Empty boxes are never among them.
     pub fn cull(&self, boxes: &BoxArray, out: &mut Vec<u32>) {
-        let (blocks, hulls) = boxes.blocks();
-        let planes = self.wide();
-        if blocks.len() < BLOCKS_A_TASK * 2 {
-            collect(&planes, 0, blocks, hulls, out);
-            return;
-        }
-        let tasks = (blocks.par_chunks(BLOCKS_A_TASK)).zip(hulls.par_chunks(BLOCKS_A_TASK));
-        let parts: Vec<Vec<u32>> = tasks
-            .enumerate()
-            .map(|(task, (blocks, hulls))| {
-                let mut found = Vec::new();
-                collect(&planes, task * BLOCKS_A_TASK, blocks, hulls, &mut found);
-                found
-            })
-            .collect();
-        out.reserve(parts.iter().map(Vec::len).sum());
-        for part in parts {
-            out.extend_from_slice(&part);
+        let mut words = Vec::new();
+        self.cull_into_bits(boxes, &mut words);
+        out.reserve(words.iter().map(|word| word.count_ones() as usize).sum());
+        for (i, mut word) in words.into_iter().enumerate() {
+            let base = (i * LANES) as u32;
+            if word == u64::MAX {
+                out.extend(base..base + LANES as u32);
+                continue;
+            }
+            while word != 0 {
+                out.push(base + word.trailing_zeros());
+                word &= word - 1;
+            }
         }
     }
 
@@ -128,26 +123,6 @@ impl WidePlane {
         let distance = DVec3::from_array(self.normal).dot(centre) + self.offset;
         let reach = DVec3::from_array(self.size).dot(half);
         (distance - reach, distance + reach)
-    }
-}
-
-/// The boxes of some blocks that may be inside, as indices.
-fn collect(
-    planes: &[WidePlane],
-    first: usize,
-    blocks: &[Block],
-    hulls: &[Hull],
-    out: &mut Vec<u32>,
-) {
-    let mut words = vec![0; blocks.len()];
-    masks(planes, blocks, hulls, &mut words);
-    out.reserve(words.iter().map(|word| word.count_ones() as usize).sum());
-    for (i, mut word) in words.into_iter().enumerate() {
-        let base = ((first + i) * LANES) as u32;
-        while word != 0 {
-            out.push(base + word.trailing_zeros());
-            word &= word - 1;
-        }
     }
 }
 
