@@ -106,7 +106,7 @@ pub(super) fn outgrow(bench: &mut Bench<'_>) -> Result<(), Breach> {
     let mut play = Play::new(bench, props.scene)?;
     let camera = camera(DVec3::new(1.0, 2.0, 7.0), DVec3::ZERO)?;
     play.frame(&camera)?;
-    for some in waiting.chunks(12) {
+    for some in waiting.chunks(24) {
         for (drawable, place) in some {
             put(&mut play.scene, drawable.mesh, drawable.material, *place)?;
         }
