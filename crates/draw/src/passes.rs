@@ -263,7 +263,9 @@ fn node<'g>(
         .read(inputs.scene)
         .read(what.list)
         .vertex(what.ids)
-        .uniform(inputs.uniform);
+        .uniform(inputs.uniform)
+        // A value that cannot be read is the body's to complain of.
+        .only_if(move |host| host.get(what.list).map_or(true, |list| !list.is_empty()));
     node
 }
 

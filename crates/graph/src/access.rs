@@ -5,6 +5,8 @@ use crate::host::HostReader;
 
 /// Says how many bytes or queries a frame needs.
 pub(crate) type BytesFn = Box<dyn Fn(&HostReader<'_>) -> u64 + Send>;
+/// Says whether a frame has anything to do in a pass.
+pub(crate) type ConditionFn = Box<dyn Fn(&HostReader<'_>) -> bool + Send>;
 /// Says how many queries a frame issues.
 pub(crate) type CountFn = Box<dyn Fn(&HostReader<'_>) -> u32 + Send>;
 

@@ -251,6 +251,7 @@ impl Graph {
             requires: wgpu::Features::empty(),
             viewport: None,
             query_count: None,
+            condition: None,
             looped: None,
         });
         self.bodies.push(Body::None);

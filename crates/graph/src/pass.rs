@@ -1,6 +1,6 @@
 //! A pass as declared: its kind, its uses, its wishes and its body.
 
-use crate::access::{CountFn, Use};
+use crate::access::{ConditionFn, CountFn, Use};
 use crate::compute::ComputeContext;
 use crate::copy::CopyContext;
 use crate::error::BodyError;
@@ -81,5 +81,7 @@ pub(crate) struct Pass {
     pub requires: wgpu::Features,
     pub viewport: Option<Viewport>,
     pub query_count: Option<CountFn>,
+    /// Whether a frame has anything to do in it.
+    pub condition: Option<ConditionFn>,
     pub looped: Option<LoopDecl>,
 }

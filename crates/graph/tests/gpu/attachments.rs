@@ -63,6 +63,40 @@ fn a_later_writer_keeps_the_earlier_ones_work() {
     assert_eq!(gpu.middle(plan.texture(image).unwrap()), [255, 0, 0, 255]);
 }
 
+#[test]
+fn a_pass_with_nothing_to_do_is_left_out_but_for_its_clear() {
+    let gpu = vulkan();
+    let mut g = Graph::new("only if");
+    let wanted = g.import_host::<[bool; 2]>("wanted");
+    let black = Clear::Colour(wgpu::Color::BLACK);
+    let mut image = g.texture("image", target().cleared(black));
+    for (at, colour) in [RED, "vec4f(0.0, 1.0, 0.0, 1.0)"].into_iter().enumerate() {
+        let mut node = g.raster(format!("fill {at}"));
+        node.read(wanted)
+            .only_if(move |host| host.get(wanted).is_ok_and(|wanted| wanted[at]));
+        image = node.colour(image);
+        let fill = gpu.fill(Some(colour), None);
+        node.run(move |ctx| {
+            ctx.pass().set_pipeline(&fill);
+            ctx.pass().draw(0..3, 0..1);
+            Ok(())
+        });
+    }
+    g.output(image);
+    let mut plan = gpu.compile(g);
+    let cases = [
+        ([false, false], [0, 0, 0, 255]),
+        ([true, false], [255, 0, 0, 255]),
+        ([false, true], [0, 255, 0, 255]),
+        ([false, false], [0, 0, 0, 255]),
+    ];
+    for (wants, seen) in cases {
+        plan.set(wanted, wants).unwrap();
+        plan.execute(&gpu.device, &gpu.queue).unwrap();
+        assert_eq!(gpu.middle(plan.texture(image).unwrap()), seen, "{wants:?}");
+    }
+}
+
 /// A plate at 1/2, then green before it and red behind it; `sampled`: the depth is looked at while it is attached.
 fn hidden(gpu: &Gpu, sampled: bool) -> (Graph, Texture) {
     let mut g = Graph::new("depth");
