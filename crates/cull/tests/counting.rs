@@ -1,0 +1,297 @@
+//! Counting visible samples: the ways agree with each other to the sample, with the owners of pixels, and as booleans with the
+//! hardware's queries; thousands of occludees, on Vulkan and on GL.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use std::sync::{Arc, Mutex};
+
+use antumbra_cull::{
+    Candidates, Counting, DeclareError, FrameGraph, Latency, Members, Oracle, Samples, Stage,
+    StageOptions, Strategy, Verdict, ViewInput, ViewNodes, ViewSpec, VisibleSet,
+};
+use antumbra_draw::{AdapterChoice, Detail, Gpu, GpuScene, ViewFrame};
+use antumbra_scene::builtin::icosphere;
+use antumbra_scene::{
+    AlphaMode, Camera, Drawable, Geometry, Image, Material, Mesh, Projection, Sampler, Scene,
+    Topology,
+};
+use glam::{DAffine3, DVec3};
+
+const SIZE: [u32; 2] = [240, 180];
+
+fn gpu(name: &str) -> Gpu {
+    Gpu::open(&AdapterChoice::Named(name.to_owned()))
+        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
+}
+
+/// Counts and shows what it counted; draws everything.
+struct Counter {
+    way: Counting,
+    occludee: Detail,
+    size: [u32; 2],
+    counted: Arc<Mutex<Samples>>,
+}
+
+impl Strategy for Counter {
+    fn name(&self) -> &str {
+        "counter"
+    }
+
+    fn summary(&self) -> &str {
+        "counts visible samples for a test"
+    }
+
+    fn conservative(&self) -> bool {
+        true
+    }
+
+    fn latency(&self) -> Option<Latency> {
+        Some(Latency::SameFrame)
+    }
+
+    fn declare(
+        &mut self,
+        g: &mut FrameGraph<'_>,
+        view: &mut ViewNodes,
+    ) -> Result<VisibleSet, DeclareError> {
+        let inside = g.in_frustum(view);
+        let proxies = g.proxies(view, inside, Detail::Level(0), self.occludee);
+        let counts = g.count_samples(view, proxies, self.way, self.size);
+        let counted = Arc::clone(&self.counted);
+        let chosen = g.choose(
+            view,
+            |node| {
+                node.read(inside)
+                    .read(counts.asked)
+                    .read_back(counts.buffer);
+            },
+            move |ctx, _, _, verdicts| {
+                let asked = ctx.get(counts.asked)?;
+                counted
+                    .lock()
+                    .unwrap()
+                    .take(&asked, counts.layout, ctx.bytes(counts.buffer)?);
+                for slot in ctx.get(inside)?.inside() {
+                    verdicts.set(*slot, Verdict::Untested);
+                }
+                Ok(())
+            },
+        );
+        Ok(g.shade(view, chosen))
+    }
+}
+
+/// The samples of every slot in the frustum, with the full meshes as occluders.
+fn count(
+    scene: &GpuScene,
+    camera: &Camera,
+    way: Counting,
+    occludee: Detail,
+    size: [u32; 2],
+) -> Vec<(u32, u32)> {
+    let counted = Arc::new(Mutex::new(Samples::default()));
+    let counter = Counter {
+        way,
+        occludee,
+        size,
+        counted: Arc::clone(&counted),
+    };
+    let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
+    let mut stage = Stage::new(scene, Box::new(counter), specs, StageOptions::default()).unwrap();
+    stage.frame(scene, &[ViewInput::new(*camera)]).unwrap();
+    let mut candidates = Candidates::default();
+    candidates.find(scene.table(), &ViewFrame::new(*camera, SIZE, 0));
+    let counted = counted.lock().unwrap();
+    let of = |slot: &u32| (*slot, counted.get(*slot).unwrap());
+    candidates.inside().iter().map(of).collect()
+}
+
+/// Half of an image's pixels are holes.
+fn holes() -> Image {
+    let pixel = |i: u8| [255, 255, 255, if (i + i / 4) % 2 == 0 { 255 } else { 0 }];
+    Image {
+        name: "holes".to_owned(),
+        width: 4,
+        height: 4,
+        rgba: (0..16).flat_map(pixel).collect(),
+        sampler: Sampler::default(),
+    }
+}
+
+/// 5,832 spheres in a lattice that is not quite regular; among them some of glass, some with holes, and a few points.
+fn scene() -> Scene {
+    let mut scene = Scene::new();
+    let sphere = scene
+        .add_mesh(Mesh::new("sphere", icosphere(1, 0.45)))
+        .unwrap();
+    let material = scene.add_material(Material::default());
+    for number in 0..18 * 18 * 18 {
+        let [x, y, z] = [number % 18, number / 18 % 18, number / 324].map(|i| f64::from(i) - 8.5);
+        let shift = DVec3::new((y * 3.7).sin(), (z * 2.9).sin(), (x * 5.3).sin()) * 0.1;
+        let place = DAffine3::from_translation(DVec3::new(x, y, z) + shift);
+        let entity = scene.spawn(None, place).unwrap();
+        let mesh = sphere;
+        scene
+            .set_drawable(entity, Drawable { mesh, material })
+            .unwrap();
+    }
+    let glass = scene.add_material(Material {
+        alpha: AlphaMode::Blend,
+        base_colour: [1.0, 1.0, 1.0, 0.5],
+        ..Material::default()
+    });
+    let image = scene.add_image(holes()).unwrap();
+    let sieve = scene.add_material(Material {
+        alpha: AlphaMode::Mask { cutoff: 0.5 },
+        base_colour_image: Some(image),
+        ..Material::default()
+    });
+    let points = Geometry {
+        topology: Topology::Points,
+        positions: (0..8)
+            .map(|i| [i as f32 * 0.2, 0.01 * i as f32, 0.0])
+            .collect(),
+        indices: (0..8).collect(),
+        ..Geometry::default()
+    };
+    let points = scene.add_mesh(Mesh::new("points", points)).unwrap();
+    for number in 0..12 {
+        let place = DVec3::new(
+            f64::from(number) - 6.0,
+            0.4,
+            if number % 2 == 0 { 10.0 } else { 2.0 },
+        );
+        for (i, (mesh, material)) in [(sphere, glass), (sphere, sieve), (points, sieve)]
+            .into_iter()
+            .enumerate()
+        {
+            let place = place + DVec3::Y * (i as f64 * 2.1 - 2.0);
+            let entity = scene
+                .spawn(None, DAffine3::from_translation(place))
+                .unwrap();
+            scene
+                .set_drawable(entity, Drawable { mesh, material })
+                .unwrap();
+        }
+    }
+    scene
+}
+
+fn camera() -> Camera {
+    let projection = Projection::Perspective {
+        fov_y: 1.0,
+        near: 0.1,
+    };
+    Camera::look_at(
+        DVec3::new(3.0, 4.0, 26.0),
+        DVec3::ZERO,
+        DVec3::Y,
+        projection,
+    )
+    .unwrap()
+}
+
+/// The ways that count, where the device has them.
+fn counting_ways(gpu: &Gpu) -> Vec<Counting> {
+    [Counting::Compare, Counting::Identity, Counting::Atomics]
+        .into_iter()
+        .filter(|way| way.lacking(gpu).is_none())
+        .collect()
+}
+
+fn all_ways_agree(name: &str) {
+    let gpu = gpu(name);
+    let scene = GpuScene::new(&gpu, &mut scene()).unwrap();
+    let camera = camera();
+    let full = Detail::Level(0);
+    let ways = counting_ways(&gpu);
+    assert!(ways.len() >= 2, "{ways:?} on {}", gpu.title());
+    let counted = count(&scene, &camera, Counting::Compare, full, SIZE);
+    assert!(
+        counted.len() > 5000,
+        "{} entities in the frustum",
+        counted.len()
+    );
+    for way in ways {
+        assert_eq!(count(&scene, &camera, way, full, SIZE), counted, "{way}");
+    }
+    let asked = count(&scene, &camera, Counting::Queries, full, SIZE);
+    let booleans: Vec<_> = counted
+        .iter()
+        .map(|(slot, n)| (*slot, u32::from(*n > 0)))
+        .collect();
+    assert_eq!(asked, booleans);
+
+    // The oracle's pixels, added up on the host: of what hides, owned ones; of what is blended, visible ones. What has holes is left
+    // out of its picture, since it hides nothing from a count.
+    let table = scene.table();
+    let counts = |slot: &u32| table.is_occluder(*slot) || table.is_transparent(*slot);
+    let members: Vec<u32> = table.live_slots().filter(counts).collect();
+    let mut oracle = Oracle::new(&scene, SIZE);
+    let image = oracle
+        .look(&scene, &camera, Members::Slots(&members))
+        .unwrap();
+    let owned = image.samples_by_slot();
+    let mut compared = [0, 0];
+    for (slot, samples) in counted.iter().filter(|(slot, _)| counts(slot)) {
+        let pixels = owned.get(*slot as usize).copied().unwrap_or(0);
+        assert_eq!(*samples, pixels, "slot {slot}");
+        compared[usize::from(table.is_transparent(*slot))] += usize::from(pixels > 0);
+    }
+    assert!(
+        compared[0] > 300 && compared[1] >= 6,
+        "{compared:?} have pixels"
+    );
+}
+
+fn boxes_and_smaller_images_agree(name: &str) {
+    let gpu = gpu(name);
+    let scene = GpuScene::new(&gpu, &mut scene()).unwrap();
+    let camera = camera();
+    let half = SIZE.map(|side| side / 2);
+    for (occludee, size) in [
+        (Detail::Box, SIZE),
+        (Detail::Box, half),
+        (Detail::Level(0), half),
+    ] {
+        let counted = count(&scene, &camera, Counting::Compare, occludee, size);
+        assert!(counted.iter().any(|(_, samples)| *samples > 1));
+        if Counting::Atomics.lacking(&gpu).is_none() {
+            let atomics = count(&scene, &camera, Counting::Atomics, occludee, size);
+            assert_eq!(atomics, counted, "{occludee:?} {size:?}");
+        }
+        let asked = count(&scene, &camera, Counting::Queries, occludee, size);
+        let booleans: Vec<_> = counted
+            .iter()
+            .map(|(slot, n)| (*slot, u32::from(*n > 0)))
+            .collect();
+        assert_eq!(asked, booleans, "{occludee:?} {size:?}");
+    }
+}
+
+#[test]
+fn all_ways_agree_on_vulkan() {
+    all_ways_agree("vulkan");
+}
+
+#[test]
+fn all_ways_agree_on_gl() {
+    all_ways_agree("gl");
+}
+
+#[test]
+fn boxes_and_smaller_images_agree_on_vulkan() {
+    boxes_and_smaller_images_agree("vulkan");
+}
+
+#[test]
+fn boxes_and_smaller_images_agree_on_gl() {
+    boxes_and_smaller_images_agree("gl");
+}
+
+#[test]
+fn every_way_runs_on_vulkan() {
+    let gpu = gpu("vulkan");
+    for way in Counting::ALL {
+        assert_eq!(way.lacking(&gpu), None, "{way} on {}", gpu.title());
+    }
+}
