@@ -6,7 +6,7 @@ use antumbra_graph::{Bind, Buffer, BufferDesc, Host};
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
 
-use crate::candidates::Candidates;
+use crate::candidates::{Asked, Candidates};
 use crate::counting::{ComputePipeline, Counts};
 use crate::frame_graph::{CULL, DRAW, FrameGraph, back_to_front};
 use crate::samples::CountLayout;
@@ -66,11 +66,12 @@ impl FrameGraph<'_> {
             CountLayout::BySlot => counts.buffer,
             CountLayout::ByQuery => self.scatter(view, counts),
         };
-        let solid = self.layout(view, "candidates", candidates, threshold, false);
+        let among = (candidates, counts.asked);
+        let solid = self.layout(view, "candidates", among, threshold, false);
         let solid = self.compact(view, "visible set", solid, by_slot);
         self.shade_indirect(view, "shaded", solid);
         if self.topology().transparent {
-            let blended = self.layout(view, "transparent candidates", candidates, threshold, true);
+            let blended = self.layout(view, "transparent candidates", among, threshold, true);
             let blended = self.compact(view, "visible transparent set", blended, by_slot);
             self.shade_indirect(view, "transparent", blended);
         }
@@ -90,7 +91,7 @@ impl FrameGraph<'_> {
         &mut self,
         view: &ViewNodes,
         name: &str,
-        candidates: Host<Candidates>,
+        (candidates, asked): (Host<Candidates>, Host<Asked>),
         threshold: u32,
         transparent: bool,
     ) -> Layout {
@@ -117,7 +118,8 @@ impl FrameGraph<'_> {
         node.group(CULL)
             .read(inputs.scene)
             .read(inputs.view)
-            .read(candidates);
+            .read(candidates)
+            .read(asked);
         let layout = Layout {
             list: node.write(list),
             entries: node.upload(entries),
@@ -128,6 +130,7 @@ impl FrameGraph<'_> {
         node.run(move |ctx| {
             let (scene, candidates) = (ctx.get(inputs.scene)?, ctx.get(candidates)?);
             let table = &scene.table;
+            let unasked = unasked(&candidates, &*ctx.get(asked)?);
             let members = candidates
                 .inside()
                 .iter()
@@ -143,7 +146,7 @@ impl FrameGraph<'_> {
                 .ids()
                 .iter()
                 .map(|slot| {
-                    if candidates.is_near(*slot) {
+                    if candidates.is_near(*slot) || unasked.binary_search(slot).is_ok() {
                         slot | FORCED
                     } else {
                         *slot
@@ -290,6 +293,19 @@ impl FrameGraph<'_> {
         });
         by_slot
     }
+}
+
+/// Candidates nobody asked about, ascending: they are drawn. Most strategies ask about all.
+fn unasked(candidates: &Candidates, asked: &Asked) -> Vec<u32> {
+    if asked.slots.len() >= candidates.inside().len() {
+        return Vec::new();
+    }
+    let mut known = asked.slots.to_vec();
+    known.sort_unstable();
+    let inside = candidates.inside().iter().copied();
+    inside
+        .filter(|slot| known.binary_search(slot).is_err())
+        .collect()
 }
 
 fn gpu_run(table: &SceneTable, run: &antumbra_draw::Run) -> GpuRun {

@@ -394,7 +394,10 @@ fn build(
             in_frustum: None,
         };
         let set = strategy.declare(&mut FrameGraph::new(&mut graph, &mut shared), &mut nodes)?;
-        graph.output(nodes.targets.colour);
+        // Writing an import keeps its writers; an output would ask more usages of its owner's texture.
+        if imported.is_none() {
+            graph.output(nodes.targets.colour);
+        }
         match set.verdicts {
             VerdictSource::Host(verdicts) => graph.output(verdicts),
             VerdictSource::Gpu {

@@ -1,0 +1,69 @@
+//! Occluders and occludees need not be the same candidates: what nobody asks about is drawn, whenever the answers are used.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use antumbra_cull::kit::{Case, Kit};
+use antumbra_cull::{Counting, DeclareError, FrameGraph, Latency, Strategy, ViewNodes, VisibleSet};
+use antumbra_draw::Detail;
+
+/// Every third candidate hides, every second is asked about.
+struct Apart {
+    latency: Latency,
+    counting: Counting,
+}
+
+impl Strategy for Apart {
+    fn name(&self) -> &str {
+        "apart"
+    }
+
+    fn summary(&self) -> &str {
+        "asks some about others"
+    }
+
+    fn conservative(&self) -> bool {
+        true
+    }
+
+    fn latency(&self) -> Option<Latency> {
+        Some(self.latency)
+    }
+
+    fn declare(
+        &mut self,
+        g: &mut FrameGraph<'_>,
+        view: &mut ViewNodes,
+    ) -> Result<VisibleSet, DeclareError> {
+        let candidates = g.in_frustum(view);
+        // What is added is dropped, and what comes twice counts once.
+        let hiding = g.narrowed(view, "hiding", candidates, |_, _, slots| {
+            slots.retain(|slot| slot % 3 == 0);
+            slots.extend([u32::MAX, 0, 0]);
+            slots.reverse();
+        });
+        let questioned = g.narrowed(view, "questioned", candidates, |_, _, slots| {
+            slots.retain(|slot| slot % 2 == 0);
+        });
+        let proxies = g.proxies_of(
+            view,
+            (hiding, Detail::Level(0)),
+            (questioned, Detail::Level(0)),
+        );
+        let counts = g.count_samples(view, proxies, self.counting, view.size());
+        Ok(g.visible_samples(view, candidates, counts, self.latency, 0))
+    }
+}
+
+#[test]
+fn what_nobody_asks_about_is_drawn() {
+    let kit = Kit {
+        cases: vec![Case::RandomScenes],
+        scenes: 2,
+        ..Kit::default()
+    };
+    for latency in [Latency::SameFrame, Latency::OnGpu] {
+        for counting in [Counting::Queries, Counting::Compare, Counting::Identity] {
+            kit.check(|| Box::new(Apart { latency, counting }))
+                .unwrap_or_else(|failure| panic!("{counting}: {failure}"));
+        }
+    }
+}
