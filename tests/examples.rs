@@ -1,0 +1,76 @@
+//! The examples do what they say: the strategy from outside conforms and culls nothing visible, the embedded stage leaves our own
+//! passes where they were.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+#[path = "../examples/custom_strategy.rs"]
+#[allow(dead_code, reason = "its main is run by hand")]
+mod custom_strategy;
+#[path = "../examples/embed.rs"]
+#[allow(dead_code, reason = "its main is run by hand")]
+mod embed;
+
+use antumbra::cull::strategies::Frustum;
+use antumbra::cull::{Strategy, kit};
+use antumbra::draw::{AdapterChoice, Detail, Gpu};
+use antumbra::measure::compare::{CompareOptions, Contender, compare};
+use antumbra::measure::path::Path;
+use antumbra::scene::builtin;
+use custom_strategy::LargestOccluders;
+
+#[test]
+fn the_strategy_from_outside_conforms() {
+    let ours = |occludee| move || Box::new(LargestOccluders(20, occludee)) as Box<dyn Strategy>;
+    assert!(ours(Detail::Level(0))().conservative());
+    kit::assert_conforms(ours(Detail::Level(0)));
+    kit::assert_conforms(ours(Detail::Box));
+}
+
+#[test]
+fn the_strategy_from_outside_is_compared() {
+    let gpu = Gpu::open(&AdapterChoice::Auto).unwrap();
+    let mut scene = builtin::by_name("grid", Some(8)).unwrap();
+    scene.update();
+    let path = Path::orbit_around(&scene.bounds().unwrap(), 4.0 / 3.0, 6).unwrap();
+    let contenders = [
+        Contender::new("", || Box::new(Frustum)),
+        Contender::new("", || Box::new(LargestOccluders(250, Detail::Box))),
+    ];
+    let options = CompareOptions {
+        size: [160, 120],
+        least_seconds: 0.0,
+        ..CompareOptions::default()
+    };
+    let comparison = compare(&gpu, &mut scene, &path, &contenders, &options, &mut |_| ());
+    let strategies = comparison.unwrap().report.strategies;
+    let [frustum, ours] = strategies.as_slice() else {
+        panic!("two contenders, two entries");
+    };
+    assert_eq!(ours.name, "largest-occluders");
+    assert_eq!(ours.error.false_culls.entities, 0);
+    assert!(ours.drawn.entities < 0.9 * frustum.drawn.entities);
+}
+
+#[test]
+fn the_embedded_stage_keeps_our_passes() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = folder.path().join("embed.png");
+    let refusal = embed::run([160, 120], 4, &output).unwrap();
+    assert!(refusal.contains("three-pass") && refusal.contains("sync point"));
+
+    let image = image::open(&output).unwrap().to_rgba8();
+    let count = |what: fn([u8; 4]) -> bool| image.pixels().filter(|pixel| what(pixel.0)).count();
+    let board = |[r, _, b, _]: [u8; 4]| r == 255 && b == 0;
+    let sky = |[r, _, b, _]: [u8; 4]| r == 0 && b > 100;
+    let scene = |[r, _, b, _]: [u8; 4]| r > 0 && r.abs_diff(b) < 16;
+    assert!(count(board) > 100, "the board was not drawn");
+    assert!(count(sky) > 1_000, "the sky was not drawn, or not kept");
+    assert!(count(scene) > 1_000, "the scene was not drawn");
+    // The board reaches over most of the middle row; what the scene has before it hides it there.
+    let hidden = (16..144)
+        .filter(|x| scene(image.get_pixel(*x, 60).0))
+        .count();
+    assert!(
+        hidden > 10,
+        "the board was not tested against the scene's depth"
+    );
+}
