@@ -62,7 +62,8 @@ pub struct LoadOptions {
     pub max_entities: u64,
     /// Pixels of all images; one costs 4 bytes.
     pub max_image_pixels: u64,
-    /// Objects in a glTF's JSON; one costs up to about 700 bytes while the file is read.
+    /// Objects and arrays in a glTF's JSON, and a sixteenth of its commas; one costs up to about 700 bytes while the file is
+    /// read.
     pub max_json_objects: u64,
     /// Leave images out; materials keep their colours.
     pub skip_images: bool,

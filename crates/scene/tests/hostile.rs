@@ -185,7 +185,7 @@ fn memory_is_not_taken_for_what_has_no_bytes() {
     let error = load_slice(Format::Gltf, objects.as_bytes(), None, &options).unwrap_err();
     assert_problem!(
         *error.problem,
-        LoadProblem::TooLarge { amount: 1003, .. },
+        LoadProblem::TooLarge { amount: 1065, .. },
         "max_json_objects"
     );
     let nodes = vec![ONE; 20].join(",");
@@ -498,5 +498,62 @@ fn what_does_not_follow_the_format_says_where() {
         LoadProblem::UnknownExtension { .. },
         "fbx",
         ".glb, .gltf, .obj, .ply, .stl"
+    );
+}
+
+/// Found by the fuzzer: the crate that reads OBJ files overflows on such corners and unwraps such colours.
+#[test]
+fn wild_obj_corners_and_colours_do_no_harm() {
+    let with =
+        |corner: &str| format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1 2 {corner}\n");
+    for corner in [
+        "3/1/-2",
+        "-4",
+        "0",
+        "3/9223372036854775807",
+        "-9223372036854775808",
+        "/1",
+        "3/1/1/1",
+        "3/x",
+        "99999999999999999999",
+    ] {
+        let problem = refused(Format::Obj, with(corner).as_bytes());
+        assert_problem!(
+            problem,
+            LoadProblem::Syntax { .. },
+            "line 6",
+            corner.get(..20).unwrap_or(corner)
+        );
+    }
+    assert_problem!(
+        refused(Format::Obj, with("4").as_bytes()),
+        LoadProblem::Syntax { .. },
+        "bounds"
+    );
+    for corner in ["3", "-1", "3/1/1", "-1/-1/-1", "3//1", "3/1"] {
+        let read = load_slice(
+            Format::Obj,
+            with(corner).as_bytes(),
+            None,
+            &LoadOptions::default(),
+        );
+        assert_eq!(read.unwrap().triangle_count(), 1, "{corner}");
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("grey.obj");
+    std::fs::write(
+        &path,
+        format!("mtllib grey.mtl\nusemtl\nusemtl grey\n{}", with("3")),
+    )
+    .unwrap();
+    std::fs::write(
+        folder.path().join("grey.mtl"),
+        "Kd\nnewmtl\nnewmtl grey\nKa 1\nKd 0.5\nmap_Kd\n",
+    )
+    .unwrap();
+    let scene = load(&path, &LoadOptions::default()).unwrap();
+    assert_eq!(
+        scene.materials().next().unwrap().1.base_colour,
+        [0.5, 0.5, 0.5, 1.0]
     );
 }

@@ -1,5 +1,7 @@
 //! Wavefront OBJ and MTL through `tobj`: an entity an object or group, polygons as fans of triangles.
 
+mod check;
+
 use super::budget::Budget;
 use super::error::LoadProblem;
 use super::files::{self, Files};
@@ -26,7 +28,7 @@ pub(super) fn read(
         return Err(broken("it is UTF-16 text; save it as UTF-8".into()));
     }
     // Names in other encodings than UTF-8 need not be legible, as long as they are equal to themselves.
-    let text = String::from_utf8_lossy(bytes);
+    let text = check::shapes(&String::from_utf8_lossy(bytes), budget)?;
     let options = tobj::LoadOptions {
         single_index: true,
         triangulate: true,
@@ -44,7 +46,8 @@ pub(super) fn read(
             let bytes = files::read(&path, &mut shared.borrow_mut());
             bytes.map_err(|_| tobj::LoadError::OpenFileFailed)
         };
-        tobj::load_mtl_buf(&mut read()?.as_slice())
+        let text = check::materials(&String::from_utf8_lossy(&read()?));
+        tobj::load_mtl_buf(&mut text.as_bytes())
     };
     let (models, materials) = tobj::load_obj_buf(&mut text.as_bytes(), &options, library)
         .map_err(|e| broken(e.to_string()))?;
@@ -61,7 +64,6 @@ pub(super) fn read(
             continue;
         }
         budget.vertices(geometry.positions.len() as u64)?;
-        budget.triangles(geometry.triangle_count() as u64)?;
         budget.entities(1)?;
         let id = model.mesh.material_id.filter(|id| *id < materials.len());
         let material = match known.get(&id) {
