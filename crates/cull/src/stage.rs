@@ -291,10 +291,7 @@ impl Stage {
                     error,
                 })?;
             *cuts += u64::from(input.cut);
-            plan.set(
-                built.frame,
-                ViewFrame::new(input.camera.clone(), spec.size, *cuts),
-            )?;
+            plan.set(built.frame, ViewFrame::new(input.camera, spec.size, *cuts))?;
             if let Some(handle) = built.reference {
                 let Some(reference) = &input.reference else {
                     return Err(StageError::Input(format!(

@@ -107,7 +107,18 @@ fn count(
 
 /// Half of an image's pixels are holes.
 fn holes() -> Image {
-    let pixel = |i: u8| [255, 255, 255, if (i + i / 4) % 2 == 0 { 255 } else { 0 }];
+    let pixel = |i: u8| {
+        [
+            255,
+            255,
+            255,
+            if (i + i / 4).is_multiple_of(2) {
+                255
+            } else {
+                0
+            },
+        ]
+    };
     Image {
         name: "holes".to_owned(),
         width: 4,

@@ -241,7 +241,18 @@ fn paints(scene: &mut Scene) -> Result<Paints, SceneError> {
 
 /// Eight by eight pixels, every other one a hole.
 fn checkers() -> Image {
-    let pixel = |i: u32| [200, 160, 90, if (i + i / 8) % 2 == 0 { 255 } else { 0 }];
+    let pixel = |i: u32| {
+        [
+            200,
+            160,
+            90,
+            if (i + i / 8).is_multiple_of(2) {
+                255
+            } else {
+                0
+            },
+        ]
+    };
     Image {
         name: "checkers".to_owned(),
         width: 8,
