@@ -74,3 +74,12 @@ fn the_embedded_stage_keeps_our_passes() {
         "the board was not tested against the scene's depth"
     );
 }
+
+/// What the page on engines says of threads.
+#[test]
+fn a_stage_may_live_on_another_thread() {
+    fn moves<T: Send>() {}
+    moves::<antumbra::cull::Stage>();
+    moves::<antumbra::draw::GpuScene>();
+    moves::<antumbra::scene::Scene>();
+}
