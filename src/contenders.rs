@@ -12,12 +12,13 @@ use crate::failure::Failure;
 const PATIENCE: usize = 2_000;
 
 /// What is compared when nothing is asked for: label, then the strategy.
-const STANDARD: [(&str, &str); 8] = [
+const STANDARD: [(&str, &str); 9] = [
     ("", "none"),
     ("", "frustum"),
     ("", "ideal"),
     ("", "stop-and-wait"),
     ("three-pass late", "three-pass:latency=frame-late"),
+    ("three-pass half", "three-pass:latency=frame-late:scale=0.5"),
     ("three-pass same", "three-pass:latency=same-frame"),
     ("three-pass on-gpu", "three-pass:latency=on-gpu"),
     (

@@ -15,6 +15,7 @@ use antumbra_graph::{Bind, Buffer, BufferDesc, Clear, Host, Texture, TextureDesc
 
 use crate::candidates::{Asked, Candidates};
 use crate::frame_graph::{CULL, FrameGraph};
+use crate::order::front_to_back;
 use crate::samples::CountLayout;
 use crate::view_nodes::ViewNodes;
 
@@ -150,6 +151,10 @@ impl FrameGraph<'_> {
         let others = others.map(&mut submit);
         let all = occludees.map(&mut submit);
         let asked = node.write(asked);
+        node.read(inputs.view);
+        // Near ones first spares the far ones' fragments. Full meshes keep the canonical order: there, ties must fall as in the reference.
+        let sorts = occluder == Detail::Proxy;
+        let mut order = Vec::new();
         node.run(move |ctx| {
             let (scene, candidates) = (ctx.get(inputs.scene)?, ctx.get(candidates)?);
             let hiding = ctx.get(hiding)?;
@@ -157,11 +162,14 @@ impl FrameGraph<'_> {
             let inside = || candidates.inside().iter().copied();
             let hides = |slot: &u32| table.is_occluder(*slot);
             let mut occluder_list = ctx.get_mut(occluders.list)?;
-            occluder_list.fill(
-                table,
-                hiding.inside().iter().copied().filter(hides),
-                occluder,
-            );
+            let hiders = hiding.inside().iter().copied().filter(hides);
+            if sorts {
+                front_to_back(&mut order, table, &*ctx.get(inputs.view)?, hiders);
+                let sorted = order.iter().map(|entry| *entry as u32);
+                occluder_list.fill(table, sorted, occluder);
+            } else {
+                occluder_list.fill(table, hiders, occluder);
+            }
             ctx.upload(occluders.ids, 0, bytemuck::cast_slice(occluder_list.ids()))?;
             let mut tested = Arc::new(occluder_list.ids().to_vec());
             if let (Some(others), Some(all)) = (others, all) {

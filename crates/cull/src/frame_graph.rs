@@ -13,6 +13,7 @@ use antumbra_graph::{
 };
 
 use crate::candidates::Candidates;
+use crate::order::back_to_front;
 use crate::samples::outside;
 use crate::strategy::VisibleSet;
 use crate::verdict::{Verdict, Verdicts};
@@ -267,11 +268,7 @@ impl<'g> FrameGraph<'g> {
 
     /// Shades one list into the view's targets.
     pub fn shade_list(&mut self, view: &mut ViewNodes, name: &str, list: Submitted) {
-        let spec = self.pass(
-            view.named(name),
-            DRAW,
-            PassKind::Shaded(self.shared.colour_format),
-        );
+        let spec = self.pass(view.named(name), DRAW, self.shaded_kind());
         let targets = view.targets;
         let (colour, depth) = passes::shaded_pass(
             self.graph,
@@ -287,7 +284,10 @@ impl<'g> FrameGraph<'g> {
 
     /// The pipelines' kind for the view's colour target.
     pub fn shaded_kind(&self) -> PassKind {
-        PassKind::Shaded(self.shared.colour_format)
+        PassKind::Shaded {
+            format: self.shared.colour_format,
+            positional_lights: self.shared.topology.positional_lights,
+        }
     }
 
     /// Chooses by a rule about each candidate alone, and shades what was chosen.
@@ -310,23 +310,5 @@ impl<'g> FrameGraph<'g> {
             },
         );
         self.shade(view, chosen)
-    }
-}
-
-/// Orders transparent entities for blending: by the distance of their bounds' centres, farthest first, ties by slot.
-pub(crate) fn back_to_front(
-    list: &mut DrawList,
-    table: &SceneTable,
-    view: &ViewFrame,
-    slots: impl Iterator<Item = u32>,
-) {
-    let eye = view.camera.position;
-    let mut order: Vec<(f64, u32)> = slots
-        .map(|slot| (table.bounds(slot).centre().distance_squared(eye), slot))
-        .collect();
-    order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-    list.clear();
-    for (_, slot) in order {
-        list.push(table, slot, Detail::Level(0));
     }
 }

@@ -11,6 +11,7 @@ mod frame_graph;
 pub mod kit;
 mod on_gpu;
 mod oracle;
+mod order;
 mod registry;
 mod samples;
 mod setting;

@@ -8,7 +8,8 @@ use bytemuck::{Pod, Zeroable};
 
 use crate::candidates::{Asked, Candidates};
 use crate::counting::{ComputePipeline, Counts};
-use crate::frame_graph::{CULL, DRAW, FrameGraph, back_to_front};
+use crate::frame_graph::{CULL, DRAW, FrameGraph};
+use crate::order::back_to_front;
 use crate::samples::CountLayout;
 use crate::strategy::{VerdictSource, VisibleSet};
 use crate::view_nodes::ViewNodes;

@@ -48,7 +48,7 @@ pub trait Strategy: Send {
         None
     }
 
-    /// Whether it must be told which entities own a pixel ([`StageFrame::reference`](crate::ViewInput::reference)): a limit to measure by, nothing to ship.
+    /// Whether it must be told which entities own a pixel ([`ViewInput::reference`](crate::ViewInput::reference)): a limit to measure by, nothing to ship.
     fn needs_reference(&self) -> bool {
         false
     }

@@ -91,6 +91,13 @@ impl SceneLights {
         Self { placed }
     }
 
+    /// Whether any of them has a place.
+    pub fn any_positional(&self) -> bool {
+        self.placed
+            .iter()
+            .any(|placed| placed.light.kind != DIRECTIONAL)
+    }
+
     /// The lights around an eye; `right` and `up` are the camera's, for the light of scenes that have none.
     pub fn around(&self, eye: DVec3, forward: DVec3, right: DVec3, up: DVec3) -> GpuLights {
         let mut lights = GpuLights {

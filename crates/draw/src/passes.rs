@@ -293,7 +293,7 @@ pub fn bind<'a>(
 ) -> Result<HostRef<'a, SceneFrame>, BodyError> {
     let scene = ctx.get(inputs.scene)?;
     let ids = ctx.buffer(ids)?;
-    let shaded = matches!(pipelines.kind(), PassKind::Shaded(_));
+    let shaded = matches!(pipelines.kind(), PassKind::Shaded { .. });
     let materials = shaded || matches!(pipelines.kind(), PassKind::Identity | PassKind::Signature);
     group(
         ctx,

@@ -27,7 +27,12 @@ pub enum PassKind {
     /// Writes depth and entity ids.
     Identity,
     /// Writes depth and shaded colour; blended classes leave the depth alone.
-    Shaded(wgpu::TextureFormat),
+    Shaded {
+        /// The colour target's format.
+        format: wgpu::TextureFormat,
+        /// Whether any light has a place.
+        positional_lights: bool,
+    },
     /// Adds the ids of transparent fragments up, by pixel.
     Signature,
 }
@@ -39,7 +44,7 @@ impl PassKind {
             Self::CountAtomic => &count_atomic::JOB,
             Self::CountCompare => &count_compare::JOB,
             Self::Identity => &identity::JOB,
-            Self::Shaded(_) => &shaded::JOB,
+            Self::Shaded { .. } => &shaded::JOB,
             Self::Signature => &signature::JOB,
         }
     }
@@ -50,7 +55,7 @@ impl PassKind {
 
     /// Whether a class's pipeline reads vertex attributes, materials and textures.
     pub fn textured(self, class: Class) -> bool {
-        matches!(self, Self::Shaded(_) | Self::Signature) || self.masked(class)
+        matches!(self, Self::Shaded { .. } | Self::Signature) || self.masked(class)
     }
 }
 
@@ -132,18 +137,22 @@ fn create(
         Some(SLOT_LAYOUT),
         Some(ATTRIBUTE_LAYOUT),
     ];
-    let alpha_mode = [("alpha_mode", f64::from(class.alpha() as u8))];
-    let constants: &[(&str, f64)] = if matches!(kind, PassKind::Shaded(_)) {
-        &alpha_mode
-    } else {
-        &[]
+    let shading = match kind {
+        PassKind::Shaded {
+            positional_lights, ..
+        } => vec![
+            ("alpha_mode", f64::from(class.alpha() as u8)),
+            ("textured", f64::from(u8::from(class.textured()))),
+            ("positional_lights", f64::from(u8::from(positional_lights))),
+        ],
+        _ => Vec::new(),
     };
     let compilation_options = wgpu::PipelineCompilationOptions {
-        constants,
+        constants: &shading,
         ..Default::default()
     };
     let target = match kind {
-        PassKind::Shaded(format) => Some(wgpu::ColorTargetState {
+        PassKind::Shaded { format, .. } => Some(wgpu::ColorTargetState {
             format,
             blend: blended.then_some(wgpu::BlendState::ALPHA_BLENDING),
             write_mask: wgpu::ColorWrites::ALL,
@@ -154,7 +163,7 @@ fn create(
     let targets = [target];
     let has_fragment = !matches!(kind, PassKind::Depth | PassKind::Query);
     let writes_depth = matches!(kind, PassKind::Depth | PassKind::Identity)
-        || matches!(kind, PassKind::Shaded(_)) && !blended;
+        || matches!(kind, PassKind::Shaded { .. }) && !blended;
     // The comparing passes bring a depth attachment of their own only because a pass needs one.
     let compares = !matches!(kind, PassKind::CountCompare | PassKind::Signature);
     gpu.device

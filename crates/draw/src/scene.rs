@@ -48,9 +48,11 @@ pub struct Topology {
     /// Runs a draw list may have: the size of indirect draws.
     pub batches: u32,
     /// Classes in use, as a bit mask by [`Class::index`].
-    pub classes: u64,
+    pub classes: u128,
     /// Whether there is anything to blend.
     pub transparent: bool,
+    /// Whether any light has a place; without one, lighting needs no distances.
+    pub positional_lights: bool,
 }
 
 impl Topology {
@@ -78,7 +80,7 @@ pub struct GpuScene {
     batch_index: HashMap<Batch, u32>,
     slot_of: SecondaryMap<EntityKey, u32>,
     free: Vec<u32>,
-    classes: u64,
+    classes: u128,
 }
 
 impl GpuScene {
@@ -149,6 +151,7 @@ impl GpuScene {
             batches: (self.table.batches().len() as u32).next_power_of_two(),
             classes: self.classes,
             transparent: self.table.has_transparent(),
+            positional_lights: self.lights.any_positional(),
         }
     }
 
@@ -239,6 +242,7 @@ impl GpuScene {
                 world.matrix3.determinant() < 0.0,
                 material.double_sided,
                 material.alpha,
+                texture != 0,
             );
             self.classes |=
                 1 << class.index() | 1 << class.for_detail(crate::list::Detail::Box).index();

@@ -11,7 +11,7 @@ use glam::DVec3;
 
 use crate::list::Detail;
 
-/// What decides a pipeline: topology, winding, sidedness, alpha. Fewer than [`Class::COUNT`] exist.
+/// What decides a pipeline: topology, winding, sidedness, image, alpha. Fewer than [`Class::COUNT`] exist.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Class(u8);
 
@@ -28,10 +28,16 @@ pub enum Alpha {
 
 impl Class {
     /// One more than the largest index.
-    pub const COUNT: usize = 64;
+    pub const COUNT: usize = 128;
 
     /// Puts a class together. `mirrored`: the transform turns windings around.
-    pub fn new(topology: Topology, mirrored: bool, double_sided: bool, alpha: AlphaMode) -> Self {
+    pub fn new(
+        topology: Topology,
+        mirrored: bool,
+        double_sided: bool,
+        alpha: AlphaMode,
+        textured: bool,
+    ) -> Self {
         let topology = match topology {
             Topology::Triangles => 0,
             Topology::Lines => 1,
@@ -42,7 +48,13 @@ impl Class {
             AlphaMode::Mask { .. } => 1,
             AlphaMode::Blend => 2,
         };
-        Self(alpha << 4 | topology << 2 | u8::from(mirrored) << 1 | u8::from(double_sided))
+        Self(
+            alpha << 5
+                | u8::from(textured) << 4
+                | topology << 2
+                | u8::from(mirrored) << 1
+                | u8::from(double_sided),
+        )
     }
 
     /// All classes, in drawing order.
@@ -57,7 +69,7 @@ impl Class {
 
     /// The alpha mode.
     pub fn alpha(self) -> Alpha {
-        match self.0 >> 4 {
+        match self.0 >> 5 {
             0 => Alpha::Opaque,
             1 => Alpha::Mask,
             _ => Alpha::Blend,
@@ -71,6 +83,11 @@ impl Class {
             1 => Topology::Lines,
             _ => Topology::Points,
         }
+    }
+
+    /// Whether the base colour comes from an image.
+    pub fn textured(self) -> bool {
+        self.0 & 0b1_0000 != 0
     }
 
     /// Whether front faces are clockwise.

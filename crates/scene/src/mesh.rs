@@ -11,7 +11,7 @@ pub struct Mesh {
     pub name: String,
     /// Level 0 is the full geometry, each further one coarser. At least one.
     pub levels: Vec<Geometry>,
-    /// Stand-in for tests; `None` means the bounding box.
+    /// Stand-in for tests; `None` means the full geometry.
     pub proxy: Option<Geometry>,
 }
 

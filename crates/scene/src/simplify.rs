@@ -2,8 +2,9 @@
 //! (Arseny Kapoulkine; quadrics after Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997).
 
 use crate::mesh::{Geometry, Mesh, Topology};
+use glam::{DVec3, Vec3};
 use meshopt::{SimplifyOptions, VertexDataAdapter};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// How far a proxy may be simplified.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,8 +41,8 @@ impl ProxyOptions {
 }
 
 impl Mesh {
-    /// Computes the proxy from the full geometry, unless there is one already. Lines and points get none: their bounding
-    /// box stands in for them. Returns whether there is a proxy now.
+    /// Computes the proxy from the full geometry, unless there is one already. Lines and points get none: they
+    /// stand in for themselves. Returns whether there is a proxy now.
     pub fn ensure_proxy(&mut self, options: &ProxyOptions) -> bool {
         if self.proxy.is_none()
             && let Some(full) = self.full()
@@ -56,8 +57,10 @@ impl Mesh {
 }
 
 /// A stand-in for `geometry` with about [`ProxyOptions::target`] triangles and never more than the geometry has; positions
-/// and indices only. Its vertices are some of the geometry's, so it lies in the same box. It is neither inside nor outside
-/// the surface: what is tested with it is tested within [`ProxyOptions::error`]. The same input gives the same proxy.
+/// and indices only. It is neither inside nor outside the surface: what is tested with it is tested within
+/// [`ProxyOptions::error`]. A closed geometry's closed proxy is grown about its centre, half the way to the volume it lost:
+/// collapsing edges only ever cuts corners off, and what has shrunk hides too little; grown all the way it hides too much. The
+/// same input gives the same proxy.
 ///
 /// Tried in this order: vertices welded by position and edges collapsed; the simplifier that does not keep the topology;
 /// the bounding box; and the welded geometry itself when even the box has more triangles.
@@ -85,11 +88,11 @@ pub fn proxy(geometry: &Geometry, options: &ProxyOptions) -> Geometry {
         None,
     );
     if fits(&indices) {
-        return compact(&welded.positions, &indices);
+        return filled(&welded, compact(&welded.positions, &indices));
     }
     let indices = meshopt::simplify_sloppy(&welded.indices, &vertices, target * 3, 1.0, None);
     if fits(&indices) {
-        return compact(&welded.positions, &indices);
+        return filled(&welded, compact(&welded.positions, &indices));
     }
     boxed_or(geometry, welded)
 }
@@ -151,4 +154,45 @@ fn compact(positions: &[[f32; 3]], indices: &[u32]) -> Geometry {
         kept.indices.push(*name);
     }
     kept
+}
+
+/// How much a proxy may grow, side by side.
+const GROWTH_MOST: f64 = 1.2;
+
+/// The proxy of a closed geometry, grown half the way (in the logarithm) to the same volume; any other as it is.
+fn filled(full: &Geometry, mut proxy: Geometry) -> Geometry {
+    let (Some((volume, _)), Some((left, centre))) = (enclosed(full), enclosed(&proxy)) else {
+        return proxy;
+    };
+    let growth = (volume / left).powf(1.0 / 6.0).clamp(1.0, GROWTH_MOST);
+    if growth.is_finite() {
+        for position in &mut proxy.positions {
+            let grown = centre + (Vec3::from(*position).as_dvec3() - centre) * growth;
+            *position = grown.as_vec3().to_array();
+        }
+    }
+    proxy
+}
+
+/// The volume that a closed surface encloses and its centre of mass, as sums over tetrahedra from the first vertex; `None` for a surface
+/// with borders, with edges that more than two triangles share, or that encloses nothing.
+fn enclosed(geometry: &Geometry) -> Option<(f64, DVec3)> {
+    let mut edges: HashSet<(u32, u32)> = HashSet::new();
+    for [a, b, c] in geometry.triangles() {
+        for edge in [(a, b), (b, c), (c, a)] {
+            // Each edge once in each direction: taken up by its twin, or waiting for it.
+            if !edges.remove(&(edge.1, edge.0)) && !edges.insert(edge) {
+                return None;
+            }
+        }
+    }
+    let origin = Vec3::from(*geometry.positions.first()?).as_dvec3();
+    let (mut volume, mut moment) = (0.0, DVec3::ZERO);
+    for triangle in geometry.triangles() {
+        let [a, b, c] = geometry.corners(triangle)?.map(|corner| corner - origin);
+        let part = a.dot(b.cross(c)) / 6.0;
+        volume += part;
+        moment += (a + b + c) * (part / 4.0);
+    }
+    (edges.is_empty() && volume > 0.0).then(|| (volume, origin + moment / volume))
 }

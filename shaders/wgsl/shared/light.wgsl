@@ -25,6 +25,9 @@ struct Lights {
     lights: array<Light, 8>,
 }
 
+// Whether any light has a place; a constant a pipeline, so that parallel light alone needs no distances.
+override positional_lights: bool = true;
+
 @group(1) @binding(1) var<uniform> lights: Lights;
 
 fn lit(base: vec3<f32>, normal: vec3<f32>, eye: vec3<f32>, relative: vec3<f32>) -> vec3<f32> {
@@ -33,7 +36,7 @@ fn lit(base: vec3<f32>, normal: vec3<f32>, eye: vec3<f32>, relative: vec3<f32>) 
         let light = lights.lights[i];
         var towards = -light.direction;
         var strength = 1.0;
-        if light.kind != LIGHT_DIRECTIONAL {
+        if positional_lights && light.kind != LIGHT_DIRECTIONAL {
             let offset = light.position - relative;
             let distance_squared = max(dot(offset, offset), 1e-12);
             towards = offset * inverseSqrt(distance_squared);
@@ -43,13 +46,20 @@ fn lit(base: vec3<f32>, normal: vec3<f32>, eye: vec3<f32>, relative: vec3<f32>) 
                 strength *= clamp(1.0 - part * part, 0.0, 1.0);
             }
         }
-        if light.kind == LIGHT_SPOT {
+        if positional_lights && light.kind == LIGHT_SPOT {
             let cosine = dot(-towards, light.direction);
             strength *= smoothstep(light.cos_outer, light.cos_inner, cosine);
         }
         let lambert = max(dot(normal, towards), 0.0);
         let half_way = normalize(towards + eye);
-        let gloss = select(0.0, 0.12 * pow(max(dot(normal, half_way), 0.0), 32.0), lambert > 0.0);
+        // The 32nd power by squaring.
+        var shine = max(dot(normal, half_way), 0.0);
+        shine *= shine;
+        shine *= shine;
+        shine *= shine;
+        shine *= shine;
+        shine *= shine;
+        let gloss = select(0.0, 0.12 * shine, lambert > 0.0);
         sum += light.colour * strength * (base * lambert + vec3<f32>(gloss));
     }
     return sum;

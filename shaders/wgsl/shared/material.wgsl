@@ -16,7 +16,13 @@ struct Material {
 @group(2) @binding(0) var base_colour_texture: texture_2d<f32>;
 @group(2) @binding(1) var base_colour_sampler: sampler;
 
+// Whether materials have an image; a constant a pipeline, so that those without one sample nothing.
+override textured: bool = true;
+
 fn base_colour(material: Material, uv: vec2<f32>, vertex_colour: vec4<f32>) -> vec4<f32> {
+    if !textured {
+        return material.base_colour * vertex_colour;
+    }
     let place = vec3<f32>(uv, 1.0);
     let st = vec2<f32>(dot(material.uv_u, place), dot(material.uv_v, place));
     return material.base_colour * vertex_colour * textureSample(base_colour_texture, base_colour_sampler, st);

@@ -10,7 +10,8 @@ use antumbra_graph::{BufferDesc, Host};
 use antumbra_scene::Topology;
 
 use crate::candidates::Candidates;
-use crate::frame_graph::{CULL, DRAW, FrameGraph, back_to_front};
+use crate::frame_graph::{CULL, DRAW, FrameGraph};
+use crate::order::back_to_front;
 use crate::samples::outside;
 use crate::setting::{Latency, Setting, SettingError, parse};
 use crate::strategy::{DeclareError, Strategy, VisibleSet};

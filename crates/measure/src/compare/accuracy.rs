@@ -99,7 +99,7 @@ pub fn measure(
             };
             let report = stage.frame(scene, &[input])?;
             gpu.wait()?;
-            record.sync_points = record.sync_points.max(report.sync_points as u32);
+            record.sync_points = record.sync_points.max(report.sync_points);
             let verdicts = stage.verdicts(0, scene)?;
             let drawn: Vec<u32> = verdicts.drawn().collect();
             let missing = missing(&owning, &drawn);

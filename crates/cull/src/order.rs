@@ -1,0 +1,39 @@
+//! Orders of drawing: near before far, to spare fragments; far before near, to blend.
+
+use antumbra_draw::{Detail, DrawList, SceneTable, ViewFrame};
+
+/// Orders slots by the distance of their bounds' centres, nearest first, ties by slot. Each entry holds its slot in the low half and the
+/// distance above it, so that sorting is sorting whole numbers.
+pub(crate) fn front_to_back(
+    order: &mut Vec<u64>,
+    table: &SceneTable,
+    view: &ViewFrame,
+    slots: impl Iterator<Item = u32>,
+) {
+    let eye = view.camera.position;
+    order.clear();
+    order.extend(slots.map(|slot| {
+        let distance = table.bounds(slot).centre().distance_squared(eye) as f32;
+        // The bits of floats that are not negative sort as the floats do.
+        u64::from(distance.to_bits()) << 32 | u64::from(slot)
+    }));
+    order.sort_unstable();
+}
+
+/// Orders transparent entities for blending: by the distance of their bounds' centres, farthest first, ties by slot.
+pub(crate) fn back_to_front(
+    list: &mut DrawList,
+    table: &SceneTable,
+    view: &ViewFrame,
+    slots: impl Iterator<Item = u32>,
+) {
+    let eye = view.camera.position;
+    let mut order: Vec<(f64, u32)> = slots
+        .map(|slot| (table.bounds(slot).centre().distance_squared(eye), slot))
+        .collect();
+    order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    list.clear();
+    for (_, slot) in order {
+        list.push(table, slot, Detail::Level(0));
+    }
+}
