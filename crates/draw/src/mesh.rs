@@ -108,11 +108,12 @@ impl MeshArenas {
     }
 }
 
-/// Larger by a thousandth, and by what f32 can lose at these coordinates.
+/// Larger on every side by a hundredth of the largest extent, so that flat boxes get a thickness too, and by what f32 can lose at these
+/// coordinates. A rasteriser snaps each vertex for itself: a box must be wider than its contents by more than that.
 fn widened(bounds: &Aabb) -> Aabb {
-    let half = (bounds.max - bounds.min) * 0.5;
+    let largest = (bounds.max - bounds.min).max_element() * 0.5;
     let reach = bounds.min.abs().max(bounds.max.abs()).max_element();
-    let by = half * 1e-3 + DVec3::splat(reach * f64::from(f32::EPSILON) * 8.0);
+    let by = DVec3::splat(largest * 1e-2 + reach * f64::from(f32::EPSILON) * 8.0);
     Aabb {
         min: bounds.min - by,
         max: bounds.max + by,

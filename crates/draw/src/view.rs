@@ -1,6 +1,6 @@
 //! A view: a camera and the image it makes, as the host and the GPU see it.
 
-use antumbra_scene::{Camera, Frustum};
+use antumbra_scene::{Aabb, Camera, Frustum, Projection};
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
@@ -61,6 +61,24 @@ impl ViewFrame {
             pixels_wide: self.size[0] as f32,
             eye_low,
             pixels_high: self.size[1] as f32,
+        }
+    }
+
+    /// How many pixels across a sphere around these bounds is at most, as seen where its near side is; infinite from within.
+    pub fn pixels_across(&self, bounds: &Aabb) -> f64 {
+        let scale = f64::from(self.camera.projection_matrix(self.aspect()).y_axis.y)
+            * f64::from(self.size[1]);
+        let radius = bounds.half_extents().length();
+        match self.camera.projection {
+            Projection::Orthographic { .. } => radius * scale,
+            _ => {
+                let distance = bounds.centre().distance(self.camera.position) - radius;
+                if distance > 0.0 {
+                    radius * scale / distance
+                } else {
+                    f64::INFINITY
+                }
+            }
         }
     }
 

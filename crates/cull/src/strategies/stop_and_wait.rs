@@ -172,7 +172,10 @@ fn turn(
     let draw = g.unsubmitted(&view.named("to draw"));
     let ask = g.unsubmitted(&view.named("to ask about"));
     let mut node = g.graph().host_node(view.named("next"));
-    node.group(CULL).read(inputs.scene).read(verdicts);
+    node.group(CULL)
+        .read(inputs.scene)
+        .read(inputs.view)
+        .read(verdicts);
     let draw = Submitted {
         list: node.write(draw.list),
         ids: node.upload(draw.ids),
@@ -205,7 +208,7 @@ fn turn(
         pending.clear();
         pending.extend_from_slice(order.get(*asked..next).unwrap_or_default());
         *asked = next;
-        push_all(&mut ask_list, table, pending);
+        push_all(&mut ask_list, table, &*ctx.get(inputs.view)?, pending);
         ctx.upload(draw.ids, 0, bytemuck::cast_slice(draw_list.ids()))?;
         ctx.upload(ask.ids, 0, bytemuck::cast_slice(ask_list.ids()))?;
         Ok(())
@@ -252,13 +255,14 @@ fn turn(
     done
 }
 
-/// Boxes in the order of asking. A mesh that is no dearer than its box stands for itself, and so do lines and points: they cover pixels
-/// that their boxes do not.
-fn push_all(list: &mut DrawList, table: &SceneTable, slots: &[u32]) {
+/// Boxes in the order of asking. A mesh that is no dearer than its box stands for itself. So do lines and points, which cover pixels
+/// that their boxes do not, and what is small on the screen, where the box's margin is less than what a rasteriser may snap.
+fn push_all(list: &mut DrawList, table: &SceneTable, frame: &ViewFrame, slots: &[u32]) {
     list.clear();
     for slot in slots {
         let boxed = table.class_of(*slot).topology() == Topology::Triangles
-            && table.primitives_of(*slot) > BOX_TRIANGLES;
+            && table.primitives_of(*slot) > BOX_TRIANGLES
+            && frame.pixels_across(&table.bounds(*slot)) > BOX_PIXELS;
         let detail = if boxed { Detail::Box } else { Detail::Level(0) };
         list.push(table, *slot, detail);
     }
@@ -266,6 +270,9 @@ fn push_all(list: &mut DrawList, table: &SceneTable, slots: &[u32]) {
 
 /// Triangles of a box.
 const BOX_TRIANGLES: u32 = 12;
+
+/// From how many pixels on a box's margin, a hundredth of its size a side, is wide against the 1/256 of a pixel that vertices snap to.
+const BOX_PIXELS: f64 = 8.0;
 
 /// Transparent entities hide nothing, so they wait until all that is solid is drawn.
 fn submit_transparent(
