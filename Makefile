@@ -1,11 +1,14 @@
 # The verbs of this repository; `make` alone lists them. Each is one or two plain commands, to be read and run by hand as well.
 
 CARGO ?= cargo
-# Where `make demo` puts its report, and what else it is to be told: make demo ARGS="--frames 60 --stereo"
+# Where `make demo` puts its report, and what else it is to be told: make demo ARGS="--frames 60 --size 800x600"
 OUT ?= out/demo
 ARGS ?=
 # How long `make fuzz` runs, in seconds.
 FUZZ_SECONDS ?= 600
+
+# Mesa's device selection complains where there is no desktop, and is not needed: Antumbra looks at every adapter itself.
+export NODEVICE_SELECT ?= 1
 
 .DEFAULT_GOAL := help
 .PHONY: help demo test lint fmt bench data fuzz
