@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antumbra::cull::{Registry, RegistryError, Strategy};
+use antumbra::cull::{Registry, Strategy};
 use antumbra::measure::compare::Contender;
 
 use crate::args::CompareArgs;
@@ -101,21 +101,9 @@ pub fn contenders(args: &CompareArgs, entities: usize) -> Result<Contenders, Fai
             continue;
         }
         seen.push(identity);
-        let registry = Arc::clone(&registry);
-        let fallback = name.clone();
-        list.push(Contender::new(label, move || {
-            make(&registry, &spec, &fallback)
-        }));
+        list.push(Contender::of(label, &registry, &spec)?);
     }
     Ok(Contenders { list, notes })
-}
-
-/// Made once already, when the arguments were read; so the specification holds.
-fn make(registry: &Registry, spec: &str, name: &str) -> Box<dyn Strategy> {
-    registry
-        .parse(spec)
-        .or_else(|_: RegistryError| registry.make(name))
-        .unwrap_or_else(|_| Box::new(antumbra::cull::strategies::Frustum))
 }
 
 /// Two entries with the same settings are one.

@@ -79,14 +79,14 @@ impl DrawList {
         for slot in slots.clone() {
             self.starts[table.batch_of(slot) as usize + 1] += 1;
         }
-        for (batch, pair) in table.batches().iter().zip(0u32..) {
-            let at = pair as usize;
+        for (batch, number) in table.batches().iter().zip(0u32..) {
+            let at = number as usize;
             let count = self.starts[at + 1];
             let first = self.starts[at];
             self.starts[at + 1] += first;
             if count > 0 {
                 self.runs.push(Run {
-                    batch: pair,
+                    batch: number,
                     detail,
                     first,
                     count,

@@ -114,9 +114,10 @@ fn widened(bounds: &Aabb) -> Aabb {
     let largest = (bounds.max - bounds.min).max_element() * 0.5;
     let reach = bounds.min.abs().max(bounds.max.abs()).max_element();
     let by = DVec3::splat(largest * 1e-2 + reach * f64::from(f32::EPSILON) * 8.0);
+    let end = DVec3::splat(f64::from(f32::MAX));
     Aabb {
-        min: bounds.min - by,
-        max: bounds.max + by,
+        min: (bounds.min - by).max(-end),
+        max: (bounds.max + by).min(end),
     }
 }
 

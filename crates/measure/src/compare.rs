@@ -7,8 +7,9 @@
 
 use std::collections::BTreeMap;
 use std::path::Path as FilePath;
+use std::sync::Arc;
 
-use antumbra_cull::{Stage, StageOptions, Strategy, Verdict, ViewSpec};
+use antumbra_cull::{Registry, RegistryError, Stage, StageOptions, Strategy, Verdict, ViewSpec};
 use antumbra_draw::{Gpu, GpuScene};
 use antumbra_scene::Scene;
 use image::RgbaImage;
@@ -31,7 +32,8 @@ use speed::Speed;
 /// One entry of a comparison.
 pub struct Contender {
     label: String,
-    make: Box<dyn Fn() -> Box<dyn Strategy>>,
+    name: String,
+    make: Box<dyn Fn() -> Result<Box<dyn Strategy>, RegistryError>>,
 }
 
 impl Contender {
@@ -39,8 +41,30 @@ impl Contender {
     pub fn new(label: impl Into<String>, make: impl Fn() -> Box<dyn Strategy> + 'static) -> Self {
         Self {
             label: label.into(),
-            make: Box::new(make),
+            name: make().name().to_owned(),
+            make: Box::new(move || Ok(make())),
         }
+    }
+
+    /// A registered strategy by what [`Registry::parse`] takes: `name:key=value`.
+    ///
+    /// # Errors
+    /// [`RegistryError`]: what is unknown, with what is known instead.
+    pub fn of(
+        label: impl Into<String>,
+        registry: &Arc<Registry>,
+        spec: &str,
+    ) -> Result<Self, RegistryError> {
+        let (registry, spec) = (Arc::clone(registry), spec.to_owned());
+        Ok(Self {
+            label: label.into(),
+            name: registry.parse(&spec)?.name().to_owned(),
+            make: Box::new(move || registry.parse(&spec)),
+        })
+    }
+
+    fn is_yardstick(&self) -> bool {
+        matches!(self.name.as_str(), "none" | "frustum" | "ideal")
     }
 }
 
@@ -209,7 +233,7 @@ fn stage(
     };
     Ok(Stage::new(
         scene,
-        (contender.make)(),
+        (contender.make)()?,
         vec![ViewSpec::main(width, height)],
         stage_options,
     )?)
@@ -217,11 +241,9 @@ fn stage(
 
 /// Whose twin measures the noise: the first that is no yardstick, else the first.
 fn twin(contenders: &[Contender]) -> Option<usize> {
-    let yardstick =
-        |contender: &Contender| matches!((contender.make)().name(), "none" | "frustum" | "ideal");
     contenders
         .iter()
-        .position(|contender| !yardstick(contender))
+        .position(|contender| !contender.is_yardstick())
         .or((!contenders.is_empty()).then_some(0))
 }
 
@@ -239,7 +261,7 @@ fn strategy_report(
     let against = |name: &str| -> Result<Option<f64>, MeasureError> {
         let Some(other) = contenders
             .iter()
-            .position(|contender| (contender.make)().name() == name)
+            .position(|contender| contender.name == name)
         else {
             return Ok(None);
         };

@@ -94,6 +94,9 @@ pub enum MeasureError {
         /// What the plotter said.
         reason: String,
     },
+    /// There is no such strategy or setting.
+    #[error(transparent)]
+    Registry(#[from] antumbra_cull::RegistryError),
     /// A stage could not be built, or a frame failed.
     #[error(transparent)]
     Stage(#[from] antumbra_cull::StageError),

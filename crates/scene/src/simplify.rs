@@ -165,11 +165,17 @@ fn filled(full: &Geometry, mut proxy: Geometry) -> Geometry {
         return proxy;
     };
     let growth = (volume / left).powf(1.0 / 6.0).clamp(1.0, GROWTH_MOST);
-    if growth.is_finite() {
-        for position in &mut proxy.positions {
-            let grown = centre + (Vec3::from(*position).as_dvec3() - centre) * growth;
-            *position = grown.as_vec3().to_array();
-        }
+    let grown: Vec<[f32; 3]> = proxy
+        .positions
+        .iter()
+        .map(|position| {
+            let from_centre = Vec3::from(*position).as_dvec3() - centre;
+            (centre + from_centre * growth).as_vec3().to_array()
+        })
+        .collect();
+    // At the end of what f32 holds there is no room to grow.
+    if grown.as_flattened().iter().all(|value| value.is_finite()) {
+        proxy.positions = grown;
     }
     proxy
 }

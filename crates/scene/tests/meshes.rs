@@ -100,6 +100,17 @@ fn a_sphere_s_proxy_is_a_coarser_sphere() {
     assert!(volume(&coarse) > 0.97 * volume(&sphere));
 }
 
+#[test]
+fn a_proxy_at_the_end_of_f32_stays_finite() {
+    let mut huge = icosphere(4, 1.0);
+    for value in huge.positions.as_flattened_mut() {
+        *value *= 3.4e38;
+    }
+    let coarse = proxy(&huge, &ProxyOptions::default());
+    assert!(coarse.triangle_count() < huge.triangle_count());
+    assert_eq!(coarse.problem(), None);
+}
+
 /// What a closed surface encloses, as a sum over tetrahedra from the origin.
 fn volume(geometry: &Geometry) -> f64 {
     let parts = geometry.triangles().map(|triangle| {

@@ -98,6 +98,10 @@ impl Strategy for Ideal {
                 node.read(reference);
             },
             move |ctx, table, _, verdicts| {
+                // Whether an entity is outside or hidden it is not told; no sample of it is visible either way.
+                for slot in table.live_slots() {
+                    verdicts.set(slot, Verdict::Occluded);
+                }
                 for slot in ctx
                     .get(reference)?
                     .iter()
