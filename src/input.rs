@@ -19,6 +19,8 @@ pub struct Input {
     pub path: Path,
     /// Width and height of a view in pixels.
     pub size: [u32; 2],
+    /// What a built-in scene was made from; `None` for a file.
+    pub scene_seed: Option<u64>,
 }
 
 /// File endings that scenes have.
@@ -42,7 +44,7 @@ impl Input {
         let named = args.scene.as_deref().unwrap_or(default_scene);
         let size = args.size.map_or(size, |size| size.0);
         let frames = args.frames.unwrap_or(frames) as usize;
-        let mut scene = scene(named)?;
+        let (mut scene, scene_seed) = scene(named)?;
         scene.ensure_proxies(&Default::default());
         scene.update();
         let path = path(args, named, &scene, size, frames)?;
@@ -54,11 +56,13 @@ impl Input {
             name,
             path,
             size,
+            scene_seed,
         })
     }
 }
 
-fn scene(named: &str) -> Result<Scene, Failure> {
+/// The scene, and the seed of a built-in one.
+fn scene(named: &str) -> Result<(Scene, Option<u64>), Failure> {
     let file = FilePath::new(named);
     let ending = file
         .extension()
@@ -66,10 +70,11 @@ fn scene(named: &str) -> Result<Scene, Failure> {
         .unwrap_or_default()
         .to_lowercase();
     if file.is_file() || ENDINGS.contains(&ending.as_str()) {
-        return load(file, &LoadOptions::default()).map_err(|error| Failure::Load {
+        let loaded = load(file, &LoadOptions::default()).map_err(|error| Failure::Load {
             path: file.to_owned(),
             error,
         });
+        return Ok((loaded?, None));
     }
     if file.exists() || named.contains(['/', '\\']) {
         let known = ENDINGS.map(|ending| format!(".{ending}")).join(", ");
@@ -87,7 +92,8 @@ fn scene(named: &str) -> Result<Scene, Failure> {
         }
         None => (named, None),
     };
-    Ok(builtin::by_name(name, size)?)
+    let scene = builtin::by_name(name, size)?;
+    Ok((scene, Some(builtin::GridOptions::default().seed)))
 }
 
 fn path(

@@ -42,6 +42,9 @@ pub fn run(args: CompareArgs) -> Result<(), Failure> {
         .report
         .seeds
         .insert("path".to_owned(), args.view.seed);
+    if let Some(seed) = input.scene_seed {
+        comparison.report.seeds.insert("scene".to_owned(), seed);
+    }
     comparison.save(&args.out)?;
     if !args.quiet {
         let [scene, adapter] = facts(&comparison.report);

@@ -7,8 +7,8 @@ use std::sync::Arc;
 
 use antumbra_draw::passes::ViewInputs;
 use antumbra_draw::{
-    DEPTH_FORMAT, DeviceError, DrawError, Gpu, GpuLights, GpuScene, GpuView, SceneFrame, Topology,
-    ViewFrame, read_back,
+    DEPTH_FORMAT, DeviceError, DrawError, Gpu, GpuLights, GpuScene, GpuView, PassKind,
+    PassPipelines, SceneFrame, Topology, ViewFrame, read_back,
 };
 use antumbra_graph::{
     BufferDesc, Clear, CompileErrors, CompileOptions, ExecuteError, FrameReport, Graph, Host, Mode,
@@ -155,6 +155,7 @@ pub struct Stage {
 
 struct Built {
     topology: Topology,
+    pipelines: HashMap<PassKind, Arc<PassPipelines>>,
     plan: Plan,
     scene: Host<SceneFrame>,
     views: Vec<BuiltView>,
@@ -203,7 +204,7 @@ impl Stage {
             )));
         }
         let mut strategy = strategy;
-        let built = build(scene, strategy.as_mut(), &specs, &options)?;
+        let built = build(scene, strategy.as_mut(), &specs, &options, HashMap::new())?;
         let cuts = vec![0; specs.len()];
         Ok(Self {
             gpu: scene.gpu().clone(),
@@ -271,7 +272,13 @@ impl Stage {
             )));
         }
         if scene.topology() != self.built.topology {
-            self.built = build(scene, self.strategy.as_mut(), &self.specs, &self.options)?;
+            // Pipelines follow the classes alone: a scene that outgrows its buffers keeps them.
+            let pipelines = match scene.topology().classes == self.built.topology.classes {
+                true => self.built.pipelines.clone(),
+                false => HashMap::new(),
+            };
+            let strategy = self.strategy.as_mut();
+            self.built = build(scene, strategy, &self.specs, &self.options, pipelines)?;
         }
         let Built {
             plan,
@@ -362,6 +369,7 @@ fn build(
     strategy: &mut dyn Strategy,
     specs: &[ViewSpec],
     options: &StageOptions,
+    pipelines: HashMap<PassKind, Arc<PassPipelines>>,
 ) -> Result<Built, StageError> {
     let gpu = scene.gpu();
     let topology = scene.topology();
@@ -371,7 +379,7 @@ fn build(
         gpu: gpu.clone(),
         topology: topology.clone(),
         colour_format: options.colour_format,
-        pipelines: HashMap::new(),
+        pipelines,
     };
     let mut views = Vec::with_capacity(specs.len());
     for (index, spec) in specs.iter().enumerate() {
@@ -429,6 +437,7 @@ fn build(
         })?;
     Ok(Built {
         topology,
+        pipelines: shared.pipelines,
         plan,
         scene: scene_handle,
         views,
