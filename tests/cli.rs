@@ -71,6 +71,7 @@ fn a_comparison_prints_a_table_and_writes_a_report() {
 
     let report = report(&out);
     assert_eq!(report["scene"]["entities"], 64);
+    assert!(report["seeds"]["scene"].is_u64() && report["seeds"]["path"].is_u64());
     assert_eq!(report["scene"]["size"], serde_json::json!([160, 120]));
     assert!(report["noise"]["frame_time_ratio_p95"].as_f64().unwrap() >= 1.0);
     let strategies = report["strategies"].as_array().unwrap();
