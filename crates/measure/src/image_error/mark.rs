@@ -11,8 +11,7 @@ const WRONG: [u8; 3] = [255, 0, 255];
 /// it that grows with the image: shrunk to a thumbnail of 128 pixels, a single wrong pixel still
 /// shows.
 ///
-/// `mask` is a flag a pixel, row by row from the top left, as [`WrongPixels`](super::WrongPixels)
-/// has it.
+/// `mask` is a flag a pixel, row by row from the top left, as the oracle gives it.
 ///
 /// # Errors
 /// When the mask has another number of pixels than the image.
