@@ -11,6 +11,7 @@
 //! | [`draw`] | meshes on the GPU, draw lists, pipelines, passes |
 //! | [`cull`] | strategies, visible sets, sample counts, the conformance kit |
 //! | [`measure`] | camera paths, comparisons, image errors, the report |
+//! | [`subsurface`] | horizons, faults, seismic slices and lenses made into a scene |
 //!
 //! Drawing a scene under a strategy:
 //!
@@ -45,3 +46,4 @@ pub use antumbra_graph as graph;
 pub use antumbra_measure as measure;
 pub use antumbra_scene as scene;
 pub use antumbra_shaders as shaders;
+pub use antumbra_subsurface as subsurface;

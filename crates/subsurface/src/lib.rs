@@ -1,0 +1,14 @@
+//! Sub-surface models: horizons, faults, seismic slices and lenses made into a scene. Nothing here needs a GPU.
+//!
+//! The system is that of Plate, Grundhoefer, Schmidt, Froehlich, *Occlusion Culling for Sub-Surface Models in Geo-Scientific
+//! Applications*, 2004.
+//!
+//! - [`Surface`] is a horizon or a fault at full resolution, wherever it came from.
+
+mod error;
+mod surface;
+mod volume;
+
+pub use error::SubsurfaceError;
+pub use surface::{Surface, SurfaceKind};
+pub use volume::{BrickSource, VolumeLayout};
