@@ -61,6 +61,7 @@ pub struct Scene {
     dense: Dense,
     names: SecondaryMap<EntityKey, String>,
     drawables: SecondaryMap<EntityKey, Drawable>,
+    untested: SparseSecondaryMap<EntityKey, ()>,
     lights: SparseSecondaryMap<EntityKey, Light>,
     cameras: SparseSecondaryMap<EntityKey, Camera>,
     meshes: SlotMap<MeshKey, Mesh>,
@@ -101,6 +102,7 @@ impl Scene {
             dense: Dense::new(),
             names: SecondaryMap::new(),
             drawables: SecondaryMap::new(),
+            untested: SparseSecondaryMap::new(),
             lights: SparseSecondaryMap::new(),
             cameras: SparseSecondaryMap::new(),
             meshes: SlotMap::with_key(),
@@ -165,6 +167,7 @@ impl Scene {
             }
             self.names.remove(entity);
             self.drawables.remove(entity);
+            self.untested.remove(entity);
             self.lights.remove(entity);
             self.cameras.remove(entity);
             self.ledger.despawned(entity);

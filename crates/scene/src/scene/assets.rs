@@ -71,16 +71,22 @@ impl Scene {
     /// # Errors
     /// [`SceneError::BadImage`] if there are not four bytes a pixel.
     pub fn add_image(&mut self, image: Image) -> Result<ImageKey, SceneError> {
-        let expected = u64::from(image.width) * u64::from(image.height) * 4;
-        if image.rgba.len() as u64 != expected {
-            return Err(SceneError::BadImage {
-                width: image.width,
-                height: image.height,
-                expected,
-                actual: image.rgba.len(),
-            });
-        }
+        check(&image)?;
         Ok(self.images.insert(image))
+    }
+
+    /// Puts other pixels into an image, for every material that shows it.
+    ///
+    /// # Errors
+    /// As for [`Self::add_image`]; an unknown image.
+    pub fn set_image(&mut self, key: ImageKey, image: Image) -> Result<(), SceneError> {
+        check(&image)?;
+        let Some(place) = self.images.get_mut(key) else {
+            return Err(self.unknown_asset("image", &key, "a change of pixels".into()));
+        };
+        *place = image;
+        self.ledger.repainted(key);
+        Ok(())
     }
 
     /// An image.
@@ -107,4 +113,18 @@ impl Scene {
             scene: self.name.clone(),
         }
     }
+}
+
+/// Refuses an image without four bytes a pixel.
+fn check(image: &Image) -> Result<(), SceneError> {
+    let expected = u64::from(image.width) * u64::from(image.height) * 4;
+    if image.rgba.len() as u64 != expected {
+        return Err(SceneError::BadImage {
+            width: image.width,
+            height: image.height,
+            expected,
+            actual: image.rgba.len(),
+        });
+    }
+    Ok(())
 }

@@ -3,38 +3,56 @@
 use super::dense::{MOVED, NEW, SCENE};
 use super::update::{self, Moved};
 use super::{Drawable, Scene};
-use crate::keys::EntityKey;
+use crate::keys::{EntityKey, ImageKey};
 use slotmap::SecondaryMap;
 
 /// What changed among the drawable entities since the last [`Scene::update`], each list in arena order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Changes {
-    /// Became drawable, or got another mesh or material (then also in `removed`).
+    /// Became drawable, or got another mesh, material or role in tests (then also in `removed`).
     pub added: Vec<EntityKey>,
-    /// Are no longer drawable or gone, or got another mesh or material.
+    /// Are no longer drawable or gone, or got another mesh, material or role in tests.
     pub removed: Vec<EntityKey>,
     /// Were drawable and stay so, but stand elsewhere.
     pub moved: Vec<EntityKey>,
+    /// Images that hold other pixels now.
+    pub images: Vec<ImageKey>,
 }
 
 impl Changes {
     /// Whether nothing changed.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.added.is_empty() && self.removed.is_empty() && self.moved.is_empty()
+        self.added.is_empty()
+            && self.removed.is_empty()
+            && self.moved.is_empty()
+            && self.images.is_empty()
     }
+}
+
+/// How an entity is drawn and tested.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Shown {
+    drawable: Drawable,
+    tested: bool,
 }
 
 /// What the last update reported, and what may differ from it.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Ledger {
-    reported: SecondaryMap<EntityKey, Drawable>,
+    reported: SecondaryMap<EntityKey, Shown>,
     touched: Vec<EntityKey>,
     gone: Vec<EntityKey>,
+    repainted: Vec<ImageKey>,
 }
 
 impl Ledger {
-    /// The entity's drawable was set or cleared.
+    /// The image got other pixels.
+    pub(super) fn repainted(&mut self, image: ImageKey) {
+        self.repainted.push(image);
+    }
+
+    /// The entity's drawable was set or cleared, or it is tested where it was not.
     pub(super) fn touched(&mut self, entity: EntityKey) {
         self.touched.push(entity);
     }
@@ -55,15 +73,23 @@ impl Scene {
             reported,
             touched,
             gone,
+            repainted,
         } = &mut self.ledger;
         let mut changes = Changes {
             removed: std::mem::take(gone),
+            images: std::mem::take(repainted),
             ..Changes::default()
         };
         // Only who looks as before counts as moved; who looks different is removed and added.
+        let shown = |entity: EntityKey| {
+            Some(Shown {
+                drawable: *self.drawables.get(entity)?,
+                tested: !self.untested.contains_key(entity),
+            })
+        };
         let stays = |entity: EntityKey| {
-            let now = self.drawables.get(entity);
-            now.is_some() && now == reported.get(entity)
+            let now = shown(entity);
+            now.is_some() && now.as_ref() == reported.get(entity)
         };
         match moved {
             Moved::Some(slots) => {
@@ -84,7 +110,7 @@ impl Scene {
         touched.sort_unstable();
         touched.dedup();
         for entity in touched.drain(..) {
-            let now = self.drawables.get(entity).copied();
+            let now = shown(entity);
             let before = reported.get(entity).copied();
             if now == before {
                 continue;
@@ -99,6 +125,8 @@ impl Scene {
             }
         }
         changes.removed.sort_unstable();
+        changes.images.sort_unstable();
+        changes.images.dedup();
         changes
     }
 

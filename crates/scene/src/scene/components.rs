@@ -45,6 +45,28 @@ impl Scene {
         Some(had)
     }
 
+    /// Says whether an entity may be culled by a test of its visibility; every entity may until told otherwise. One that is not tested is
+    /// drawn wherever it touches the frustum, and hides what is behind it like any other.
+    ///
+    /// # Errors
+    /// An unknown entity.
+    pub fn set_tested(&mut self, entity: EntityKey, tested: bool) -> Result<(), SceneError> {
+        self.known(entity)?;
+        if tested {
+            self.untested.remove(entity);
+        } else {
+            self.untested.insert(entity, ());
+        }
+        self.ledger.touched(entity);
+        Ok(())
+    }
+
+    /// Whether the entity may be culled by a test of its visibility.
+    #[must_use]
+    pub fn is_tested(&self, entity: EntityKey) -> bool {
+        !self.untested.contains_key(entity)
+    }
+
     /// The entity's mesh and material, if it is drawable.
     #[must_use]
     pub fn drawable(&self, entity: EntityKey) -> Option<Drawable> {
