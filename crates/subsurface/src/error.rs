@@ -29,6 +29,14 @@ pub enum SubsurfaceError {
         /// What is wrong and where: byte, line, record.
         problem: String,
     },
+    /// No surface can be made of what is there.
+    #[error("surface `{surface}`: {problem}")]
+    BadSurface {
+        /// Its name.
+        surface: String,
+        /// What is wrong, and what to do.
+        problem: String,
+    },
     /// The scene refused something.
     #[error(transparent)]
     Scene(#[from] SceneError),

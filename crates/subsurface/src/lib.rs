@@ -6,9 +6,11 @@
 //! - [`Surface`] is a horizon or a fault at full resolution, wherever it came from.
 
 mod error;
+mod height_field;
 mod surface;
 mod volume;
 
 pub use error::SubsurfaceError;
+pub use height_field::HeightField;
 pub use surface::{Surface, SurfaceKind};
 pub use volume::{BrickSource, VolumeLayout};
