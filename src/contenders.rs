@@ -23,7 +23,7 @@ const STANDARD: [(&str, &str); 9] = [
     ("three-pass on-gpu", "three-pass:latency=on-gpu"),
     (
         "three-pass exact",
-        "three-pass:latency=same-frame:occluders=full:occludees=full",
+        "three-pass:latency=same-frame:threshold=0:occluders=full:occludees=full",
     ),
 ];
 

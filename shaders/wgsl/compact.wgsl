@@ -1,5 +1,5 @@
-// The on-gpu visible set: keeps those candidates of each batch whose visible samples exceed the threshold, in order,
-// and writes the batch's indirect draw. One workgroup a batch, so the order (and with it every tie) is the same each run.
+// The on-gpu visible set: keeps those candidates of each batch whose visible samples are within its bounds, in order, and
+// writes the batch's indirect draw. One workgroup a batch, so the order (and with it every tie) is the same each run.
 
 struct Batch {
     first: u32,
@@ -7,9 +7,10 @@ struct Batch {
     index_count: u32,
     first_index: u32,
     base_vertex: i32,
+    // An entity is kept with more visible samples than `over` and at most `most`.
+    over: u32,
+    most: u32,
     padding_a: u32,
-    padding_b: u32,
-    padding_c: u32,
 }
 
 struct Draw {
@@ -21,14 +22,16 @@ struct Draw {
 }
 
 struct Settings {
-    threshold: u32,
-    batches: u32,
+    // Batches.
+    count: u32,
     padding_a: u32,
     padding_b: u32,
+    padding_c: u32,
 }
 
-// A candidate that was not tested is drawn: the high bit of its entry says so.
+// A candidate that was not tested is drawn: the high bit of its entry says so. The next one says that it is drawn from another batch.
 const FORCED: u32 = 0x80000000u;
+const BARRED: u32 = 0x40000000u;
 
 @group(0) @binding(0) var<uniform> settings: Settings;
 @group(0) @binding(1) var<storage, read> batches: array<Batch>;
@@ -42,7 +45,7 @@ var<workgroup> sums: array<u32, 64>;
 @compute @workgroup_size(64)
 fn compact(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let index = group.y * groups.x + group.x;
-    if index >= settings.batches {
+    if index >= settings.count {
         return;
     }
     let batch = batches[index];
@@ -53,8 +56,10 @@ fn compact(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) gro
         var slot = 0u;
         if at < batch.count {
             let entry = candidates[batch.first + at];
-            slot = entry & ~FORCED;
-            keep = select(0u, 1u, (entry & FORCED) != 0u || counts[slot] > settings.threshold);
+            slot = entry & ~(FORCED | BARRED);
+            let samples = counts[slot];
+            let within = samples > batch.over && samples <= batch.most;
+            keep = select(0u, 1u, (entry & FORCED) != 0u || (within && (entry & BARRED) == 0u));
         }
         // Inclusive prefix sum over the workgroup (Hillis and Steele, Data Parallel Algorithms, 1986).
         sums[lane] = keep;

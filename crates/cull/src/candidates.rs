@@ -9,6 +9,7 @@ use antumbra_draw::{SceneTable, ViewFrame};
 pub struct Candidates {
     inside: Vec<u32>,
     near: Vec<u32>,
+    exempt: Vec<u32>,
     stamp: Stamp,
 }
 
@@ -32,7 +33,7 @@ impl Candidates {
         self.near.clear();
         view.frustum.cull(table.boxes(), &mut self.inside);
         self.inside.retain(|slot| table.occupant(*slot).is_some());
-        self.find_near(table, view);
+        self.find_exempt(table, view);
     }
 
     /// Takes all entities, inside the frustum or not.
@@ -43,6 +44,7 @@ impl Candidates {
         };
         self.inside.clear();
         self.near.clear();
+        self.exempt.clear();
         self.inside.extend(table.live_slots());
     }
 
@@ -56,16 +58,23 @@ impl Candidates {
         self.inside.dedup();
         let known = |slot: &u32| others.inside.binary_search(slot).is_ok();
         self.inside.retain(known);
-        self.near.clear();
         let kept = |slot: &u32| self.inside.binary_search(slot).is_ok();
+        self.near.clear();
         self.near.extend(others.near.iter().copied().filter(kept));
+        self.exempt.clear();
+        self.exempt
+            .extend(others.exempt.iter().copied().filter(kept));
     }
 
-    fn find_near(&mut self, table: &SceneTable, view: &ViewFrame) {
+    fn find_exempt(&mut self, table: &SceneTable, view: &ViewFrame) {
         let aspect = view.aspect();
         let crosses = |slot: &u32| view.camera.crosses_near(&table.bounds(*slot), aspect);
         self.near
             .extend(self.inside.iter().copied().filter(crosses));
+        let (inside, near) = (&self.inside, &self.near);
+        let exempt = |slot: &u32| !table.is_tested(*slot) || near.binary_search(slot).is_ok();
+        self.exempt.clear();
+        self.exempt.extend(inside.iter().copied().filter(exempt));
     }
 
     /// Slots in the frustum, ascending.
@@ -83,12 +92,22 @@ impl Candidates {
         self.near.binary_search(&slot).is_ok()
     }
 
+    /// Those that are drawn without a test: they reach over the near plane, or the scene says so. Ascending.
+    pub fn exempt(&self) -> &[u32] {
+        &self.exempt
+    }
+
+    /// Whether a slot is drawn without a test.
+    pub fn is_exempt(&self, slot: u32) -> bool {
+        self.exempt.binary_search(&slot).is_ok()
+    }
+
     /// Slots in the frustum that a test may judge, ascending.
     pub fn testable(&self) -> impl Iterator<Item = u32> + Clone + '_ {
         self.inside
             .iter()
             .copied()
-            .filter(|slot| !self.is_near(*slot))
+            .filter(|slot| !self.is_exempt(*slot))
     }
 
     /// When these were found.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use antumbra_draw::passes::{self, PassSpec, Submitted};
 use antumbra_draw::{
-    DEPTH_FORMAT, Detail, DrawList, Gpu, PassKind, PassPipelines, SceneTable, Topology, ViewFrame,
+    DEPTH_FORMAT, DrawList, Gpu, PassKind, PassPipelines, SceneTable, Topology, ViewFrame,
 };
 use antumbra_graph::{
     BodyError, BufferDesc, Clear, Graph, Host, HostBuilder, HostContext, LoopOptions, Texture,
@@ -236,20 +236,17 @@ impl<'g> FrameGraph<'g> {
             outside(table, &mut verdicts);
             judge(ctx, table, &frame, &mut verdicts)?;
             let mut solid = ctx.get_mut(chosen.solid.list)?;
-            solid.fill(
-                table,
-                verdicts.drawn().filter(|slot| !table.is_transparent(*slot)),
-                Detail::Level(0),
-            );
+            let verdicts = &*verdicts;
+            let drawn = |transparent| {
+                let of_kind = move |slot: &u32| table.is_transparent(*slot) == transparent;
+                let drawn = verdicts.drawn().filter(of_kind);
+                drawn.map(|slot| (slot, verdicts.level(slot)))
+            };
+            solid.fill_levels(table, drawn(false), verdicts.levels());
             ctx.upload(chosen.solid.ids, 0, bytemuck::cast_slice(solid.ids()))?;
             if let Some(blended) = chosen.blended {
                 let mut list = ctx.get_mut(blended.list)?;
-                back_to_front(
-                    &mut list,
-                    table,
-                    &frame,
-                    verdicts.drawn().filter(|slot| table.is_transparent(*slot)),
-                );
+                back_to_front(&mut list, table, &frame, drawn(true));
                 ctx.upload(blended.ids, 0, bytemuck::cast_slice(list.ids()))?;
             }
             Ok(())

@@ -27,7 +27,7 @@ pub use counting::{Counting, Counts, Proxies};
 pub use frame_graph::{CULL, Chosen, DRAW, FrameGraph};
 pub use oracle::{IdImage, Members, Oracle, Transparent};
 pub use registry::{Registry, RegistryError};
-pub use samples::{CountLayout, Samples, outside};
+pub use samples::{CountLayout, SampleRule, Samples, outside};
 pub use setting::{LATENCY_RANGE, Latency, Setting, SettingError, parse};
 pub use stage::{ImportedTargets, Stage, StageError, StageOptions, ViewInput, ViewSpec};
 pub use strategy::{DeclareError, Strategy, VisibleSet};

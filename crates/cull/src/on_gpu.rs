@@ -1,6 +1,6 @@
 //! The on-gpu way: a compute node keeps the visible of each batch and writes its indirect draw. Neither stall nor delay.
 
-use antumbra_draw::passes::{self, Indirect, Submitted};
+use antumbra_draw::passes::{self, Indirect};
 use antumbra_draw::{Detail, DrawList, INDIRECT_DRAW_BYTES, SceneTable};
 use antumbra_graph::{Bind, Buffer, BufferDesc, Host};
 use antumbra_shaders::assert_layout;
@@ -10,7 +10,7 @@ use crate::candidates::{Asked, Candidates};
 use crate::counting::{ComputePipeline, Counts};
 use crate::frame_graph::{CULL, DRAW, FrameGraph};
 use crate::order::back_to_front;
-use crate::samples::CountLayout;
+use crate::samples::{CountLayout, SampleRule};
 use crate::strategy::{VerdictSource, VisibleSet};
 use crate::view_nodes::ViewNodes;
 
@@ -23,26 +23,39 @@ struct GpuRun {
     index_count: u32,
     first_index: u32,
     base_vertex: i32,
+    over: u32,
+    most: u32,
     padding_a: u32,
-    padding_b: u32,
-    padding_c: u32,
 }
 
 /// Mirrors `Settings` of `compact.wgsl` and `scatter.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
 struct GpuSettings {
-    threshold: u32,
-    batches: u32,
+    count: u32,
     padding_a: u32,
     padding_b: u32,
+    padding_c: u32,
 }
 
-assert_layout!(GpuRun, "compact", "Batch", { first, count, index_count, first_index, base_vertex, padding_a, padding_b, padding_c });
-assert_layout!(GpuSettings, "compact", "Settings", { threshold, batches, padding_a, padding_b });
+assert_layout!(GpuRun, "compact", "Batch", { first, count, index_count, first_index, base_vertex, over, most, padding_a });
+assert_layout!(GpuSettings, "compact", "Settings", { count, padding_a, padding_b, padding_c });
 
 /// Marks a candidate that is drawn whatever its count.
 const FORCED: u32 = 0x8000_0000;
+/// Marks a candidate that is not drawn whatever its count: it is in another run.
+const BARRED: u32 = 0x4000_0000;
+
+impl GpuSettings {
+    fn counting(count: usize) -> Self {
+        Self {
+            count: count as u32,
+            padding_a: 0,
+            padding_b: 0,
+            padding_c: 0,
+        }
+    }
+}
 
 /// Candidates laid out for the compaction.
 #[derive(Debug, Clone, Copy)]
@@ -53,6 +66,8 @@ struct Layout {
     settings: Buffer,
     /// Runs there is room for.
     most: u32,
+    /// Bytes of `entries`, and of what is kept of them.
+    entry_bytes: u64,
 }
 
 impl FrameGraph<'_> {
@@ -61,18 +76,18 @@ impl FrameGraph<'_> {
         view: &mut ViewNodes,
         candidates: Host<Candidates>,
         counts: Counts,
-        threshold: u32,
+        rule: SampleRule,
     ) -> VisibleSet {
         let by_slot = match counts.layout {
             CountLayout::BySlot => counts.buffer,
             CountLayout::ByQuery => self.scatter(view, counts),
         };
         let among = (candidates, counts.asked);
-        let solid = self.layout(view, "candidates", among, threshold, false);
+        let solid = self.layout(view, "candidates", among, rule, false);
         let solid = self.compact(view, "visible set", solid, by_slot);
         self.shade_indirect(view, "shaded", solid);
         if self.topology().transparent {
-            let blended = self.layout(view, "transparent candidates", among, threshold, true);
+            let blended = self.layout(view, "transparent candidates", among, rule, true);
             let blended = self.compact(view, "visible transparent set", blended, by_slot);
             self.shade_indirect(view, "transparent", blended);
         }
@@ -82,7 +97,7 @@ impl FrameGraph<'_> {
                 asked: counts.asked,
                 counts: by_slot,
                 layout: CountLayout::BySlot,
-                threshold,
+                rule,
             },
         }
     }
@@ -93,17 +108,27 @@ impl FrameGraph<'_> {
         view: &ViewNodes,
         name: &str,
         (candidates, asked): (Host<Candidates>, Host<Asked>),
-        threshold: u32,
+        rule: SampleRule,
         transparent: bool,
     ) -> Layout {
         let inputs = view.inputs();
-        let Submitted { list, ids: entries } = self.unsubmitted(&view.named(name));
         // Back to front, neighbours seldom share a batch: as many runs as slots at worst.
+        let levels = if rule.coarser > 0 && !transparent {
+            SampleRule::LEVELS
+        } else {
+            1
+        };
         let most = if transparent {
             self.topology().slots.max(1)
         } else {
-            self.topology().batches
+            self.topology().batches * u32::from(levels)
         };
+        let list = self.graph().host::<DrawList>(view.named(name));
+        let entry_bytes = self.slot_bytes() * u64::from(levels);
+        let entries = self.graph().buffer(
+            view.named(&format!("{name}: slots")),
+            BufferDesc::new(entry_bytes),
+        );
         let run_bytes = u64::from(most) * size_of::<GpuRun>() as u64;
         let runs = self.graph().buffer(
             view.named(&format!("{name}: runs")),
@@ -127,6 +152,7 @@ impl FrameGraph<'_> {
             runs: node.upload(runs),
             settings: node.upload(settings),
             most,
+            entry_bytes,
         };
         node.run(move |ctx| {
             let (scene, candidates) = (ctx.get(inputs.scene)?, ctx.get(candidates)?);
@@ -139,28 +165,36 @@ impl FrameGraph<'_> {
                 .filter(|slot| table.is_transparent(*slot) == transparent);
             let mut list = ctx.get_mut(layout.list)?;
             if transparent {
-                back_to_front(&mut list, table, &*ctx.get(inputs.view)?, members);
+                let draw = members.map(|slot| (slot, 0));
+                back_to_front(&mut list, table, &*ctx.get(inputs.view)?, draw);
+            } else if levels > 1 {
+                // Each level of a batch is a run of its own, with all that may come to it; the counts decide to which.
+                let every = members.flat_map(|slot| {
+                    let own = table.levels_of(slot).min(levels);
+                    (0..own).map(move |level| (slot, level))
+                });
+                list.fill_levels(table, every, levels);
             } else {
                 list.fill(table, members, Detail::Level(0));
             }
-            let entries: Vec<u32> = list
-                .ids()
-                .iter()
-                .map(|slot| {
-                    if candidates.is_near(*slot) || unasked.binary_search(slot).is_ok() {
-                        slot | FORCED
-                    } else {
-                        *slot
+            let forced =
+                |slot: u32| candidates.is_exempt(slot) || unasked.binary_search(&slot).is_ok();
+            let mut entries: Vec<u32> = list.ids().to_vec();
+            let mut runs: Vec<GpuRun> = Vec::with_capacity(list.runs().len());
+            for run in list.runs() {
+                runs.push(gpu_run(table, run, rule, levels));
+                let mark = match run.detail {
+                    Detail::Level(0) => FORCED,
+                    _ => BARRED,
+                };
+                let part = run.first as usize..(run.first + run.count) as usize;
+                for entry in entries.get_mut(part).unwrap_or_default() {
+                    if forced(*entry) {
+                        *entry |= mark;
                     }
-                })
-                .collect();
-            let runs: Vec<GpuRun> = list.runs().iter().map(|run| gpu_run(table, run)).collect();
-            let settings = GpuSettings {
-                threshold,
-                batches: runs.len() as u32,
-                padding_a: 0,
-                padding_b: 0,
-            };
+                }
+            }
+            let settings = GpuSettings::counting(runs.len());
             ctx.upload(layout.entries, 0, bytemuck::cast_slice(&entries))?;
             ctx.upload(layout.runs, 0, bytemuck::cast_slice(&runs))?;
             ctx.upload(layout.settings, 0, bytemuck::bytes_of(&settings))?;
@@ -178,10 +212,9 @@ impl FrameGraph<'_> {
     ) -> Indirect {
         let pipeline =
             ComputePipeline::new(self.gpu(), &antumbra_shaders::jobs::compact::JOB, "compact");
-        let bytes = self.slot_bytes();
         let ids = self.graph().buffer(
             view.named(&format!("{name}: kept slots")),
-            BufferDesc::new(bytes),
+            BufferDesc::new(layout.entry_bytes),
         );
         let draws = self.graph().buffer(
             view.named(&format!("{name}: draws")),
@@ -255,13 +288,7 @@ impl FrameGraph<'_> {
         let (asked, settings) = (node.upload(asked), node.upload(settings));
         node.run(move |ctx| {
             let slots = ctx.get(counts.asked)?;
-            // The first word is the number of queries in this shader's settings.
-            let number = GpuSettings {
-                threshold: slots.slots.len() as u32,
-                batches: 0,
-                padding_a: 0,
-                padding_b: 0,
-            };
+            let number = GpuSettings::counting(slots.slots.len());
             ctx.upload(asked, 0, bytemuck::cast_slice(&slots.slots))?;
             ctx.upload(settings, 0, bytemuck::bytes_of(&number))?;
             Ok(())
@@ -309,7 +336,18 @@ fn unasked(candidates: &Candidates, asked: &Asked) -> Vec<u32> {
         .collect()
 }
 
-fn gpu_run(table: &SceneTable, run: &antumbra_draw::Run) -> GpuRun {
+/// The visible samples that bring an entity into a run of a list of so many levels: more than the first, at most the second.
+fn earns(table: &SceneTable, run: &antumbra_draw::Run, rule: SampleRule, levels: u8) -> (u32, u32) {
+    let Detail::Level(level) = run.detail else {
+        return (rule.threshold, u32::MAX);
+    };
+    let has_coarser = level + 1 < table.batch_levels(run.batch).min(levels);
+    let over = if has_coarser { rule.most(level + 1) } else { 0 };
+    (over.max(rule.threshold), rule.most(level))
+}
+
+fn gpu_run(table: &SceneTable, run: &antumbra_draw::Run, rule: SampleRule, levels: u8) -> GpuRun {
+    let (over, most) = earns(table, run, rule, levels);
     let range = table
         .batches()
         .get(run.batch as usize)
@@ -321,8 +359,8 @@ fn gpu_run(table: &SceneTable, run: &antumbra_draw::Run) -> GpuRun {
         index_count: range.index_count,
         first_index: range.first_index,
         base_vertex: range.base_vertex,
+        over,
+        most,
         padding_a: 0,
-        padding_b: 0,
-        padding_c: 0,
     }
 }

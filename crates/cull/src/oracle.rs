@@ -12,8 +12,8 @@ use std::sync::Arc;
 
 use antumbra_draw::passes::{self, PassSpec, Submitted, ViewInputs};
 use antumbra_draw::{
-    Alpha, DEPTH_FORMAT, Detail, DrawList, Gpu, GpuLights, GpuScene, GpuView, IDENTITY_FORMAT,
-    PassKind, PassPipelines, SceneFrame, SceneTable, Topology, ViewFrame,
+    Alpha, DEPTH_FORMAT, DrawList, Gpu, GpuLights, GpuScene, GpuView, IDENTITY_FORMAT, PassKind,
+    PassPipelines, SceneFrame, SceneTable, Topology, ViewFrame,
 };
 use antumbra_graph::{
     Buffer, BufferDesc, Clear, CompileOptions, Graph, Host, HostBuilder, Plan, Texture, TextureDesc,
@@ -22,6 +22,7 @@ use antumbra_scene::Camera;
 
 use crate::candidates::Candidates;
 use crate::stage::StageError;
+use crate::verdict::Verdicts;
 use image::Padded;
 
 /// What the oracle is to draw.
@@ -29,8 +30,10 @@ use image::Padded;
 pub enum Members<'a> {
     /// Everything in the frustum: the reference.
     Frustum,
-    /// These slots, in any order; those that are free are left out. What a strategy drew, say.
+    /// These slots, in any order; those that are free are left out.
     Slots(&'a [u32]),
+    /// What these verdicts draw, at their levels of detail: what a strategy drew, in the reference's order.
+    Drawn(&'a Verdicts),
 }
 
 /// Says who owns each pixel. One plan for as long as the scene's topology holds; made at the first look.
@@ -52,7 +55,7 @@ struct Built {
 /// [`Members`], as it travels into the graph.
 enum Wanted {
     Frustum,
-    Slots(Vec<u32>),
+    Slots(Vec<u32>, Verdicts),
 }
 
 /// The lists under declaration.
@@ -110,7 +113,8 @@ impl Oracle {
         let built = self.built.insert(current);
         let wanted = match members {
             Members::Frustum => Wanted::Frustum,
-            Members::Slots(slots) => Wanted::Slots(slots.to_vec()),
+            Members::Slots(slots) => Wanted::Slots(slots.to_vec(), Verdicts::default()),
+            Members::Drawn(verdicts) => Wanted::Slots(verdicts.drawn().collect(), verdicts.clone()),
         };
         let plan = &mut built.plan;
         plan.set(built.scene, scene.frame())?;
@@ -194,20 +198,24 @@ fn submit(
         let table = &scene.table;
         ctx.upload(uniform, 0, bytemuck::bytes_of(&frame.uniform()))?;
         let wanted = ctx.get(wanted)?;
-        let members = match &*wanted {
+        let in_full = Verdicts::default();
+        let (members, verdicts) = match &*wanted {
             Wanted::Frustum => {
                 candidates.find(table, &frame);
-                candidates.inside()
+                (candidates.inside(), &in_full)
             }
-            Wanted::Slots(slots) => slots,
+            Wanted::Slots(slots, verdicts) => (slots.as_slice(), verdicts),
         };
-        let of = |transparent: bool| chosen(table, members, transparent);
+        let of = |transparent: bool| {
+            chosen(table, members, transparent).map(|slot| (slot, verdicts.level(slot)))
+        };
+        let levels = verdicts.levels();
         let mut list = ctx.get_mut(solid.list)?;
-        list.fill(table, of(false), Detail::Level(0));
+        list.fill_levels(table, of(false), levels);
         ctx.upload(solid.ids, 0, bytemuck::cast_slice(list.ids()))?;
         if let Some(blended) = blended {
             let mut list = ctx.get_mut(blended.list)?;
-            list.fill(table, of(true), Detail::Level(0));
+            list.fill_levels(table, of(true), levels);
             ctx.upload(blended.ids, 0, bytemuck::cast_slice(list.ids()))?;
         }
         Ok(())

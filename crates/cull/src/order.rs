@@ -20,20 +20,27 @@ pub(crate) fn front_to_back(
     order.sort_unstable();
 }
 
-/// Orders transparent entities for blending: by the distance of their bounds' centres, farthest first, ties by slot.
+/// Orders transparent entities for blending: by the distance of their bounds' centres, farthest first, ties by slot. Each comes with its
+/// level of detail.
 pub(crate) fn back_to_front(
     list: &mut DrawList,
     table: &SceneTable,
     view: &ViewFrame,
-    slots: impl Iterator<Item = u32>,
+    slots: impl Iterator<Item = (u32, u8)>,
 ) {
     let eye = view.camera.position;
-    let mut order: Vec<(f64, u32)> = slots
-        .map(|slot| (table.bounds(slot).centre().distance_squared(eye), slot))
+    let mut order: Vec<(f64, u32, u8)> = slots
+        .map(|(slot, level)| {
+            (
+                table.bounds(slot).centre().distance_squared(eye),
+                slot,
+                level,
+            )
+        })
         .collect();
     order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     list.clear();
-    for (_, slot) in order {
-        list.push(table, slot, Detail::Level(0));
+    for (_, slot, level) in order {
+        list.push(table, slot, Detail::Level(level));
     }
 }

@@ -22,6 +22,47 @@ pub struct Samples {
     questions: u32,
 }
 
+/// What a count of visible samples earns an entity.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct SampleRule {
+    /// It is drawn when its visible samples exceed this.
+    pub threshold: u32,
+    /// With at most this many it is drawn one level of detail coarser, with at most a quarter of them two, a sixteenth three;
+    /// 0: whatever is drawn is drawn in full. What is blended always is.
+    pub coarser: u32,
+}
+
+impl SampleRule {
+    /// Levels of detail that a rule may choose from.
+    pub const LEVELS: u8 = 4;
+
+    /// The level that a count of visible samples earns.
+    pub fn level(self, samples: u32) -> u8 {
+        (0..Self::LEVELS)
+            .rev()
+            .find(|level| samples <= self.most(*level))
+            .unwrap_or(0)
+    }
+
+    /// The most samples that earn this level or a coarser one.
+    pub fn most(self, level: u8) -> u32 {
+        match level {
+            0 => u32::MAX,
+            _ => self.coarser >> (2 * (u32::from(level) - 1)).min(31),
+        }
+    }
+}
+
+impl From<u32> for SampleRule {
+    /// A threshold alone: whatever is drawn is drawn in full.
+    fn from(threshold: u32) -> Self {
+        Self {
+            threshold,
+            coarser: 0,
+        }
+    }
+}
+
 /// Stands for a slot that was not asked about.
 const NOT_ASKED: u32 = u32::MAX;
 
@@ -60,12 +101,12 @@ impl Samples {
             .filter(|count| *count != NOT_ASKED)
     }
 
-    /// Judges every entity: what has no trustworthy answer is drawn.
+    /// Judges every entity: what has no trustworthy answer is drawn, and in full.
     pub fn judge(
         &self,
         table: &SceneTable,
         candidates: &Candidates,
-        threshold: u32,
+        rule: SampleRule,
         verdicts: &mut Verdicts,
     ) {
         outside(table, verdicts);
@@ -79,9 +120,21 @@ impl Samples {
             let verdict = match (asked, self.get(*slot)) {
                 _ if candidates.is_near(*slot) => Verdict::Untested,
                 (Some(asked), _) if born > asked.epoch => Verdict::New,
+                (Some(_), count) if !table.is_tested(*slot) => {
+                    if count == Some(0) {
+                        verdicts.note_hidden(*slot);
+                    }
+                    Verdict::Untested
+                }
                 (Some(_), Some(0)) => Verdict::Occluded,
-                (Some(_), Some(count)) if count <= threshold => Verdict::BelowThreshold,
-                (Some(_), Some(_)) => Verdict::Visible,
+                (Some(_), Some(count)) if count <= rule.threshold => Verdict::BelowThreshold,
+                (Some(_), Some(count)) => {
+                    if rule.coarser > 0 && !table.is_transparent(*slot) {
+                        verdicts
+                            .set_level(*slot, rule.level(count).min(table.levels_of(*slot) - 1));
+                    }
+                    Verdict::Visible
+                }
                 _ => Verdict::Untested,
             };
             verdicts.set(*slot, verdict);

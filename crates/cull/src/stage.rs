@@ -349,7 +349,7 @@ impl Stage {
                 asked,
                 counts,
                 layout,
-                threshold,
+                rule,
             } => {
                 let candidates = plan.get(candidates).ok_or_else(missing)?;
                 let asked: &Asked = plan.get(asked).ok_or_else(missing)?;
@@ -357,7 +357,7 @@ impl Stage {
                 let mut samples = Samples::default();
                 samples.take(asked, layout, &bytes);
                 let mut verdicts = Verdicts::default();
-                samples.judge(scene.table(), candidates, threshold, &mut verdicts);
+                samples.judge(scene.table(), candidates, rule, &mut verdicts);
                 Ok(verdicts)
             }
         }

@@ -117,13 +117,13 @@ pub struct VisibleSet {
 pub(crate) enum VerdictSource {
     /// On the host.
     Host(Host<Verdicts>),
-    /// On the GPU: they follow from the counts, the candidates and the threshold.
+    /// On the GPU: they follow from the counts, the candidates and the rule.
     Gpu {
         candidates: Host<Candidates>,
         asked: Host<crate::Asked>,
         counts: Buffer,
         layout: crate::CountLayout,
-        threshold: u32,
+        rule: crate::SampleRule,
     },
 }
 

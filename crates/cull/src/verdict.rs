@@ -15,7 +15,7 @@ pub enum Verdict {
     BelowThreshold,
     /// More samples passed than the threshold. Drawn.
     Visible,
-    /// No answer about it from this camera cut, or it reaches over the near plane. Drawn.
+    /// No answer about it from this camera cut, it reaches over the near plane, or the scene says that it is not tested. Drawn.
     Untested,
     /// It came after the answer was asked for. Drawn.
     New,
@@ -55,6 +55,10 @@ impl Verdict {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Verdicts {
     of: Vec<Verdict>,
+    /// By slot as far as it reaches; level 0 beyond.
+    levels: Vec<u8>,
+    /// Drawn, though no sample was visible; ascending.
+    hidden: Vec<u32>,
     asked: u32,
 }
 
@@ -63,6 +67,8 @@ impl Verdicts {
     pub fn reset(&mut self, slots: u32, verdict: Verdict) {
         self.of.clear();
         self.of.resize(slots as usize, verdict);
+        self.levels.clear();
+        self.hidden.clear();
         self.asked = 0;
     }
 
@@ -86,6 +92,40 @@ impl Verdicts {
     /// One slot's verdict; [`Verdict::Absent`] beyond the end.
     pub fn get(&self, slot: u32) -> Verdict {
         self.of.get(slot as usize).copied().unwrap_or_default()
+    }
+
+    /// Has a slot drawn at a level of detail; 0 is the full mesh, and what is drawn where nobody says otherwise.
+    pub fn set_level(&mut self, slot: u32, level: u8) {
+        let at = slot as usize;
+        if at < self.of.len() && (level > 0 || at < self.levels.len()) {
+            if at >= self.levels.len() {
+                self.levels.resize(at + 1, 0);
+            }
+            self.levels[at] = level;
+        }
+    }
+
+    /// The level of detail a slot is drawn at.
+    pub fn level(&self, slot: u32) -> u8 {
+        self.levels.get(slot as usize).copied().unwrap_or(0)
+    }
+
+    /// Levels of detail in use: one more than the coarsest.
+    pub fn levels(&self) -> u8 {
+        self.levels
+            .iter()
+            .max()
+            .map_or(1, |most| most.saturating_add(1))
+    }
+
+    /// Notes that a slot is drawn for reasons of its own though a test found no sample of it. Slots come in ascending order.
+    pub fn note_hidden(&mut self, slot: u32) {
+        self.hidden.push(slot);
+    }
+
+    /// Whether a test found no sample of a slot, be it drawn or not: what it would show need not be fetched.
+    pub fn is_hidden(&self, slot: u32) -> bool {
+        self.get(slot) == Verdict::Occluded || self.hidden.binary_search(&slot).is_ok()
     }
 
     /// Slots that are drawn, ascending.

@@ -5,25 +5,26 @@ use antumbra_graph::Host;
 use crate::candidates::Candidates;
 use crate::counting::Counts;
 use crate::frame_graph::{CULL, FrameGraph};
-use crate::samples::Samples;
+use crate::samples::{SampleRule, Samples};
 use crate::setting::Latency;
 use crate::strategy::VisibleSet;
 use crate::view_nodes::ViewNodes;
 
 impl FrameGraph<'_> {
-    /// Shades what has more visible samples than `threshold`, by answers of the given latency.
+    /// Shades what the rule (a threshold alone, or more) makes of each entity's visible samples, by answers of the given latency.
     pub fn visible_samples(
         &mut self,
         view: &mut ViewNodes,
         candidates: Host<Candidates>,
         counts: Counts,
         latency: Latency,
-        threshold: u32,
+        rule: impl Into<SampleRule>,
     ) -> VisibleSet {
+        let rule = rule.into();
         match latency {
-            Latency::FrameLate => self.visible_late(view, candidates, counts, threshold),
-            Latency::SameFrame => self.visible_now(view, candidates, counts, threshold),
-            Latency::OnGpu => self.visible_on_gpu(view, candidates, counts, threshold),
+            Latency::FrameLate => self.visible_late(view, candidates, counts, rule),
+            Latency::SameFrame => self.visible_now(view, candidates, counts, rule),
+            Latency::OnGpu => self.visible_on_gpu(view, candidates, counts, rule),
         }
     }
 
@@ -33,7 +34,7 @@ impl FrameGraph<'_> {
         view: &mut ViewNodes,
         candidates: Host<Candidates>,
         counts: Counts,
-        threshold: u32,
+        rule: SampleRule,
     ) -> VisibleSet {
         let samples = self.graph().host::<Samples>(view.named("latest samples"));
         let mut node = self.graph().host_node(view.named("read late"));
@@ -54,7 +55,7 @@ impl FrameGraph<'_> {
             },
             move |ctx, table, _, verdicts| {
                 ctx.get(samples)?
-                    .judge(table, &*ctx.get(candidates)?, threshold, verdicts);
+                    .judge(table, &*ctx.get(candidates)?, rule, verdicts);
                 Ok(())
             },
         );
@@ -67,7 +68,7 @@ impl FrameGraph<'_> {
         view: &mut ViewNodes,
         candidates: Host<Candidates>,
         counts: Counts,
-        threshold: u32,
+        rule: SampleRule,
     ) -> VisibleSet {
         let mut samples = Samples::default();
         let chosen = self.choose(
@@ -83,7 +84,7 @@ impl FrameGraph<'_> {
                     counts.layout,
                     ctx.bytes(counts.buffer)?,
                 );
-                samples.judge(table, &*ctx.get(candidates)?, threshold, verdicts);
+                samples.judge(table, &*ctx.get(candidates)?, rule, verdicts);
                 Ok(())
             },
         );

@@ -79,7 +79,7 @@ fn each_latency_waits_as_often_as_it_says() {
         for way in ["queries", "atomics", "compare", "identity"] {
             for (latency, waits) in [(LATE, 0), (NOW, 1), (ON_GPU, 0)] {
                 for views in [&["main"][..], &["left", "right"]] {
-                    let text = format!("{latency}:counting={way}");
+                    let text = format!("{latency}:counting={way}:threshold=0");
                     let mut stage = stage(&scene, &text, views);
                     assert_eq!(stage.plan().sync_points(), waits, "{text} {views:?}");
                     let inputs = vec![ViewInput::new(camera()); views.len()];

@@ -97,8 +97,7 @@ fn a_setting_without_a_value_is_refused() {
 #[test]
 fn what_a_strategy_says_of_itself_sets_it_again() {
     let registry = Registry::built_in();
-    let changed =
-        "three-pass:latency=on-gpu:counting=compare:threshold=7:occluders=full:scale=0.25";
+    let changed = "three-pass:latency=on-gpu:counting=compare:threshold=7:coarser=90:occluders=full:scale=0.25";
     for text in registry.names().chain([changed, "stop-and-wait:batch=9"]) {
         let strategy = registry.parse(text).unwrap();
         let mut again = registry.make(strategy.name()).unwrap();
@@ -113,7 +112,7 @@ fn what_a_strategy_says_of_itself_sets_it_again() {
 fn queries_do_not_count() {
     let words = conflict("three-pass:counting=queries:threshold=2");
     assert!(
-        words.contains("threshold to 0") && words.contains("counting to auto"),
+        words.contains("set threshold and coarser to 0") && words.contains("counting to auto"),
         "{words}"
     );
 }

@@ -73,32 +73,57 @@ impl DrawList {
     where
         I: Iterator<Item = u32> + Clone,
     {
+        self.sort(table, slots.map(|slot| (slot, 0)), 1, |_| detail);
+    }
+
+    /// As [`Self::fill`], each slot at a level of detail of its own, below `levels`: in the order of batch, level, slot.
+    pub fn fill_levels<I>(&mut self, table: &SceneTable, slots: I, levels: u8)
+    where
+        I: Iterator<Item = (u32, u8)> + Clone,
+    {
+        let levels = levels.max(1);
+        let slots = slots.map(|(slot, level)| (slot, u32::from(level.min(levels - 1))));
+        self.sort(table, slots, u32::from(levels), |part| {
+            Detail::Level(part as u8)
+        });
+    }
+
+    /// Sorts by batch and, within it, by one of `parts`.
+    fn sort<I>(&mut self, table: &SceneTable, slots: I, parts: u32, detail: impl Fn(u32) -> Detail)
+    where
+        I: Iterator<Item = (u32, u32)> + Clone,
+    {
+        let place = |slot: u32, part: u32| (table.batch_of(slot) * parts + part) as usize;
         self.clear();
         self.starts.clear();
-        self.starts.resize(table.batches().len() + 1, 0);
-        for slot in slots.clone() {
-            self.starts[table.batch_of(slot) as usize + 1] += 1;
+        self.starts
+            .resize(table.batches().len() * parts as usize + 1, 0);
+        for (slot, part) in slots.clone() {
+            self.starts[place(slot, part) + 1] += 1;
         }
+        let mut first = 0;
         for (batch, number) in table.batches().iter().zip(0u32..) {
-            let at = number as usize;
-            let count = self.starts[at + 1];
-            let first = self.starts[at];
-            self.starts[at + 1] += first;
-            if count > 0 {
-                self.runs.push(Run {
-                    batch: number,
-                    detail,
-                    first,
-                    count,
-                });
-                self.primitives +=
-                    u64::from(count) * u64::from(table.range(batch.mesh, detail).primitives());
+            for part in 0..parts {
+                let end = &mut self.starts[(number * parts + part) as usize + 1];
+                let count = *end;
+                *end += first;
+                if count > 0 {
+                    let detail = detail(part);
+                    self.runs.push(Run {
+                        batch: number,
+                        detail,
+                        first,
+                        count,
+                    });
+                    self.primitives +=
+                        u64::from(count) * u64::from(table.range(batch.mesh, detail).primitives());
+                }
+                first += count;
             }
         }
-        self.ids
-            .resize(self.starts.last().copied().unwrap_or(0) as usize, 0);
-        for slot in slots {
-            let start = &mut self.starts[table.batch_of(slot) as usize];
+        self.ids.resize(first as usize, 0);
+        for (slot, part) in slots {
+            let start = &mut self.starts[place(slot, part)];
             self.ids[*start as usize] = slot;
             *start += 1;
         }

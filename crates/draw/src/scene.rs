@@ -126,6 +126,7 @@ impl GpuScene {
     /// As for [`Self::new`].
     pub fn sync(&mut self, scene: &mut Scene) -> Result<(), DrawError> {
         let changes = scene.update();
+        self.repaint(scene, &changes.images)?;
         self.apply(scene, &changes.removed, &changes.added, &changes.moved)
     }
 
@@ -261,6 +262,7 @@ impl GpuScene {
                     texture,
                     mesh: mesh_number,
                 },
+                scene.is_tested(*key),
                 &mut self.batch_index,
             );
             self.slot_of.insert(*key, slot);
@@ -332,6 +334,22 @@ impl GpuScene {
         Arc::make_mut(&mut self.textures).push(bound);
         self.texture_index.insert(key, number as u32);
         Ok(number as u32)
+    }
+
+    /// Uploads images anew that changed since they were uploaded.
+    fn repaint(&mut self, scene: &Scene, images: &[ImageKey]) -> Result<(), DrawError> {
+        for key in images {
+            let (Some(number), Some(image)) = (self.texture_index.get(*key), scene.image(*key))
+            else {
+                continue;
+            };
+            let number = *number as usize;
+            let bound = texture::upload(&self.gpu, &self.texture_layout, image, number)?;
+            if let Some(place) = Arc::make_mut(&mut self.textures).get_mut(number) {
+                *place = bound;
+            }
+        }
+        Ok(())
     }
 
     /// Writes the changed instances, neighbours together.

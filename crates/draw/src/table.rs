@@ -171,6 +171,7 @@ pub struct SceneTable {
     occupants: Vec<Option<Occupant>>,
     boxes: BoxArray,
     batch_of: Vec<u32>,
+    untested: Vec<bool>,
     batches: Vec<Batch>,
     meshes: Vec<MeshRanges>,
     epoch: u64,
@@ -269,13 +270,29 @@ impl SceneTable {
         }
     }
 
-    /// Triangles of an entity's full mesh.
-    pub fn primitives_of(&self, slot: u32) -> u32 {
-        self.range(
-            self.batches[self.batch_of(slot) as usize].mesh,
-            Detail::Level(0),
-        )
-        .primitives()
+    /// Triangles (or lines, or points) of an entity in some detail.
+    pub fn primitives_of(&self, slot: u32, detail: Detail) -> u32 {
+        self.range(self.batches[self.batch_of(slot) as usize].mesh, detail)
+            .primitives()
+    }
+
+    /// Levels of detail of an entity's mesh, the full one included.
+    pub fn levels_of(&self, slot: u32) -> u8 {
+        self.batch_levels(self.batch_of(slot))
+    }
+
+    /// Levels of detail of a batch's mesh; 1 for a batch that does not exist.
+    pub fn batch_levels(&self, batch: u32) -> u8 {
+        let mesh = self.batches.get(batch as usize).map(|batch| batch.mesh);
+        let ranges = mesh.and_then(|mesh| self.meshes.get(mesh as usize));
+        ranges.map_or(1, |ranges| ranges.levels.len().clamp(1, 255)) as u8
+    }
+
+    /// Whether a test of its visibility may cull an entity.
+    pub fn is_tested(&self, slot: u32) -> bool {
+        self.untested
+            .get(slot as usize)
+            .is_none_or(|untested| !untested)
     }
 
     pub(crate) fn next_epoch(&mut self) {
@@ -294,6 +311,7 @@ impl SceneTable {
         key: EntityKey,
         bounds: Aabb,
         batch: Batch,
+        tested: bool,
         index: &mut HashMap<Batch, u32>,
     ) {
         let occupant = Some(Occupant {
@@ -309,10 +327,12 @@ impl SceneTable {
             self.occupants.push(occupant);
             self.boxes.push(bounds);
             self.batch_of.push(number);
+            self.untested.push(!tested);
         } else {
             self.occupants[at] = occupant;
             self.boxes.set(at, bounds);
             self.batch_of[at] = number;
+            self.untested[at] = !tested;
         }
         self.live += 1;
         self.count(batch.class, 1);

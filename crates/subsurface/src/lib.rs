@@ -7,10 +7,17 @@
 
 mod error;
 mod height_field;
+mod model;
+mod prepare;
 mod surface;
 mod volume;
 
 pub use error::SubsurfaceError;
 pub use height_field::HeightField;
+pub use model::{Fault, Model, ModelOptions, ModelVolume, View, Well};
+pub use prepare::{PrepareOptions, Prepared, Tile, prepare, prepare_all};
 pub use surface::{Surface, SurfaceKind};
-pub use volume::{BrickSource, VolumeLayout};
+pub use volume::{
+    Axis, BrickCounters, BrickSource, Bricks, ColourMap, SampleBox, VolumeFile, VolumeLayout,
+    write_volume,
+};

@@ -212,10 +212,9 @@ impl<'b, 'k> Play<'b, 'k> {
             self.judge_coverage(view, verdicts, reference, &missed)?;
         }
         if self.claims.conservative && !missed.is_empty() {
-            let drawn: Vec<u32> = verdicts.drawn().collect();
             let image = self
                 .oracle
-                .look(&self.gpu_scene, camera, Members::Slots(&drawn))?;
+                .look(&self.gpu_scene, camera, Members::Drawn(verdicts))?;
             return Err(Breach::FalseCull {
                 slots: missed,
                 pixels: image.wrong_pixels(&reference.image),

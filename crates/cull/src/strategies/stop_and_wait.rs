@@ -132,7 +132,7 @@ fn begin(
         );
         let (mut walk, mut verdicts) = (ctx.get_mut(walk)?, ctx.get_mut(verdicts)?);
         outside(&scene.table, &mut verdicts);
-        for slot in candidates.near() {
+        for slot in candidates.exempt() {
             verdicts.set(*slot, Verdict::Untested);
         }
         walk.asked = 0;
@@ -140,7 +140,7 @@ fn begin(
         walk.order.extend(candidates.testable());
         // What no test may judge is drawn first, as if a question about it had been answered.
         walk.pending.clear();
-        walk.pending.extend(candidates.near());
+        walk.pending.extend(candidates.exempt());
         sort_front_to_back(&mut walk.order, &scene.table, &frame);
         Ok(())
     });
@@ -261,7 +261,7 @@ fn push_all(list: &mut DrawList, table: &SceneTable, frame: &ViewFrame, slots: &
     list.clear();
     for slot in slots {
         let boxed = table.class_of(*slot).topology() == Topology::Triangles
-            && table.primitives_of(*slot) > BOX_TRIANGLES
+            && table.primitives_of(*slot, Detail::Level(0)) > BOX_TRIANGLES
             && frame.pixels_across(&table.bounds(*slot)) > BOX_PIXELS;
         let detail = if boxed { Detail::Box } else { Detail::Level(0) };
         list.push(table, *slot, detail);
@@ -303,7 +303,10 @@ fn submit_transparent(
             &mut transparent,
             table,
             &frame,
-            verdicts.drawn().filter(|slot| table.is_transparent(*slot)),
+            verdicts
+                .drawn()
+                .filter(|slot| table.is_transparent(*slot))
+                .map(|slot| (slot, 0)),
         );
         ctx.upload(list.ids, 0, bytemuck::cast_slice(transparent.ids()))?;
         Ok(())

@@ -7,6 +7,7 @@ use antumbra_draw::Detail;
 
 use crate::counting::Counting;
 use crate::frame_graph::FrameGraph;
+use crate::samples::SampleRule;
 use crate::setting::{LATENCY_RANGE, Latency, Setting, SettingError, parse};
 use crate::strategy::{DeclareError, Strategy, VisibleSet};
 use crate::view_nodes::ViewNodes;
@@ -20,6 +21,9 @@ pub struct ThreePass {
     pub counting: Option<Counting>,
     /// An entity is drawn when more samples of its proxy are visible, in pixels of the final image.
     pub threshold: u32,
+    /// With at most this many visible samples an entity is drawn one level of detail coarser, with at most a quarter of them two,
+    /// with a sixteenth three, in pixels of the final image; 0: never.
+    pub coarser: u32,
     /// What stands in for the meshes in the first pass.
     pub occluders: StandIn,
     /// What stands in for the meshes in the second pass.
@@ -76,7 +80,8 @@ impl Default for ThreePass {
         Self {
             latency: Latency::FrameLate,
             counting: Option::None,
-            threshold: 0,
+            threshold: 10,
+            coarser: 0,
             occluders: StandIn::Proxy,
             occludees: StandIn::Proxy,
             scale: 1.0,
@@ -86,6 +91,7 @@ impl Default for ThreePass {
 
 const COUNTING_RANGE: &str = "auto, queries, atomics, compare or identity";
 const THRESHOLD_RANGE: &str = "a whole number of pixels, 0 to 1000000";
+const COARSER_RANGE: &str = "a whole number of pixels, 0 (never) to 1000000";
 const OCCLUDERS_RANGE: &str = "proxy or full";
 const OCCLUDEES_RANGE: &str = "proxy, full or box";
 const SCALE_RANGE: &str = "a number from 0.05 to 1";
@@ -101,8 +107,8 @@ impl ThreePass {
                     instead: "set counting to auto".to_owned(),
                 });
             }
-            if way == Counting::Queries && self.threshold > 0 {
-                return Err(self.conflict("hardware queries say whether any sample is visible, not how many: set threshold to 0, or counting to auto"));
+            if way == Counting::Queries && self.needs_counts() {
+                return Err(self.conflict("hardware queries say whether any sample is visible, not how many: set threshold and coarser to 0, or counting to auto"));
             }
             if way == Counting::Identity && !alike {
                 return Err(self.conflict("an entity-id buffer counts what it draws: set occludees to what occluders is, or counting to auto"));
@@ -119,7 +125,7 @@ impl ThreePass {
         let possible = |way: &Counting| {
             way.lacking(g.gpu()).is_none()
                 && (alike || *way != Counting::Identity)
-                && (self.threshold == 0 || *way != Counting::Queries)
+                && (!self.needs_counts() || *way != Counting::Queries)
         };
         preferred
             .into_iter()
@@ -127,8 +133,12 @@ impl ThreePass {
             .ok_or_else(|| DeclareError::Device {
                 strategy: self.name().to_owned(),
                 lacking: "any way of counting samples".to_owned(),
-                instead: "set threshold to 0".to_owned(),
+                instead: "set threshold and coarser to 0".to_owned(),
             })
+    }
+
+    fn needs_counts(&self) -> bool {
+        self.threshold > 0 || self.coarser > 0
     }
 
     fn conflict(&self, conflict: &str) -> DeclareError {
@@ -152,6 +162,7 @@ impl Strategy for ThreePass {
         // Not with boxes: that of a flat entity lies in its plane and may lose a pixel to it; those of lines and points cover less.
         self.latency != Latency::FrameLate
             && self.threshold == 0
+            && self.coarser == 0
             && self.occluders == StandIn::Full
             && self.occludees == StandIn::Full
             && self.scale == 1.0
@@ -191,6 +202,12 @@ impl Strategy for ThreePass {
                 "an entity is drawn when more of its proxy's pixels are visible",
             ),
             setting(
+                "coarser",
+                self.coarser.to_string(),
+                COARSER_RANGE,
+                "with at most so many visible pixels an entity is drawn one level of detail coarser; with a quarter of them two; 0: never",
+            ),
+            setting(
                 "occluders",
                 self.occluders.word().to_owned(),
                 OCCLUDERS_RANGE,
@@ -218,6 +235,9 @@ impl Strategy for ThreePass {
             "counting" => self.counting = Some(parse(key, value, COUNTING_RANGE, |_| true)?),
             "threshold" => {
                 self.threshold = parse(key, value, THRESHOLD_RANGE, |pixels| *pixels <= 1_000_000)?
+            }
+            "coarser" => {
+                self.coarser = parse(key, value, COARSER_RANGE, |pixels| *pixels <= 1_000_000)?
             }
             "occluders" => {
                 self.occluders = StandIn::read(
@@ -260,8 +280,12 @@ impl Strategy for ThreePass {
         let size = view
             .size()
             .map(|side| ((f64::from(side) * self.scale).round() as u32).max(1));
-        // The threshold counts pixels of the final image; the counts are of a smaller one.
-        let threshold = (f64::from(self.threshold) * self.scale * self.scale).floor() as u32;
+        // Settings are in pixels of the final image; the counts are of a smaller one.
+        let scaled = |pixels: u32| (f64::from(pixels) * self.scale * self.scale).floor() as u32;
+        let rule = SampleRule {
+            threshold: scaled(self.threshold),
+            coarser: scaled(self.coarser),
+        };
         let candidates = g.in_frustum(view);
         let proxies = g.proxies(
             view,
@@ -270,6 +294,6 @@ impl Strategy for ThreePass {
             self.occludees.detail(),
         );
         let counts = g.count_samples(view, proxies, way, size);
-        Ok(g.visible_samples(view, candidates, counts, self.latency, threshold))
+        Ok(g.visible_samples(view, candidates, counts, self.latency, rule))
     }
 }

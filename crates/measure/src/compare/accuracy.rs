@@ -1,14 +1,14 @@
 //! Accuracy: every pose against the reference, all strategies in step.
 //!
 //! A strategy's visible set is drawn in the reference's own order, so that what differs are missing
-//! entities and nothing else; a set that holds every owner of a pixel therefore has no wrong pixel,
-//! and is not drawn again.
+//! entities, entities drawn coarser, and nothing else; a set that holds every owner of a pixel in full
+//! therefore has no wrong pixel, and is not drawn again.
 
 use std::sync::Arc;
 
 use antumbra_cull::strategies::Frustum;
 use antumbra_cull::{Members, Oracle, Stage, StageOptions, ViewInput, ViewSpec};
-use antumbra_draw::{GpuScene, read_back};
+use antumbra_draw::{Detail, GpuScene, read_back};
 use antumbra_scene::Camera;
 use image::RgbaImage;
 
@@ -106,11 +106,11 @@ pub fn measure(
             record.count(scene, &drawn, &verdicts, owning.len() - missing);
             record.view.false_culls.push(missing as u64);
             let wrong = match missing {
-                0 => None,
+                0 if verdicts.levels() == 1 => None,
                 _ => Some(reference.wrong_pixel_mask(&oracle.look(
                     scene,
                     &camera,
-                    Members::Slots(&drawn),
+                    Members::Drawn(&verdicts),
                 )?)),
             };
             let count = wrong.iter().flatten().filter(|wrong| **wrong).count();
@@ -199,7 +199,10 @@ impl Record {
         self.drawn += drawn.len() as u64;
         self.triangles += drawn
             .iter()
-            .map(|slot| u64::from(table.primitives_of(*slot)))
+            .map(|slot| {
+                let detail = Detail::Level(verdicts.level(*slot));
+                u64::from(table.primitives_of(*slot, detail))
+            })
             .sum::<u64>();
         self.asked += u64::from(verdicts.asked());
         self.overdrawn += (drawn.len() - owners_drawn) as u64;
