@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use antumbra_scene::SceneError;
 use thiserror::Error;
 
+use crate::volume::Axis;
+
 /// Why a sub-surface model could not be read, prepared or shown.
 #[derive(Debug, Error)]
 #[non_exhaustive]
@@ -35,6 +37,76 @@ pub enum SubsurfaceError {
         /// Its name.
         surface: String,
         /// What is wrong, and what to do.
+        problem: String,
+    },
+    /// A volume's numbers cannot be.
+    #[error("no volume can be laid out so: {problem}")]
+    BadLayout {
+        /// What is wrong, and what is possible.
+        problem: String,
+    },
+    /// A brick beyond a volume's last.
+    #[error(
+        "there is no brick {brick:?}: the volume has {bricks:?} along its axes, counted from 0"
+    )]
+    NoSuchBrick {
+        /// The brick asked for.
+        brick: [u32; 3],
+        /// Bricks along each axis.
+        bricks: [u32; 3],
+    },
+    /// A buffer for samples of the wrong length.
+    #[error("a buffer of {actual} bytes cannot take {expected} samples: give one of that length")]
+    BufferLength {
+        /// Samples, a byte each.
+        expected: usize,
+        /// Bytes of the buffer.
+        actual: usize,
+    },
+    /// A budget that holds no brick.
+    #[error(
+        "a budget of {budget} bytes holds no brick of {brick}: give more, or write the volume in smaller bricks"
+    )]
+    SmallBudget {
+        /// Bytes that may be used.
+        budget: usize,
+        /// Bytes of a brick.
+        brick: usize,
+    },
+    /// Something that lies, even partly, outside the volume.
+    #[error("{what} lies outside the volume along its {axis} axis: it takes samples {} to {}, but there are 0 to {last}; move it inside", asked[0], asked[1])]
+    Outside {
+        /// What it is.
+        what: String,
+        /// The axis along which it does.
+        axis: Axis,
+        /// Its first and last sample.
+        asked: [u32; 2],
+        /// The volume's last sample.
+        last: u32,
+    },
+    /// Something without a sample.
+    #[error(
+        "{what} is empty along the {axis} axis: it ends with sample {last}, before its first one, {first}"
+    )]
+    Empty {
+        /// What it is.
+        what: String,
+        /// The axis along which it is.
+        axis: Axis,
+        /// Its first sample.
+        first: u32,
+        /// Its last.
+        last: u32,
+    },
+    /// A setting out of its range.
+    #[error("{what} cannot be {value}: {problem}")]
+    Setting {
+        /// Its name.
+        what: &'static str,
+        /// What was asked for.
+        value: String,
+        /// What is possible.
         problem: String,
     },
     /// The scene refused something.

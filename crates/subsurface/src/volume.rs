@@ -1,6 +1,17 @@
 //! Seismic volumes: samples on a regular grid, in bricks.
 
-use glam::DVec3;
+mod bricks;
+mod colours;
+mod file;
+mod format;
+mod write;
+
+pub use bricks::{BrickCounters, Bricks};
+pub use colours::ColourMap;
+pub use file::VolumeFile;
+pub use write::write_volume;
+
+use glam::{DMat3, DVec3};
 
 use crate::error::SubsurfaceError;
 
@@ -22,6 +33,13 @@ pub struct VolumeLayout {
 }
 
 impl VolumeLayout {
+    /// The most samples along an axis.
+    pub const MOST_SAMPLES: u32 = 1 << 20;
+    /// The most samples along an edge of a brick.
+    pub const LARGEST_BRICK: u32 = 256;
+    /// How far from zero the numbers of a place or a step may be, in metres.
+    pub const FARTHEST: f64 = 1e12;
+
     /// Bricks along each axis.
     #[must_use]
     pub fn bricks(&self) -> [u32; 3] {
@@ -31,7 +49,239 @@ impl VolumeLayout {
     /// Samples, and bytes, of a brick.
     #[must_use]
     pub fn brick_bytes(&self) -> usize {
-        (self.brick as usize).pow(3)
+        (self.brick as usize).saturating_pow(3)
+    }
+
+    /// Bytes of all bricks; `None` when 64 bits cannot count them.
+    #[must_use]
+    pub fn total_bytes(&self) -> Option<u64> {
+        let [x, y, z] = self.bricks().map(u64::from);
+        let bricks = x.checked_mul(y)?.checked_mul(z)?;
+        bricks.checked_mul(u64::from(self.brick).checked_pow(3)?)
+    }
+
+    /// Which brick holds a sample.
+    #[must_use]
+    pub fn brick_of(&self, sample: [u32; 3]) -> [u32; 3] {
+        sample.map(|at| at / self.brick.max(1))
+    }
+
+    /// Where a place between the samples lies in the world, in metres.
+    #[must_use]
+    pub fn position(&self, place: DVec3) -> DVec3 {
+        let [x, y, z] = self.steps;
+        self.origin + DMat3::from_cols(x, y, z) * place
+    }
+
+    /// The value that a sample stands for; `None` where nothing is known.
+    #[must_use]
+    pub fn value(&self, sample: u8) -> Option<f32> {
+        let [low, high] = self.range;
+        let part = f32::from(sample.checked_sub(1)?) / 254.0;
+        Some(low + (high - low) * part)
+    }
+
+    /// What is wrong with the numbers, in words; `None` if nothing is.
+    #[must_use]
+    pub fn problem(&self) -> Option<String> {
+        for axis in Axis::ALL {
+            let size = axis.of(self.size);
+            if size == 0 || size > Self::MOST_SAMPLES {
+                let most = Self::MOST_SAMPLES;
+                return Some(format!("{size} samples {axis}: 1 to {most} are possible"));
+            }
+        }
+        if self.brick == 0 || self.brick > Self::LARGEST_BRICK {
+            return Some(format!(
+                "bricks of {} samples an edge: 1 to {} are possible",
+                self.brick,
+                Self::LARGEST_BRICK
+            ));
+        }
+        if (self.total_bytes()).is_none_or(|bytes| isize::try_from(bytes).is_err()) {
+            return Some("more bytes than this machine can address".into());
+        }
+        let steps = self.steps.map(|step| ("a step", step));
+        let corner = self.position(DVec3::from(self.size.map(f64::from)));
+        let places = [("an origin", self.origin), ("a far corner", corner)];
+        let numbers = (steps.into_iter().chain(places))
+            .flat_map(|(what, place)| place.to_array().map(|number| (what, number)));
+        // Which is true of what is no number as well.
+        let far = |number: f64| !(number.abs() <= Self::FARTHEST);
+        if let Some((what, number)) = numbers.into_iter().find(|(_, number)| far(*number)) {
+            let most = Self::FARTHEST;
+            return Some(format!(
+                "{what} with {number:e} m: finite numbers up to {most:e} m are possible"
+            ));
+        }
+        let [x, y, z] = self.steps.map(DVec3::normalize_or_zero);
+        if x.cross(y).dot(z).abs() < 1e-6 {
+            let [x, y, z] = self.steps;
+            return Some(format!(
+                "steps of {x}, {y} and {z} do not span space: none may be zero or lie in the plane of the others"
+            ));
+        }
+        let [low, high] = self.range;
+        if !(low < high && (high - low).is_finite()) {
+            return Some(format!(
+                "a range from {low} to {high}: it must be finite and rise"
+            ));
+        }
+        None
+    }
+
+    /// Refuses numbers that cannot be.
+    ///
+    /// # Errors
+    /// [`SubsurfaceError::BadLayout`] with what [`Self::problem`] finds.
+    pub fn validate(&self) -> Result<(), SubsurfaceError> {
+        (self.problem()).map_or(Ok(()), |problem| {
+            Err(SubsurfaceError::BadLayout { problem })
+        })
+    }
+
+    /// Where a brick stands among all, the inline axis fastest, then crossline, then time.
+    fn rank(&self, brick: [u32; 3]) -> Result<u64, SubsurfaceError> {
+        let bricks = self.bricks();
+        if brick.iter().zip(&bricks).any(|(at, end)| at >= end) {
+            return Err(SubsurfaceError::NoSuchBrick { brick, bricks });
+        }
+        let [[x, y, z], [across, along, _]] = [brick, bricks].map(|each| each.map(u64::from));
+        Ok(x + across * (y + along * z))
+    }
+
+    /// The other way round; `rank` must be one of a brick.
+    fn brick_at(&self, rank: u64) -> [u32; 3] {
+        let [across, along, _] = self.bricks().map(|each| u64::from(each.max(1)));
+        // Each is less than the count of bricks along its axis.
+        [rank % across, rank / across % along, rank / across / along].map(|at| at as u32)
+    }
+
+    /// Refuses a buffer that does not fit a brick.
+    fn check_buffer(&self, samples: &[u8]) -> Result<(), SubsurfaceError> {
+        let (expected, actual) = (self.brick_bytes(), samples.len());
+        if expected == actual {
+            return Ok(());
+        }
+        Err(SubsurfaceError::BufferLength { expected, actual })
+    }
+}
+
+/// An axis of a volume.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Axis {
+    /// From inline to inline: an inline section has a fixed place along it.
+    Inline,
+    /// From crossline to crossline.
+    Crossline,
+    /// Down, in time or depth.
+    Time,
+}
+
+impl Axis {
+    /// All three, as they follow each other in a layout's arrays.
+    pub const ALL: [Self; 3] = [Self::Inline, Self::Crossline, Self::Time];
+
+    /// The axes that span a section with a fixed place along this one: to the right and down in its image.
+    #[must_use]
+    pub fn plane(self) -> [Self; 2] {
+        match self {
+            Self::Inline => [Self::Crossline, Self::Time],
+            Self::Crossline => [Self::Inline, Self::Time],
+            Self::Time => [Self::Inline, Self::Crossline],
+        }
+    }
+
+    /// This axis' part of three.
+    #[must_use]
+    pub fn of<T>(self, [inline, crossline, time]: [T; 3]) -> T {
+        match self {
+            Self::Inline => inline,
+            Self::Crossline => crossline,
+            Self::Time => time,
+        }
+    }
+
+    /// A triple with `at` along this axis and the others along its plane.
+    #[must_use]
+    pub fn place<T>(self, at: T, [right, down]: [T; 2]) -> [T; 3] {
+        match self {
+            Self::Inline => [at, right, down],
+            Self::Crossline => [right, at, down],
+            Self::Time => [right, down, at],
+        }
+    }
+}
+
+impl std::fmt::Display for Axis {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Inline => "inline",
+            Self::Crossline => "crossline",
+            Self::Time => "time",
+        })
+    }
+}
+
+/// A box of samples, both ends within.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct SampleBox {
+    /// The first sample along each axis.
+    pub min: [u32; 3],
+    /// The last.
+    pub max: [u32; 3],
+}
+
+impl SampleBox {
+    /// How many samples it holds along each axis; 0 where it is empty.
+    #[must_use]
+    pub fn samples(&self) -> [u32; 3] {
+        Axis::ALL.map(|axis| {
+            let (first, last) = (axis.of(self.min), axis.of(self.max));
+            last.checked_sub(first)
+                .map_or(0, |steps| steps.saturating_add(1))
+        })
+    }
+
+    /// Refuses a box that is empty or not within a volume.
+    ///
+    /// # Errors
+    /// [`SubsurfaceError::Empty`] and [`SubsurfaceError::Outside`], naming the axis; `what` says what the box is of.
+    pub fn check(&self, what: &str, layout: &VolumeLayout) -> Result<(), SubsurfaceError> {
+        for axis in Axis::ALL {
+            let (first, last) = (axis.of(self.min), axis.of(self.max));
+            if first > last {
+                let what = what.into();
+                return Err(SubsurfaceError::Empty {
+                    what,
+                    axis,
+                    first,
+                    last,
+                });
+            }
+            let size = axis.of(layout.size);
+            if last >= size {
+                return Err(SubsurfaceError::Outside {
+                    what: what.into(),
+                    axis,
+                    asked: [first, last],
+                    last: size.saturating_sub(1),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// The bricks that hold its samples, the inline axis fastest.
+    pub fn bricks(&self, layout: &VolumeLayout) -> impl Iterator<Item = [u32; 3]> + use<> {
+        let [x, y, z] = Axis::ALL.map(|axis| {
+            let [first, last] = [self.min, self.max].map(|end| axis.of(layout.brick_of(end)));
+            first..=last
+        });
+        z.flat_map(move |z| {
+            let x = x.clone();
+            (y.clone()).flat_map(move |y| x.clone().map(move |x| [x, y, z]))
+        })
     }
 }
 
