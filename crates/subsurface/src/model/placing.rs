@@ -1,0 +1,99 @@
+//! Where the faults are: drawn by chance, apart from each other, and wholly inside the volume.
+
+use super::chance::{Chance, Part};
+use super::fault::{Fault, displace};
+use super::layers::Layers;
+use super::{DEPTH, HALF};
+use glam::DVec2;
+use std::f64::consts::TAU;
+
+/// Least and greatest throw in metres.
+const THROWS: [f64; 2] = [20.0, 150.0];
+/// How many places are tried for a fault; the one farthest from the other faults is taken.
+const TRIES: usize = 24;
+/// Metres between a fault and the border of the volume.
+const MARGIN: f64 = 60.0;
+
+/// The faults, oldest and greatest first.
+pub(super) fn faults(seed: u64, layers: &Layers, horizons: usize, count: usize) -> Vec<Fault> {
+    let chance = &mut Chance::new(seed, Part::Faults);
+    let mut faults: Vec<Fault> = Vec::with_capacity(count);
+    for number in 0..count {
+        let [least, greatest] = THROWS;
+        let share = (number as f64 + chance.between(0.1, 0.9)) / count as f64;
+        // Many small ones, few great ones.
+        let throw = least + (greatest - least) * (1.0 - share) * (1.0 - share);
+        let mut fault = unplaced(chance, throw);
+        let room = (HALF - MARGIN - half_extent(&fault)).max(DVec2::ZERO);
+        let mut best = f64::NEG_INFINITY;
+        for _ in 0..TRIES {
+            let centre = DVec2::new(
+                chance.between(-room.x, room.x),
+                chance.between(-room.y, room.y),
+            );
+            let horizon = chance.pick(horizons);
+            let before = displace(&faults, centre, layers.depth(horizon, centre));
+            let others = faults.iter().map(|other| other.centre.distance(centre));
+            let mut apart = others.fold(DEPTH, f64::min);
+            // Next to the top or the bottom there is little of a fault, and within another one none.
+            if before.cut || DEPTH * 0.5 - (before.depth - DEPTH * 0.5).abs() < DEPTH * 0.25 {
+                apart -= DEPTH * 10.0;
+            }
+            if apart > best {
+                best = apart;
+                fault.centre = centre;
+                fault.horizon = horizon;
+                fault.depth = before.depth;
+            }
+        }
+        let above_and_below = fault.depth.min(DEPTH - fault.depth) - MARGIN;
+        let [sine, _] = fault.slope;
+        let most = above_and_below.max(MARGIN) / sine;
+        fault.half_height = fault.half_height.min(most);
+        faults.push(fault);
+    }
+    faults
+}
+
+/// A fault of this greatest throw around nowhere yet.
+fn unplaced(chance: &mut Chance, throw: f64) -> Fault {
+    // Most run about north, some north-east.
+    let family: f64 = if chance.pick(4) == 0 { 52.0 } else { 8.0 };
+    let turned = if chance.pick(2) == 0 { 0.0 } else { 180.0 };
+    let strike: f64 = (family + turned + chance.between(-9.0, 9.0)).to_radians();
+    let dip = chance.between(52.0, 68.0).to_radians();
+    let half_length = 650.0 + throw * 9.0 + chance.between(0.0, 250.0);
+    let ripple = TAU / chance.between(500.0, 900.0);
+    Fault {
+        centre: DVec2::ZERO,
+        depth: 0.0,
+        horizon: 0,
+        strike,
+        dip,
+        half_length,
+        half_height: half_length * chance.between(0.5, 0.62),
+        throw,
+        reach: 220.0 + 2.6 * throw,
+        listric: chance.between(0.0, 1.4e-4),
+        bow: chance.between(-6e-5, 6e-5),
+        corrugation: [chance.between(4.0, 12.0), ripple, chance.angle()],
+        axes: [
+            DVec2::new(strike.sin(), strike.cos()),
+            DVec2::new(strike.cos(), -strike.sin()),
+        ],
+        slope: [dip.sin(), dip.tan().recip()],
+    }
+}
+
+/// Half the extent of a fault in the plan, east and north, or a little more.
+fn half_extent(fault: &Fault) -> DVec2 {
+    let [along, across] = fault.axes;
+    let down = fault.half_depth();
+    let [_, cotangent] = fault.slope;
+    let [ripple, _, _] = fault.corrugation;
+    let sideways = down * cotangent
+        + fault.listric * down * down
+        + fault.bow.abs() * fault.half_length.powi(2)
+        + 2.0 * ripple;
+    along.abs() * fault.half_length + across.abs() * sideways
+}
