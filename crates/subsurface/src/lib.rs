@@ -5,10 +5,13 @@
 //!
 //! - [`Surface`] is a horizon or a fault at full resolution, wherever it came from.
 
+mod assemble;
+pub mod corner_point;
 mod error;
 mod height_field;
 mod model;
 mod prepare;
+pub mod read;
 mod surface;
 mod volume;
 

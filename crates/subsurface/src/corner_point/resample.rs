@@ -1,0 +1,292 @@
+//! What fills a grid's cells, on a regular grid of samples.
+//!
+//! A cell is seen in the plan as the quad half way between its base and its top, split in two triangles; over each, base and top are
+//! planes. A sample takes the value of the cell it lies in; cells thinner than a sample's step may be missed.
+
+use glam::{DVec2, DVec3};
+
+use super::{CellProperty, Grid};
+use crate::error::SubsurfaceError;
+use crate::read::Progress;
+use crate::volume::{BrickSource, VolumeLayout};
+
+/// Samples, and bytes, that a [`GridVolume`] may have: it is held in memory as a whole.
+pub const MOST_SAMPLES: u64 = 1 << 31;
+
+/// Samples along an edge of a brick.
+const BRICK: u32 = 32;
+
+/// How many times over the cells may cover the plan, layer for layer, before they are taken to be no grid.
+const MOST_COVER: u64 = 64;
+
+/// A cell property on a regular grid, in memory: a byte a sample, [`MOST_SAMPLES`] at most.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GridVolume {
+    name: String,
+    layout: VolumeLayout,
+    samples: Vec<u8>,
+}
+
+impl GridVolume {
+    /// The property's name; may be empty.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// A sample; `None` outside.
+    #[must_use]
+    pub fn sample(&self, at: [u32; 3]) -> Option<u8> {
+        let inside = at.iter().zip(&self.layout.size).all(|(at, of)| at < of);
+        let [i, j, k] = at.map(|index| index as usize);
+        let [nx, ny, _] = self.layout.size.map(|side| side as usize);
+        let index = inside.then_some(i + nx * (j + ny * k))?;
+        self.samples.get(index).copied()
+    }
+}
+
+impl BrickSource for GridVolume {
+    fn layout(&self) -> &VolumeLayout {
+        &self.layout
+    }
+
+    fn read(&self, brick: [u32; 3], samples: &mut [u8]) -> Result<(), SubsurfaceError> {
+        let bricks = self.layout.bricks();
+        if brick.iter().zip(&bricks).any(|(at, of)| at >= of) {
+            return Err(SubsurfaceError::NoSuchBrick { brick, bricks });
+        }
+        let (expected, actual) = (self.layout.brick_bytes(), samples.len());
+        if expected != actual {
+            return Err(SubsurfaceError::BufferLength { expected, actual });
+        }
+        let edge = self.layout.brick;
+        let at = |axis: usize, step: u32| {
+            let sides = brick.get(axis).zip(self.layout.size.get(axis));
+            sides.map_or(0, |(brick, size)| (brick * edge + step).min(size - 1))
+        };
+        let places = (0..edge).flat_map(|z| (0..edge).map(move |y| (y, z)));
+        let places = places.flat_map(|(y, z)| (0..edge).map(move |x| (x, y, z)));
+        for (sample, (x, y, z)) in samples.iter_mut().zip(places) {
+            *sample = self
+                .sample([at(0, x), at(1, y), at(2, z)])
+                .unwrap_or_default();
+        }
+        Ok(())
+    }
+}
+
+impl Grid {
+    /// A property on `size` samples: the inline axis east, the crossline axis north, the third down, over the box around the active
+    /// cells, each sample in the middle of its share. The range is that of the active cells' values.
+    ///
+    /// Memory: a byte a sample, [`MOST_SAMPLES`] at most.
+    ///
+    /// # Errors
+    /// [`SubsurfaceError::BadLayout`] for a property of another grid, a size of zero or above the most, a grid without an active cell that
+    /// has a value, and cells that overlap wildly.
+    pub fn volume(
+        &self,
+        property: &CellProperty,
+        size: [u32; 3],
+        progress: Progress<'_>,
+    ) -> Result<GridVolume, SubsurfaceError> {
+        let bad = |problem: String| SubsurfaceError::BadLayout { problem };
+        if property.size != self.size || property.values.len() != self.corners.len() {
+            return Err(bad(format!(
+                "property `{}` has {:?} cells, but the grid {:?}; give one written for this grid",
+                property.name, property.size, self.size
+            )));
+        }
+        let mut samples = size.iter().map(|&side| u64::from(side));
+        let samples = samples.try_fold(1_u64, u64::checked_mul);
+        let samples = samples.filter(|samples| (1..=MOST_SAMPLES).contains(samples));
+        let samples = samples.ok_or_else(|| {
+            bad(format!(
+                "{size:?} samples; at least one along each axis and at most {MOST_SAMPLES} in all are possible"
+            ))
+        })?;
+        let (layout, filled) = self.box_around(property, size).ok_or_else(|| {
+            bad(format!(
+                "no active cell has a value of property `{}`",
+                property.name
+            ))
+        })?;
+        layout.validate()?;
+        let mut volume = GridVolume {
+            name: property.name.clone(),
+            layout,
+            samples: Vec::new(),
+        };
+        let room = volume.samples.try_reserve_exact(samples as usize);
+        room.map_err(|error| bad(format!("{samples} samples: {error}")))?;
+        volume.samples.resize(samples as usize, 0);
+        let plan = u64::from(size[0]) * u64::from(size[1]);
+        // A cell's box in the plan is larger than the cell, by a sample at each side at least.
+        let cover = plan * u64::from(self.size[2]) + 16 * filled + samples;
+        let mut budget = cover.saturating_mul(MOST_COVER);
+        for i in 0..self.size[0] {
+            progress(u64::from(i), u64::from(self.size[0]));
+            for (cell, value) in self.filled(property, i) {
+                let byte = volume.byte(value);
+                let spent = self.corners(cell).map_or(Some(0), |corners| {
+                    Prism::of(&corners, &layout).fill(byte, &mut volume, budget)
+                });
+                let Some(spent) = spent else {
+                    return Err(bad(format!(
+                        "the cells cover the plan more than {MOST_COVER} times a layer; they are no grid"
+                    )));
+                };
+                budget -= spent;
+            }
+        }
+        progress(u64::from(self.size[0]), u64::from(self.size[0]));
+        Ok(volume)
+    }
+
+    /// Active cells with a value and all corners, in a row of columns.
+    fn filled<'a>(
+        &'a self,
+        property: &'a CellProperty,
+        i: u32,
+    ) -> impl Iterator<Item = ([u32; 3], f32)> + 'a {
+        let [_, ny, nz] = self.size;
+        let cells = (0..ny).flat_map(move |j| (0..nz).map(move |k| [i, j, k]));
+        cells.filter_map(|cell| {
+            let value = property.values.get(self.index(cell)?).copied()?;
+            (self.is_active(cell) && value.is_finite()).then_some((cell, value))
+        })
+    }
+
+    fn box_around(&self, property: &CellProperty, size: [u32; 3]) -> Option<(VolumeLayout, u64)> {
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let (mut least, mut most, mut filled) = (f32::INFINITY, f32::NEG_INFINITY, 0);
+        for (cell, value) in (0..self.size[0]).flat_map(|i| self.filled(property, i)) {
+            for corner in self.corners(cell).into_iter().flatten() {
+                (low, high) = (low.min(corner), high.max(corner));
+            }
+            (least, most) = (least.min(value), most.max(value));
+            filled += 1;
+        }
+        if !low.is_finite() || !high.is_finite() {
+            return None;
+        }
+        // A range must rise, also where all values are one: then by so much that f32 knows it.
+        if least == most {
+            most += most.abs().max(1.0);
+        }
+        // A flat box still has samples of some height.
+        let extent = (high - low).max(DVec3::splat(1e-3));
+        let [east, north, down] = size.map(f64::from);
+        let step = DVec3::new(extent.x / east, extent.y / down, extent.z / north);
+        let layout = VolumeLayout {
+            size,
+            brick: BRICK,
+            origin: DVec3::new(low.x, high.y, high.z) + step * DVec3::new(0.5, -0.5, -0.5),
+            steps: [
+                DVec3::X * step.x,
+                DVec3::NEG_Z * step.z,
+                DVec3::NEG_Y * step.y,
+            ],
+            range: [least, most],
+        };
+        Some((layout, filled))
+    }
+}
+
+impl GridVolume {
+    /// What stands for a value within the range.
+    fn byte(&self, value: f32) -> u8 {
+        let [low, high] = self.layout.range.map(f64::from);
+        let share = (f64::from(value) - low) / (high - low);
+        1 + (share * 254.0).round().clamp(0.0, 254.0) as u8
+    }
+
+    fn fill(&mut self, [i, j]: [u32; 2], depths: [u32; 2], byte: u8) {
+        let [nx, ny, _] = self.layout.size.map(|side| side as usize);
+        let column = i as usize + nx * j as usize;
+        for k in depths[0]..depths[1] {
+            if let Some(sample) = self.samples.get_mut(column + nx * ny * k as usize) {
+                *sample = byte;
+            }
+        }
+    }
+}
+
+/// A cell, measured in samples: its corners in the plan, and how deep its top and its base lie there.
+struct Prism {
+    plan: [DVec2; 4],
+    top: [f64; 4],
+    base: [f64; 4],
+}
+
+/// Of the corners south-west, south-east, north-west, north-east.
+const TRIANGLES: [[usize; 3]; 2] = [[0, 1, 3], [0, 3, 2]];
+
+/// A share of a step by which samples on a border belong to both sides.
+const SLACK: f64 = 1e-9;
+
+impl Prism {
+    fn of(corners: &[DVec3; 8], layout: &VolumeLayout) -> Self {
+        let [east, north, down] = layout.steps.map(DVec3::length);
+        let measured = corners.map(|corner| {
+            let from = corner - layout.origin;
+            DVec3::new(from.x / east, -from.z / north, -from.y / down)
+        });
+        let [b0, b1, b2, b3, t0, t1, t2, t3] = measured;
+        let (base, top) = ([b0, b1, b2, b3], [t0, t1, t2, t3]);
+        let middle = |corner: usize| ((base[corner] + top[corner]) * 0.5).truncate();
+        Self {
+            plan: [middle(0), middle(1), middle(2), middle(3)],
+            top: top.map(|corner| corner.z),
+            base: base.map(|corner| corner.z),
+        }
+    }
+
+    /// Fills the samples inside; says how many it looked at, or nothing when they are more than it may.
+    fn fill(&self, byte: u8, volume: &mut GridVolume, budget: u64) -> Option<u64> {
+        let [east, north, deep] = volume.layout.size;
+        let mut spent = 0;
+        for corners in TRIANGLES {
+            let [a, b, c] = corners.map(|corner| self.plan[corner]);
+            let area = (b - a).perp_dot(c - a);
+            if area == 0.0 || !area.is_finite() {
+                continue;
+            }
+            let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+            let [i0, i1] = range(low.x, high.x, east);
+            let [j0, j1] = range(low.y, high.y, north);
+            spent += u64::from(i1.saturating_sub(i0)) * u64::from(j1.saturating_sub(j0));
+            if spent > budget {
+                return None;
+            }
+            for (i, j) in (i0..i1).flat_map(|i| (j0..j1).map(move |j| (i, j))) {
+                let at = DVec2::new(f64::from(i), f64::from(j));
+                let shares = [
+                    (c - b).perp_dot(at - b) / area,
+                    (a - c).perp_dot(at - c) / area,
+                    (b - a).perp_dot(at - a) / area,
+                ];
+                if shares.iter().any(|share| *share < -SLACK) {
+                    continue;
+                }
+                let mixed = |depths: &[f64; 4]| {
+                    let three = corners.map(|corner| depths[corner]);
+                    three.iter().zip(shares).map(|(z, share)| z * share).sum()
+                };
+                let (top, base): (f64, f64) = (mixed(&self.top), mixed(&self.base));
+                let depths = range(top.min(base), top.max(base), deep);
+                spent += u64::from(depths[1].saturating_sub(depths[0]));
+                volume.fill([i, j], depths, byte);
+            }
+        }
+        (spent <= budget).then_some(spent)
+    }
+}
+
+/// The samples from one place to another, those at both included: the first and the one behind the last.
+fn range(low: f64, high: f64, samples: u32) -> [u32; 2] {
+    let most = f64::from(samples);
+    let start = (low - SLACK).ceil().clamp(0.0, most) as u32;
+    let end = ((high + SLACK).floor() + 1.0).clamp(0.0, most) as u32;
+    [start, end]
+}

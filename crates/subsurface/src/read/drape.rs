@@ -1,0 +1,107 @@
+//! A horizon over scattered points: the Delaunay triangulation of their plan (B. Delaunay, *Sur la sphère vide*, 1934), without the long
+//! triangles that would close holes and a concave outline.
+
+use delaunator::Point;
+use glam::{DVec2, DVec3};
+
+use super::triangles::normalised;
+use crate::assemble;
+use crate::surface::{Surface, SurfaceKind};
+
+/// How many times the median, over all triangles, of a triangle's longest edge an edge may be long, unless told otherwise.
+const USUAL: f64 = 4.0;
+
+/// All points must be places.
+pub(super) fn surface(
+    name: String,
+    points: Vec<DVec3>,
+    longest_edge: Option<f64>,
+) -> Result<Surface, String> {
+    let count = points.len();
+    let points = merged(points);
+    if u32::try_from(points.len()).is_err() {
+        return Err(format!(
+            "surface `{name}` has more points than 32 bits count"
+        ));
+    }
+    let mut triangles = triangulated(&points);
+    let side = |from: u32, to: u32| at(&points, from).distance(at(&points, to));
+    let longest = |&[a, b, c]: &[u32; 3]| side(a, b).max(side(b, c)).max(side(c, a));
+    let limit = longest_edge.unwrap_or_else(|| {
+        let mut edges: Vec<_> = triangles.iter().map(longest).collect();
+        let middle = edges.len() / 2;
+        if edges.is_empty() {
+            return 0.0;
+        }
+        USUAL * *edges.select_nth_unstable_by(middle, f64::total_cmp).1
+    });
+    triangles.retain(|triangle| longest(triangle) <= limit);
+    if triangles.is_empty() {
+        return Err(format!(
+            "surface `{name}`: its {count} picks span no triangle with edges up to {limit} m"
+        ));
+    }
+    // Points far from all others are in no triangle now.
+    let mut renamed = vec![u32::MAX; points.len()];
+    let mut kept = Vec::with_capacity(points.len());
+    for index in triangles.as_flattened_mut() {
+        if let Some(slot) = renamed.get_mut(*index as usize) {
+            if *slot == u32::MAX {
+                *slot = kept.len() as u32;
+                kept.extend(points.get(*index as usize));
+            }
+            *index = *slot;
+        }
+    }
+    let plan = normalised(&kept);
+    let kind = SurfaceKind::Horizon;
+    Ok(assemble::surface(name, kind, &kept, &triangles, plan))
+}
+
+/// Points at the same place in the plan become one at their mean height; ordered by their place.
+fn merged(mut points: Vec<DVec3>) -> Vec<DVec3> {
+    let key = |point: &DVec3| (point.x, point.z);
+    points.sort_by(|a, b| {
+        let plan = a.x.total_cmp(&b.x).then(a.z.total_cmp(&b.z));
+        plan.then(a.y.total_cmp(&b.y))
+    });
+    let groups = points.chunk_by(|a, b| key(a) == key(b));
+    let mean = |group: &[DVec3]| group.iter().sum::<DVec3>() / group.len() as f64;
+    groups
+        .filter_map(|group| {
+            let first = group.first()?;
+            Some(DVec3::new(first.x, mean(group).y, first.z))
+        })
+        .collect()
+}
+
+/// East and north.
+fn at(points: &[DVec3], index: u32) -> DVec2 {
+    let point = points.get(index as usize).copied().unwrap_or_default();
+    DVec2::new(point.x, -point.z)
+}
+
+/// Counter-clockwise seen from above; without slivers that have no area.
+fn triangulated(points: &[DVec3]) -> Vec<[u32; 3]> {
+    let plan = || (0..points.len() as u32).map(|index| at(points, index));
+    let low = plan().reduce(DVec2::min).unwrap_or_default();
+    let high = plan().reduce(DVec2::max).unwrap_or_default();
+    // About one: the triangulation takes points nearer than some 1e-16 for one.
+    let size = (high - low).max_element().max(f64::MIN_POSITIVE);
+    let scaled = plan().map(|point| (point - low) / size);
+    let scaled: Vec<_> = scaled.map(|point| Point::from(point.to_array())).collect();
+    let found = delaunator::triangulate(&scaled).triangles;
+    let oriented = |&[a, b, c]: &[usize; 3]| {
+        let [a, b, c] = [a, b, c].map(|index| index as u32);
+        let [p, q, r] = [a, b, c].map(|index| at(points, index));
+        let area = (q - p).perp_dot(r - p);
+        let edges = p.distance_squared(q) + q.distance_squared(r);
+        match area {
+            area if area.abs() <= edges * 1e-9 => None,
+            area if area < 0.0 => Some([a, c, b]),
+            _ => Some([a, b, c]),
+        }
+    };
+    let (triangles, _) = found.as_chunks::<3>();
+    triangles.iter().filter_map(oriented).collect()
+}

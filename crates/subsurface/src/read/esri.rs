@@ -1,0 +1,89 @@
+//! Esri ASCII rasters: `key value` lines in any order, then the values, north row first.
+
+use glam::DVec2;
+
+use super::Positive;
+use super::text::{Words, number, text};
+use crate::height_field::HeightField;
+
+pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<HeightField, String> {
+    let text = text(bytes);
+    let (header, rest) = header(&text)?;
+    let columns = header.count("ncols")?;
+    let rows = header.count("nrows")?;
+    let size = header.get("cellsize");
+    let step = DVec2::new(
+        header.get("dx").or(size).ok_or("no line `cellsize`")?,
+        header.get("dy").or(size).ok_or("no line `cellsize`")?,
+    );
+    let low = |corner: &str, centre: &str, step: f64| {
+        let middle = header.get(corner).map(|corner| corner + step / 2.0);
+        let missing = || format!("neither a line `{corner}` nor one `{centre}`");
+        header.get(centre).or(middle).ok_or_else(missing)
+    };
+    let south_west = DVec2::new(
+        low("xllcorner", "xllcenter", step.x)?,
+        low("yllcorner", "yllcenter", step.y)?,
+    );
+    // What the format's own description gives for a raster without the line.
+    let nodata = header.get("nodata_value").unwrap_or(-9999.0) as f32;
+    // As f32, since some write the header's number with fewer digits than the values.
+    let values = Words::new(rest)
+        .field(columns, rows, rest.len(), |value| value as f32 == nodata)
+        .map_err(|problem| format!("after the header of {} lines: {problem}", header.lines))?;
+    Ok(HeightField {
+        columns,
+        rows,
+        origin: south_west + DVec2::new(0.0, step.y * f64::from(rows - 1)),
+        step_u: DVec2::new(step.x, 0.0),
+        step_v: DVec2::new(0.0, -step.y),
+        elevation: values.into_iter().map(|z| positive.up(z) as f32).collect(),
+    })
+}
+
+struct Header<'a> {
+    keys: Vec<(&'a str, f64)>,
+    lines: usize,
+}
+
+impl Header<'_> {
+    fn get(&self, key: &str) -> Option<f64> {
+        let found = self.keys.iter().find(|(k, _)| k.eq_ignore_ascii_case(key));
+        found.map(|(_, value)| *value)
+    }
+
+    fn count(&self, key: &str) -> Result<u32, String> {
+        let value = self
+            .get(key)
+            .ok_or_else(|| format!("there is no line `{key}`"))?;
+        if value.fract() != 0.0 || !(0.0..=f64::from(u32::MAX)).contains(&value) {
+            return Err(format!("{key} is {value}, no count"));
+        }
+        Ok(value as u32)
+    }
+}
+
+/// The lines that begin with a letter, and what follows them.
+fn header(text: &str) -> Result<(Header<'_>, &str), String> {
+    let mut header = Header {
+        keys: Vec::new(),
+        lines: 0,
+    };
+    let mut rest = text;
+    // `nan` and `inf` are values, and no keys of any raster.
+    let is_key = |word: &str| number(word).is_none();
+    while header.lines < 16 {
+        let (line, after) = rest.split_once('\n').unwrap_or((rest, ""));
+        let mut words = line.split_whitespace();
+        let Some(key) = words.next().filter(|key| is_key(key)) else {
+            break;
+        };
+        header.lines += 1;
+        let value = words.next().unwrap_or_default();
+        let parsed = number(value)
+            .ok_or_else(|| format!("line {}: {key} is `{value}`, no number", header.lines))?;
+        header.keys.push((key, parsed));
+        rest = after;
+    }
+    Ok((header, rest))
+}

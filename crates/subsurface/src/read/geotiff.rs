@@ -1,0 +1,134 @@
+//! GeoTIFF rasters of one band: heights, with tags that say where they lie.
+
+use std::io::Cursor;
+
+use glam::DVec2;
+use tiff::decoder::{Decoder, DecodingResult, Limits};
+use tiff::tags::Tag;
+
+use super::Positive;
+use super::text::{nodes, number};
+use crate::height_field::HeightField;
+
+/// Bytes of a decoded raster: compressed ones may be much shorter, so the file's length bounds nothing.
+const MOST_BYTES: usize = 1 << 30;
+
+/// Numbers of keys in the directory that GeoTIFF keeps in a tag of its own, and of their values.
+const MODEL_TYPE: u16 = 1024;
+const GEOGRAPHIC: u16 = 2;
+const RASTER_TYPE: u16 = 1025;
+const PIXEL_IS_POINT: u16 = 2;
+
+pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<HeightField, String> {
+    let text = |error: tiff::TiffError| error.to_string();
+    let mut limits = Limits::default();
+    limits.decoding_buffer_size = MOST_BYTES;
+    limits.intermediate_buffer_size = MOST_BYTES;
+    let mut file = Decoder::new(Cursor::new(bytes))
+        .map_err(text)?
+        .with_limits(limits);
+    let (columns, rows) = file.dimensions().map_err(text)?;
+    let nodes = nodes(columns, rows, MOST_BYTES)?;
+    let samples = file.find_tag_unsigned::<u16>(Tag::SamplesPerPixel);
+    let bands = samples.map_err(text)?.unwrap_or(1);
+    if bands != 1 {
+        return Err(format!("it has {bands} bands; give one of heights alone"));
+    }
+    let placed = Placed::of(&mut file)?;
+    let nodata = file.get_tag_ascii_string(Tag::GdalNodata).ok();
+    let nodata = nodata.and_then(|text| number(text.trim_matches(['\0', ' '])));
+    let values = heights(file.read_image().map_err(text)?);
+    if values.len() != nodes {
+        return Err(format!(
+            "{columns} x {rows} values are declared, but {} are there",
+            values.len()
+        ));
+    }
+    // As f32, since the tag is text, with as many digits as its writer saw fit.
+    let nodata = nodata.map(|value| value as f32);
+    let height = |value: f64| match nodata == Some(value as f32) {
+        true => f32::NAN,
+        false => positive.up(value) as f32,
+    };
+    Ok(HeightField {
+        columns,
+        rows,
+        origin: placed.origin,
+        step_u: placed.step_u,
+        step_v: placed.step_v,
+        elevation: values.into_iter().map(height).collect(),
+    })
+}
+
+/// Where the first pixel's node lies, and the ways to the next.
+struct Placed {
+    origin: DVec2,
+    step_u: DVec2,
+    step_v: DVec2,
+}
+
+impl Placed {
+    fn of(file: &mut Decoder<Cursor<&[u8]>>) -> Result<Self, String> {
+        let keys = file.get_tag_u16_vec(Tag::GeoKeyDirectoryTag);
+        let keys = keys.unwrap_or_default();
+        let key = |wanted: u16| {
+            let entries = keys.as_chunks::<4>().0.iter().skip(1);
+            let mut found = entries.filter(|[id, location, ..]| *id == wanted && *location == 0);
+            found.next().map(|[.., value]| *value)
+        };
+        if key(MODEL_TYPE) == Some(GEOGRAPHIC) {
+            return Err("its places are degrees; project it to metres".into());
+        }
+        let mut numbers = |tag: Tag| file.get_tag_f64_vec(tag).unwrap_or_default();
+        let (transform, scale, tie) = (
+            numbers(Tag::ModelTransformationTag),
+            numbers(Tag::ModelPixelScaleTag),
+            numbers(Tag::ModelTiepointTag),
+        );
+        let (corner, step_u, step_v) =
+            if let Some(&[a, b, _, d, e, f, _, h, ..]) = transform.first_chunk::<16>() {
+                (DVec2::new(d, h), DVec2::new(a, e), DVec2::new(b, f))
+            } else if let (Some(&[x, y, ..]), Some(&[column, row, _, east, north, _])) =
+                (scale.first_chunk::<3>(), tie.first_chunk::<6>())
+            {
+                let (step_u, step_v) = (DVec2::new(x, 0.0), DVec2::new(0.0, -y));
+                let corner = DVec2::new(east, north) - step_u * column - step_v * row;
+                (corner, step_u, step_v)
+            } else {
+                return Err(
+                "no tags say where it lies (a pixel scale and a tie point, or a transformation)"
+                    .into(),
+            );
+            };
+        // A pixel is an area with its height in the middle, unless it is said to be a point.
+        let inset = if key(RASTER_TYPE) == Some(PIXEL_IS_POINT) {
+            0.0
+        } else {
+            0.5
+        };
+        Ok(Self {
+            origin: corner + (step_u + step_v) * inset,
+            step_u,
+            step_v,
+        })
+    }
+}
+
+fn heights(decoded: DecodingResult) -> Vec<f64> {
+    fn all<T: Into<f64>>(values: Vec<T>) -> Vec<f64> {
+        values.into_iter().map(Into::into).collect()
+    }
+    match decoded {
+        DecodingResult::U8(values) => all(values),
+        DecodingResult::U16(values) => all(values),
+        DecodingResult::U32(values) => all(values),
+        DecodingResult::U64(values) => values.into_iter().map(|value| value as f64).collect(),
+        DecodingResult::I8(values) => all(values),
+        DecodingResult::I16(values) => all(values),
+        DecodingResult::I32(values) => all(values),
+        DecodingResult::I64(values) => values.into_iter().map(|value| value as f64).collect(),
+        DecodingResult::F16(values) => all(values),
+        DecodingResult::F32(values) => all(values),
+        DecodingResult::F64(values) => values,
+    }
+}

@@ -1,0 +1,156 @@
+//! GOCAD TSurf: triangulated surfaces as lines of text, several to a file.
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+
+use super::Positive;
+use super::text::{number, text};
+use super::triangles;
+use crate::surface::{Surface, SurfaceKind};
+
+pub(super) fn read(
+    bytes: &[u8],
+    stem: &str,
+    positive: Option<Positive>,
+    kind: SurfaceKind,
+) -> Result<Vec<Surface>, String> {
+    let text = text(bytes);
+    let mut surfaces = Vec::new();
+    let mut open: Option<Object> = None;
+    for (line, words) in text.lines().enumerate() {
+        let at = |problem: String| format!("line {}: {problem}", line + 1);
+        let words = words.trim();
+        if words.to_ascii_uppercase().starts_with("GOCAD ") {
+            // Writers may leave out the last object's END.
+            surfaces.extend(open.take().map(|it| it.finish(stem, kind)).transpose()?);
+            let is_surface = words
+                .split_whitespace()
+                .nth(1)
+                .is_some_and(|it| it.eq_ignore_ascii_case("TSurf"));
+            if !is_surface {
+                return Err(at(format!(
+                    "`{words}` is no TSurf; write the surfaces to a file of their own"
+                )));
+            }
+            open = Some(Object::new(positive));
+        } else if let Some(object) = &mut open {
+            if words.eq_ignore_ascii_case("END") {
+                surfaces.extend(open.take().map(|it| it.finish(stem, kind)).transpose()?);
+            } else {
+                object.line(words).map_err(at)?;
+            }
+        }
+    }
+    surfaces.extend(open.take().map(|it| it.finish(stem, kind)).transpose()?);
+    if surfaces.is_empty() {
+        return Err("no line `GOCAD TSurf 1` begins an object".into());
+    }
+    Ok(surfaces)
+}
+
+struct Object {
+    name: Option<String>,
+    /// What the reader is told overrules what the file says.
+    told: Option<Positive>,
+    said: Positive,
+    /// As the file has them.
+    points: Vec<DVec3>,
+    /// A vertex's number in the file, and its place among the points.
+    numbers: HashMap<u64, u32>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Object {
+    fn new(told: Option<Positive>) -> Self {
+        Self {
+            name: None,
+            told,
+            said: Positive::Up,
+            points: Vec::new(),
+            numbers: HashMap::new(),
+            triangles: Vec::new(),
+        }
+    }
+
+    fn line(&mut self, line: &str) -> Result<(), String> {
+        if self.points.is_empty() && self.name.is_none() {
+            self.name = name_in(line);
+        }
+        let mut words = line.split_whitespace();
+        let keyword = words.next().unwrap_or_default().to_ascii_uppercase();
+        match keyword.as_str() {
+            "ZPOSITIVE" => {
+                let which = words.next().unwrap_or_default();
+                self.said = match which.to_ascii_lowercase().as_str() {
+                    "depth" => Positive::Down,
+                    "elevation" => Positive::Up,
+                    _ => return Err(format!("ZPOSITIVE is `{which}`, not Depth or Elevation")),
+                };
+            }
+            "VRTX" | "PVRTX" => {
+                let id = id(words.next())?;
+                let mut coordinate = |axis: &str| {
+                    let word = words.next().unwrap_or_default();
+                    let value = number(word).filter(|value| value.is_finite());
+                    value.ok_or_else(|| format!("vertex {id}: {axis} is `{word}`, no number"))
+                };
+                let point = DVec3::new(coordinate("x")?, coordinate("y")?, coordinate("z")?);
+                self.vertex(id, point)?;
+            }
+            "ATOM" | "PATOM" => {
+                let (id, of) = (id(words.next())?, self.point(id(words.next())?)?);
+                let point = self.points.get(of as usize).copied();
+                self.vertex(id, point.unwrap_or_default())?;
+            }
+            "TRGL" => {
+                let mut corner = || self.point(id(words.next())?);
+                let triangle = [corner()?, corner()?, corner()?];
+                self.triangles.push(triangle);
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn vertex(&mut self, id: u64, point: DVec3) -> Result<(), String> {
+        let index = u32::try_from(self.points.len())
+            .map_err(|_| "more vertices than 32 bits can count".to_owned())?;
+        if self.numbers.insert(id, index).is_some() {
+            return Err(format!("vertex {id} is there twice"));
+        }
+        self.points.push(point);
+        Ok(())
+    }
+
+    fn point(&self, id: u64) -> Result<u32, String> {
+        let index = self.numbers.get(&id).copied();
+        index.ok_or_else(|| format!("there is no vertex {id} before this line"))
+    }
+
+    fn finish(self, stem: &str, kind: SurfaceKind) -> Result<Surface, String> {
+        let positive = self.told.unwrap_or(self.said);
+        let world = |point: &DVec3| DVec3::new(point.x, positive.up(point.z), -point.y);
+        let points: Vec<_> = self.points.iter().map(world).collect();
+        let name = self.name.unwrap_or_else(|| stem.to_owned());
+        triangles::surface(name, kind, &points, &self.triangles)
+    }
+}
+
+fn id(word: Option<&str>) -> Result<u64, String> {
+    let word = word.unwrap_or_default();
+    word.parse()
+        .map_err(|_| format!("`{word}` is no vertex's number"))
+}
+
+/// `name:F5`, on a line of its own or within `HEADER { name:F5 }`.
+fn name_in(line: &str) -> Option<String> {
+    let line = line
+        .rsplit('{')
+        .next()?
+        .trim_start()
+        .trim_start_matches('*');
+    let (key, name) = line.split_once(':')?;
+    let name = name.trim_end_matches('}').trim().trim_matches('"');
+    (key.trim().eq_ignore_ascii_case("name") && !name.is_empty()).then(|| name.to_owned())
+}

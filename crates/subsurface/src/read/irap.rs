@@ -1,0 +1,125 @@
+//! Irap binary surfaces: Fortran records of big-endian numbers, a length before and after each.
+//!
+//! Three records of header (-996, rows, box, steps; columns, rotation and its centre; seven integers), then the values, columns
+//! fastest, in as many records as the writer liked.
+
+use glam::DVec2;
+
+use super::Positive;
+use super::bytes::Bytes;
+use super::text::nodes;
+use crate::height_field::HeightField;
+
+/// The first record's length and the format's number.
+pub(super) const MAGIC: [u8; 8] = [0, 0, 0, 32, 0xff, 0xff, 0xfc, 0x1c];
+
+/// From here on a value means that there is none.
+pub(super) const UNDEFINED: f64 = 9_999_900.0;
+
+pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<HeightField, String> {
+    if !bytes.starts_with(&MAGIC) {
+        return Err("it does not begin with a record of 32 bytes and -996".into());
+    }
+    let mut file = Bytes::new(bytes);
+    let mut box_record = Bytes::new(record(&mut file, Some(32), "the first record")?);
+    box_record.take(4, "the format's number")?;
+    let rows = box_record.i32_big("rows")?;
+    let [west, _, south, _, step_u, step_v] = numbers(&mut box_record)?;
+    let mut turn_record = Bytes::new(record(&mut file, Some(16), "the second record")?);
+    let columns = turn_record.i32_big("columns")?;
+    let [degrees, centre_x, centre_y] = numbers(&mut turn_record)?;
+    record(&mut file, Some(28), "the third record")?;
+    let [columns, rows] = [columns, rows].map(|side| u32::try_from(side).unwrap_or_default());
+    let nodes = nodes(columns, rows, bytes.len() / 4)?;
+    let mut elevation = Vec::with_capacity(nodes);
+    while !file.is_at_end() {
+        let at = file.at();
+        let values = record(&mut file, None, "a record of values")?.as_chunks::<4>();
+        if !values.1.is_empty() || elevation.len() + values.0.len() > nodes {
+            return Err(format!(
+                "the record at byte {at} does not fit the {columns} x {rows} values declared"
+            ));
+        }
+        let values = values.0.iter().map(|value| f32::from_be_bytes(*value));
+        elevation.extend(values.map(|value| height(f64::from(value), positive)));
+    }
+    if elevation.len() != nodes {
+        return Err(format!(
+            "{columns} x {rows} values are declared, but the file ends after {}",
+            elevation.len()
+        ));
+    }
+    let placed = Placed {
+        corner: DVec2::new(west, south),
+        steps: DVec2::new(step_u, step_v),
+        degrees,
+        centre: DVec2::new(centre_x, centre_y),
+    };
+    Ok(placed.field(columns, rows, elevation))
+}
+
+/// Where an Irap surface lies: its grid turned around a point.
+pub(super) struct Placed {
+    pub(super) corner: DVec2,
+    pub(super) steps: DVec2,
+    /// Counter-clockwise from east.
+    pub(super) degrees: f64,
+    pub(super) centre: DVec2,
+}
+
+impl Placed {
+    pub(super) fn field(&self, columns: u32, rows: u32, elevation: Vec<f32>) -> HeightField {
+        let turn = DVec2::from_angle(self.degrees.to_radians());
+        // Writers that do not turn leave the centre at zero, where it must not matter.
+        let corner = if self.degrees == 0.0 {
+            self.corner
+        } else {
+            self.centre + turn.rotate(self.corner - self.centre)
+        };
+        HeightField {
+            columns,
+            rows,
+            origin: corner,
+            step_u: turn.rotate(DVec2::new(self.steps.x, 0.0)),
+            step_v: turn.rotate(DVec2::new(0.0, self.steps.y)),
+            elevation,
+        }
+    }
+}
+
+/// The elevation of a value; NaN for an undefined one.
+pub(super) fn height(value: f64, positive: Positive) -> f32 {
+    if value >= UNDEFINED {
+        f32::NAN
+    } else {
+        positive.up(value) as f32
+    }
+}
+
+fn numbers<const N: usize>(record: &mut Bytes<'_>) -> Result<[f64; N], String> {
+    let mut numbers = [0.0; N];
+    for number in &mut numbers {
+        *number = f64::from(record.f32_big("a number")?);
+    }
+    Ok(numbers)
+}
+
+fn record<'a>(file: &mut Bytes<'a>, length: Option<usize>, what: &str) -> Result<&'a [u8], String> {
+    let at = file.at();
+    let before = file.i32_big(what)?;
+    let wanted = usize::try_from(before).unwrap_or(usize::MAX);
+    if length.is_some_and(|length| length != wanted) {
+        return Err(format!(
+            "{what} at byte {at} is {before} bytes long, and should be {}",
+            length.unwrap_or_default()
+        ));
+    }
+    let held = file.take(wanted, what)?;
+    let after = file.i32_big(what)?;
+    if after != before {
+        return Err(format!(
+            "{what} at byte {at} is {before} bytes long before its end and {after} after it"
+        ));
+    }
+    Ok(held)
+}

@@ -1,0 +1,39 @@
+//! Irap ASCII surfaces: 19 numbers of header (`-996 rows step step`, the box, `columns rotation centre`, seven integers), then the values.
+
+use glam::DVec2;
+
+use super::Positive;
+use super::irap::{Placed, height};
+use super::text::{Words, text};
+use crate::height_field::HeightField;
+
+pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<HeightField, String> {
+    let text = text(bytes);
+    let mut words = Words::new(&text);
+    if words.number("the format's number")? != -996.0 {
+        return Err("it does not begin with -996".into());
+    }
+    let rows = words.count("the number of rows")?;
+    let steps = pair(&mut words, "a step")?;
+    let [west, _] = pair(&mut words, "west or east")?.to_array();
+    let [south, _] = pair(&mut words, "south or north")?.to_array();
+    let columns = words.count("the number of columns")?;
+    let degrees = words.number("the rotation")?;
+    let centre = pair(&mut words, "the rotation's centre")?;
+    for _ in 0..7 {
+        words.number("one of seven integers")?;
+    }
+    let values = words.field(columns, rows, text.len(), |_| false)?;
+    let placed = Placed {
+        corner: DVec2::new(west, south),
+        steps,
+        degrees,
+        centre,
+    };
+    let heights = values.into_iter().map(|value| height(value, positive));
+    Ok(placed.field(columns, rows, heights.collect()))
+}
+
+fn pair(words: &mut Words<'_>, what: &str) -> Result<DVec2, String> {
+    Ok(DVec2::new(words.number(what)?, words.number(what)?))
+}

@@ -1,0 +1,146 @@
+//! Picks: a table of points that an interpreter set on horizons, separated by commas, semicolons or tabs.
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+
+use super::text::{number, text};
+use super::{Positive, Progress, ReadOptions, drape};
+use crate::assemble;
+use crate::surface::Surface;
+
+const EAST: [&str; 6] = ["x", "easting", "east", "x_utme", "utm_x", "x_coord"];
+const NORTH: [&str; 6] = ["y", "northing", "north", "y_utmn", "utm_y", "y_coord"];
+const ELEVATION: [&str; 3] = ["z", "elevation", "height"];
+const DEPTH: [&str; 6] = ["depth", "tvd", "tvdss", "tvd_ss", "z_tvdss", "z_depth"];
+const SURFACE: [&str; 6] = [
+    "surface",
+    "horizon",
+    "formation",
+    "feature_name",
+    "name",
+    "val",
+];
+
+pub(super) fn read(
+    bytes: &[u8],
+    stem: &str,
+    options: &ReadOptions,
+    progress: Progress<'_>,
+) -> Result<Vec<Surface>, String> {
+    if let Some(longest) = options.longest_edge
+        && (longest <= 0.0 || longest.is_nan())
+    {
+        return Err(format!(
+            "a longest edge of {longest} m leaves no triangle; give a positive length"
+        ));
+    }
+    let text = text(bytes);
+    let mut table = csv::ReaderBuilder::new()
+        .delimiter(separator(&text))
+        .trim(csv::Trim::All)
+        .flexible(true)
+        .from_reader(text.as_bytes());
+    let headers = table.headers().map_err(|error| error.to_string())?;
+    let columns = Columns::of(headers, options)?;
+    let mut picks: Vec<(String, Vec<DVec3>)> = Vec::new();
+    let mut named: HashMap<String, usize> = HashMap::new();
+    let mut row = csv::StringRecord::new();
+    while table
+        .read_record(&mut row)
+        .map_err(|error| error.to_string())?
+    {
+        let Some((name, point)) = columns.pick(&row)? else {
+            continue;
+        };
+        let at = *named.entry(name).or_insert_with_key(|name| {
+            picks.push((name.clone(), Vec::new()));
+            picks.len() - 1
+        });
+        if let Some((_, points)) = picks.get_mut(at) {
+            points.push(point);
+        }
+    }
+    if picks.is_empty() {
+        return Err("it has no pick; there is nothing to show".into());
+    }
+    let mut surfaces = Vec::new();
+    let count = picks.len() as u64;
+    for (name, points) in picks {
+        progress(surfaces.len() as u64, count);
+        let name = if name.is_empty() { stem.into() } else { name };
+        surfaces.push(drape::surface(name, points, options.longest_edge)?);
+    }
+    Ok(surfaces)
+}
+
+/// The one of the three that the first line has most of.
+fn separator(text: &str) -> u8 {
+    let first = text.lines().next().unwrap_or_default();
+    let count = |of: &u8| first.bytes().filter(|byte| byte == of).count();
+    // Of equals the last wins: a comma then.
+    b"\t;,".iter().copied().max_by_key(count).unwrap_or(b',')
+}
+
+struct Columns {
+    east: usize,
+    north: usize,
+    third: usize,
+    positive: Positive,
+    surface: Vec<usize>,
+}
+
+impl Columns {
+    fn of(headers: &csv::StringRecord, options: &ReadOptions) -> Result<Self, String> {
+        let find = |name: &str| {
+            let mut names = headers.iter();
+            names.position(|header| header.eq_ignore_ascii_case(name))
+        };
+        let any = |names: &[&str]| names.iter().find_map(|name| find(name));
+        let missing = |names: &[&str]| {
+            format!(
+                "no column of the first line is called {}",
+                names.join(" or ")
+            )
+        };
+        let (elevation, depth) = (any(&ELEVATION), any(&DEPTH));
+        let custom = match (elevation, depth) {
+            (None, Some(_)) => Positive::Down,
+            _ => Positive::Up,
+        };
+        let surface = match &options.surface_column {
+            Some(name) => vec![find(name).ok_or_else(|| missing(&[name.as_str()]))?],
+            None => SURFACE.iter().filter_map(|name| find(name)).collect(),
+        };
+        Ok(Self {
+            east: any(&EAST).ok_or_else(|| missing(&EAST))?,
+            north: any(&NORTH).ok_or_else(|| missing(&NORTH))?,
+            third: elevation
+                .or(depth)
+                .ok_or_else(|| missing(&[&ELEVATION[..], &DEPTH].concat()))?,
+            positive: options.positive.unwrap_or(custom),
+            surface,
+        })
+    }
+
+    /// `None` for a row that names no surface, as rows of other things do.
+    fn pick(&self, row: &csv::StringRecord) -> Result<Option<(String, DVec3)>, String> {
+        let names = self.surface.iter().map(|&at| row.get(at).unwrap_or(""));
+        let names: Vec<_> = names.collect();
+        if row.iter().all(str::is_empty) || names.iter().any(|name| name.is_empty()) {
+            return Ok(None);
+        }
+        let line = row.position().map_or(0, csv::Position::line);
+        let coordinate = |at: usize, what: &str| {
+            let word = row.get(at).unwrap_or("");
+            number(word).ok_or_else(|| format!("line {line}: {what} is `{word}`, no number"))
+        };
+        let (x, y) = (coordinate(self.east, "x")?, coordinate(self.north, "y")?);
+        let z = coordinate(self.third, "z")?;
+        let point = DVec3::new(x, self.positive.up(z), -y);
+        if !assemble::is_place(point) {
+            return Err(format!("line {line}: ({x}, {y}, {z}) is no place on Earth"));
+        }
+        Ok(Some((names.join(" "), point)))
+    }
+}
