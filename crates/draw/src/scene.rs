@@ -200,12 +200,22 @@ impl GpuScene {
     ) -> Result<Vec<u32>, DrawError> {
         table.next_epoch();
         let mut dirty = Vec::with_capacity(added.len() + moved.len());
+        // What is removed and added again, dressed otherwise, keeps its slot: numbers that others remember stay right.
+        let mut left: HashMap<EntityKey, u32> = HashMap::new();
         for key in removed {
             if let Some(slot) = self.slot_of.remove(*key) {
                 table.vacate(slot);
-                self.free.push(slot);
+                left.insert(*key, slot);
             }
         }
+        let mut stay: HashMap<EntityKey, u32> = HashMap::new();
+        for key in added {
+            if let Some(slot) = left.remove(key) {
+                stay.insert(*key, slot);
+            }
+        }
+        self.free
+            .extend(removed.iter().filter_map(|key| left.get(key)));
         for key in added {
             let (Some(drawable), Some(world), Some(bounds)) = (
                 scene.drawable(*key),
@@ -247,7 +257,10 @@ impl GpuScene {
             );
             self.classes |=
                 1 << class.index() | 1 << class.for_detail(crate::list::Detail::Box).index();
-            let slot = self.free.pop().unwrap_or(self.host_instances.len() as u32);
+            let slot = stay
+                .remove(key)
+                .or_else(|| self.free.pop())
+                .unwrap_or(self.host_instances.len() as u32);
             if slot as usize == self.host_instances.len() {
                 self.host_instances.push(instance);
             } else {
@@ -268,6 +281,9 @@ impl GpuScene {
             self.slot_of.insert(*key, slot);
             dirty.push(slot);
         }
+        // Dressed in something that cannot be drawn.
+        self.free
+            .extend(added.iter().filter_map(|key| stay.get(key)));
         let mut turned = Vec::new();
         for key in moved {
             let (Some(slot), Some(world), Some(bounds)) =

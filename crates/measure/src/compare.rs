@@ -23,10 +23,13 @@ use crate::report::{
 use crate::stats;
 
 mod accuracy;
+mod script;
 mod speed;
 
 pub use accuracy::camera;
 use accuracy::{Accuracy, ViewError};
+pub use script::Script;
+use script::Set;
 use speed::Speed;
 
 /// One entry of a comparison.
@@ -153,24 +156,34 @@ pub fn compare(
     options: &CompareOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Comparison, MeasureError> {
-    let gpu_scene = GpuScene::new(gpu, scene)?;
+    compare_scripted(gpu, scene, &mut (), path, contenders, options, progress)
+}
+
+/// The same over a scene that a script changes between the poses. What the script takes counts in no serialised frame,
+/// though it does where frames run free.
+///
+/// # Errors
+/// As for [`compare`]; whatever stops the script.
+pub fn compare_scripted(
+    gpu: &Gpu,
+    scene: &mut Scene,
+    script: &mut dyn Script,
+    path: &Path,
+    contenders: &[Contender],
+    options: &CompareOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Comparison, MeasureError> {
+    let mut set = Set::new(gpu, scene, script, path)?;
     let mut stages = contenders
         .iter()
-        .map(|contender| stage(&gpu_scene, contender, options))
+        .map(|contender| stage(set.scene(), contender, options))
         .collect::<Result<Vec<_>, _>>()?;
-    let accuracy = accuracy::measure(&gpu_scene, path, &mut stages, options, progress)?;
+    let accuracy = accuracy::measure(&mut set, &mut stages, options, progress)?;
     let twin = twin(contenders);
     if let Some(contender) = twin.and_then(|at| contenders.get(at)) {
-        stages.push(stage(&gpu_scene, contender, options)?);
+        stages.push(stage(set.scene(), contender, options)?);
     }
-    let speed = speed::measure(
-        &gpu_scene,
-        path,
-        &mut stages,
-        &accuracy.owners,
-        options,
-        progress,
-    )?;
+    let speed = speed::measure(&mut set, &mut stages, &accuracy.owners, options, progress)?;
     let noise = match twin.zip(speed.runs.last()) {
         Some((at, last)) => Some(stats::noise_p95(&stats::block_ratios(
             &last.frame_ms,

@@ -50,6 +50,14 @@ pub enum MeasureError {
         /// What is wrong with it.
         problem: String,
     },
+    /// What was to change between the poses could not.
+    #[error("the scene cannot be brought to pose {pose}: {problem}")]
+    Script {
+        /// The pose; the first is 0.
+        pose: usize,
+        /// What stopped it.
+        problem: String,
+    },
     /// A camera path that cannot be flown.
     #[error("camera path {name:?}: {problem}")]
     Path {

@@ -12,6 +12,7 @@ use antumbra_draw::{Detail, GpuScene, read_back};
 use antumbra_scene::Camera;
 use image::RgbaImage;
 
+use super::script::Set;
 use super::{CompareOptions, Progress};
 use crate::MeasureError;
 use crate::image_error::flip;
@@ -58,17 +59,17 @@ pub struct Worst {
 }
 
 pub fn measure(
-    scene: &GpuScene,
-    path: &Path,
+    set: &mut Set<'_>,
     stages: &mut [Stage],
     options: &CompareOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Accuracy, MeasureError> {
-    let gpu = scene.gpu();
+    let (path, gpu) = (set.path, set.scene().gpu().clone());
+    let gpu = &gpu;
     let [width, height] = options.size;
-    let mut oracle = Oracle::new(scene, options.size);
+    let mut oracle = Oracle::new(set.scene(), options.size);
     let mut painter = Stage::new(
-        scene,
+        set.scene(),
         Box::new(Frustum),
         vec![ViewSpec::main(width, height)],
         StageOptions::default(),
@@ -87,7 +88,7 @@ pub fn measure(
             done: frame as u64,
             total,
         });
-        let camera = camera(path, frame)?;
+        let (scene, camera) = set.at(frame)?;
         let reference = oracle.look(scene, &camera, Members::Frustum)?;
         let owning = Arc::new(reference.owners());
         let mut reference_colour = None;

@@ -8,10 +8,9 @@ use std::time::Instant;
 use antumbra_cull::{Stage, ViewInput};
 use antumbra_draw::{Gpu, GpuScene};
 
-use super::accuracy::camera;
+use super::script::Set;
 use super::{CompareOptions, Progress};
 use crate::MeasureError;
-use crate::path::Path;
 use crate::report::PassTime;
 use crate::stats;
 
@@ -45,14 +44,13 @@ struct PassSeries {
 const REPEATS_MOST: usize = 5;
 
 pub fn measure(
-    scene: &GpuScene,
-    path: &Path,
+    set: &mut Set<'_>,
     stages: &mut [Stage],
     owners: &[Arc<Vec<u32>>],
     options: &CompareOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Speed, MeasureError> {
-    let poses = path.poses().len();
+    let poses = set.path.poses().len();
     let block = options
         .block
         .unwrap_or_else(|| poses.div_ceil(6).clamp(1, 20))
@@ -74,10 +72,10 @@ pub fn measure(
                 let at = (offset + turn) % stages.len();
                 let (stage, run) = (&mut stages[at], &mut runs[at]);
                 if range.start == 0 {
-                    warm_up(scene, path, stage, owners)?;
+                    warm_up(set, stage, owners)?;
                 }
                 for frame in range.clone() {
-                    let input = input(path, frame, owners)?;
+                    let (scene, input) = input(set, frame, owners)?;
                     let start = Instant::now();
                     stage.frame(scene, &[input])?;
                     scene.gpu().wait()?;
@@ -95,26 +93,20 @@ pub fn measure(
         }
         repeats += 1;
     }
-    free_running(scene, path, stages, owners, &mut runs, &blocks, progress)?;
+    free_running(set, stages, owners, &mut runs, &blocks, progress)?;
     Ok(Speed { runs, block })
 }
 
 /// Brings a strategy to the path's beginning, so that no block pays for a jump that the path does
 /// not make.
 fn warm_up(
-    scene: &GpuScene,
-    path: &Path,
+    set: &mut Set<'_>,
     stage: &mut Stage,
     owners: &[Arc<Vec<u32>>],
 ) -> Result<(), MeasureError> {
     for cut in [true, false] {
-        stage.frame(
-            scene,
-            &[ViewInput {
-                cut,
-                ..input(path, 0, owners)?
-            }],
-        )?;
+        let (scene, input) = input(set, 0, owners)?;
+        stage.frame(scene, &[ViewInput { cut, ..input }])?;
         scene.gpu().wait()?;
     }
     Ok(())
@@ -122,8 +114,7 @@ fn warm_up(
 
 /// Two frames in flight: a strategy that stalls shows it only here. Every fourth block is enough.
 fn free_running(
-    scene: &GpuScene,
-    path: &Path,
+    set: &mut Set<'_>,
     stages: &mut [Stage],
     owners: &[Arc<Vec<u32>>],
     runs: &mut [Run],
@@ -138,24 +129,24 @@ fn free_running(
         for offset in 0..stages.len() {
             let at = (offset + turn) % stages.len();
             let stage = &mut stages[at];
-            stage.frame(
-                scene,
-                &[ViewInput {
-                    cut: true,
-                    ..input(path, range.start, owners)?
-                }],
-            )?;
+            let (scene, input_there) = input(set, range.start, owners)?;
+            let first = ViewInput {
+                cut: true,
+                ..input_there
+            };
+            stage.frame(scene, &[first])?;
             scene.gpu().wait()?;
             let start = Instant::now();
             let mut in_flight = VecDeque::new();
             for frame in range.clone() {
                 if in_flight.len() == 2 {
-                    wait_for(scene.gpu(), in_flight.pop_front())?;
+                    wait_for(set.scene().gpu(), in_flight.pop_front())?;
                 }
-                let report = stage.frame(scene, &[input(path, frame, owners)?])?;
+                let (scene, input) = input(set, frame, owners)?;
+                let report = stage.frame(scene, &[input])?;
                 in_flight.extend(report.submission);
             }
-            scene.gpu().wait()?;
+            set.scene().gpu().wait()?;
             means[at].push(start.elapsed().as_secs_f64() * 1e3 / range.len() as f64);
             done += range.len() as u64;
             progress(Progress {
@@ -181,17 +172,20 @@ fn wait_for(gpu: &Gpu, submission: Option<wgpu::SubmissionIndex>) -> Result<(), 
     Ok(gpu.check()?)
 }
 
+/// The scene at a pose and what a stage is told there.
 fn input<'a>(
-    path: &Path,
+    set: &'a mut Set<'_>,
     frame: usize,
     owners: &[Arc<Vec<u32>>],
-) -> Result<ViewInput<'a>, MeasureError> {
-    let cut = path.poses().get(frame).is_some_and(|pose| pose.cut);
-    Ok(ViewInput {
+) -> Result<(&'a GpuScene, ViewInput<'static>), MeasureError> {
+    let cut = set.path.poses().get(frame).is_some_and(|pose| pose.cut);
+    let (scene, camera) = set.at(frame)?;
+    let input = ViewInput {
         cut,
         reference: owners.get(frame).map(Arc::clone),
-        ..ViewInput::new(camera(path, frame)?)
-    })
+        ..ViewInput::new(camera)
+    };
+    Ok((scene, input))
 }
 
 impl Run {

@@ -42,16 +42,57 @@ impl Path {
             bounds.half_extents()
         };
         let keys = keys(centre, half, radius, seed);
-        let frames = frames.min(super::MAX_POSES + 1);
-        let step = (POINTS - 1) as f64 / frames.saturating_sub(1).max(1) as f64;
-        let poses = (0..frames)
-            .map(|frame| pose(&keys, frame as f64 * step))
-            .collect();
         let projection = Projection::Perspective {
             fov_y: 60f64.to_radians(),
             near: radius * 1e-4,
         };
-        Self::new("flight", projection, poses)
+        Self::new("flight", projection, along(&keys, frames))
+    }
+
+    /// A smooth flight of your own: by places, each an eye and what it looks at, in world metres. The camera starts at the first and ends
+    /// at the last; between, it passes near them.
+    ///
+    /// # Errors
+    /// No places; as for [`Path::new`].
+    pub fn through(
+        name: impl Into<String>,
+        places: &[(DVec3, DVec3)],
+        projection: Projection,
+        frames: usize,
+    ) -> Result<Self, MeasureError> {
+        let mut turned = None;
+        let keys: Vec<Key> = places
+            .iter()
+            .map(|(eye, target)| Key::towards(*eye, *target - *eye, &mut turned))
+            .collect();
+        let frames = if keys.is_empty() { 0 } else { frames };
+        Self::new(name, projection, along(&keys, frames))
+    }
+}
+
+/// Poses evenly spread over the spline's time.
+fn along(keys: &[Key], frames: usize) -> Vec<Pose> {
+    let frames = frames.min(super::MAX_POSES + 1);
+    let stretches = keys.len().saturating_sub(1) as f64;
+    let step = stretches / frames.saturating_sub(1).max(1) as f64;
+    (0..frames)
+        .map(|frame| pose(keys, frame as f64 * step))
+        .collect()
+}
+
+impl Key {
+    /// Looking along `way`; `turned` is the yaw of the key before, and becomes this one's.
+    fn towards(position: DVec3, way: DVec3, turned: &mut Option<f64>) -> Self {
+        let pitch = way.y.atan2(way.x.hypot(way.z)).clamp(-STEEPEST, STEEPEST);
+        let yaw = (-way.x).atan2(-way.z);
+        // The shorter way round from the key before.
+        let yaw = turned.map_or(yaw, |before| before + wrapped(yaw - before));
+        *turned = Some(yaw);
+        Self {
+            position,
+            yaw,
+            pitch,
+        }
     }
 }
 
@@ -92,16 +133,7 @@ fn keys(centre: DVec3, half: DVec3, radius: f64, seed: u64) -> Vec<Key> {
                 places.get(i + 1)
             };
             let way = target.map_or(DVec3::ZERO, |target| *target - position);
-            let pitch = way.y.atan2(way.x.hypot(way.z)).clamp(-STEEPEST, STEEPEST);
-            let yaw = (-way.x).atan2(-way.z);
-            // The shorter way round from the key before.
-            let yaw = turned.map_or(yaw, |before| before + wrapped(yaw - before));
-            turned = Some(yaw);
-            Key {
-                position,
-                yaw,
-                pitch,
-            }
+            Key::towards(position, way, &mut turned)
         })
         .collect()
 }

@@ -1,0 +1,77 @@
+//! What changes between the poses of a comparison: entities that move, slices that are pulled through a volume.
+
+use antumbra_draw::{Gpu, GpuScene};
+use antumbra_scene::{Camera, Scene};
+
+use super::camera;
+use crate::MeasureError;
+use crate::path::Path;
+
+/// Changes a scene between poses.
+///
+/// Poses are visited more than once and out of order, so what a script makes of a pose has to follow from the pose alone. Entities may move, get
+/// other meshes, materials and images; which there are has to stay.
+pub trait Script {
+    /// Makes the scene what it is at a pose, seen by a camera.
+    ///
+    /// # Errors
+    /// What stopped it, for the person who waits.
+    fn set(&mut self, scene: &mut Scene, pose: usize, camera: &Camera) -> Result<(), String>;
+}
+
+/// Nothing changes.
+impl Script for () {
+    fn set(&mut self, _: &mut Scene, _: usize, _: &Camera) -> Result<(), String> {
+        Ok(())
+    }
+}
+
+/// A scene on a device, and what happens on it along a path.
+pub(super) struct Set<'a> {
+    host: &'a mut Scene,
+    script: &'a mut dyn Script,
+    scene: GpuScene,
+    pub path: &'a Path,
+}
+
+impl<'a> Set<'a> {
+    /// The scene as it is at the path's first pose.
+    pub fn new(
+        gpu: &Gpu,
+        host: &'a mut Scene,
+        script: &'a mut dyn Script,
+        path: &'a Path,
+    ) -> Result<Self, MeasureError> {
+        run(script, host, path, 0)?;
+        Ok(Self {
+            scene: GpuScene::new(gpu, host)?,
+            host,
+            script,
+            path,
+        })
+    }
+
+    /// The scene as it is.
+    pub fn scene(&self) -> &GpuScene {
+        &self.scene
+    }
+
+    /// The scene as it is at a pose, and the camera there.
+    pub fn at(&mut self, pose: usize) -> Result<(&GpuScene, Camera), MeasureError> {
+        let camera = run(self.script, self.host, self.path, pose)?;
+        self.scene.sync(self.host)?;
+        Ok((&self.scene, camera))
+    }
+}
+
+fn run(
+    script: &mut dyn Script,
+    scene: &mut Scene,
+    path: &Path,
+    pose: usize,
+) -> Result<Camera, MeasureError> {
+    let camera = camera(path, pose)?;
+    let outcome = script.set(scene, pose, &camera);
+    outcome.map_err(|problem| MeasureError::Script { pose, problem })?;
+    Ok(camera)
+}
