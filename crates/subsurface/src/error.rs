@@ -99,6 +99,16 @@ pub enum SubsurfaceError {
         /// Its last.
         last: u32,
     },
+    /// Bricks of a volume that something was not made for.
+    #[error(
+        "these bricks are of another volume, of {actual:?} samples or lying elsewhere: give those of the one of {expected:?} samples"
+    )]
+    OtherVolume {
+        /// The size of the right volume.
+        expected: [u32; 3],
+        /// The size of the bricks' volume.
+        actual: [u32; 3],
+    },
     /// A setting out of its range.
     #[error("{what} cannot be {value}: {problem}")]
     Setting {

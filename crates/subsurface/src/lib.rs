@@ -9,16 +9,20 @@ mod assemble;
 pub mod corner_point;
 mod error;
 mod height_field;
+mod lens;
 mod model;
 mod prepare;
 pub mod read;
+mod slice;
 mod surface;
 mod volume;
 
 pub use error::SubsurfaceError;
 pub use height_field::HeightField;
+pub use lens::{Facing, Lens, LensOptions};
 pub use model::{Fault, Model, ModelOptions, ModelVolume, View, Well};
 pub use prepare::{PrepareOptions, Prepared, Tile, prepare, prepare_all};
+pub use slice::{Paged, Slice, SliceOptions, SliceTile};
 pub use surface::{Surface, SurfaceKind};
 pub use volume::{
     Axis, BrickCounters, BrickSource, Bricks, ColourMap, SampleBox, VolumeFile, VolumeLayout,

@@ -8,6 +8,7 @@ mod write;
 
 pub use bricks::{BrickCounters, Bricks};
 pub use colours::ColourMap;
+pub(crate) use colours::{UNKNOWN, amplitudes};
 pub use file::VolumeFile;
 pub use write::write_volume;
 
@@ -106,8 +107,7 @@ impl VolumeLayout {
         let places = [("an origin", self.origin), ("a far corner", corner)];
         let numbers = (steps.into_iter().chain(places))
             .flat_map(|(what, place)| place.to_array().map(|number| (what, number)));
-        // Which is true of what is no number as well.
-        let far = |number: f64| !(number.abs() <= Self::FARTHEST);
+        let far = |number: f64| number.is_nan() || number.abs() > Self::FARTHEST;
         if let Some((what, number)) = numbers.into_iter().find(|(_, number)| far(*number)) {
             let most = Self::FARTHEST;
             return Some(format!(
@@ -137,6 +137,17 @@ impl VolumeLayout {
     pub fn validate(&self) -> Result<(), SubsurfaceError> {
         (self.problem()).map_or(Ok(()), |problem| {
             Err(SubsurfaceError::BadLayout { problem })
+        })
+    }
+
+    /// Refuses the layout of another volume.
+    pub(crate) fn same_as(&self, other: &Self) -> Result<(), SubsurfaceError> {
+        if self == other {
+            return Ok(());
+        }
+        Err(SubsurfaceError::OtherVolume {
+            expected: self.size,
+            actual: other.size,
         })
     }
 

@@ -1,0 +1,138 @@
+//! A lens' sections along one axis as meshes, one for each order in which they can be drawn.
+
+use antumbra_scene::AlphaMode;
+use antumbra_scene::{Drawable, Geometry, ImageKey, Material, MaterialKey, Mesh, MeshKey, Scene};
+use glam::{DMat3, DVec3};
+
+use super::Facing;
+use super::atlas::Atlas;
+use crate::error::SubsurfaceError;
+use crate::slice::picture;
+use crate::volume::{SampleBox, VolumeLayout};
+
+/// A stack of sections that share an image.
+#[derive(Debug)]
+pub(super) struct Stack {
+    pub(super) atlas: Atlas,
+    /// Of every sample.
+    pub(super) colours: [[u8; 4]; 256],
+    pub(super) image: ImageKey,
+    material: MaterialKey,
+    /// Drawn from the first section to the last.
+    upwards: MeshKey,
+    /// Drawn from the last to the first.
+    downwards: MeshKey,
+}
+
+impl Stack {
+    /// Adds the stack's meshes around the box' middle, and an image in which nothing can be seen.
+    pub(super) fn add(
+        scene: &mut Scene,
+        layout: &VolumeLayout,
+        area: &SampleBox,
+        atlas: Atlas,
+        colours: [[u8; 4]; 256],
+    ) -> Result<Self, SubsurfaceError> {
+        let name = format!("lens along the {} axis", atlas.axis());
+        let image = scene.add_image(picture([1, 1], vec![0; 4]))?;
+        let material = scene.add_material(Material {
+            name: name.clone(),
+            base_colour_image: Some(image),
+            alpha: AlphaMode::Blend,
+            double_sided: true,
+            unlit: true,
+            ..Material::default()
+        });
+        let upwards = sections(layout, area, &atlas);
+        let downwards = Geometry {
+            indices: (upwards.indices.rchunks_exact(6).flatten().copied()).collect(),
+            ..upwards.clone()
+        };
+        let mut mesh = |geometry, order: &str| {
+            scene.add_mesh(Mesh {
+                name: format!("{name}, {order}"),
+                levels: vec![geometry],
+                proxy: Some(surrounding(layout, area)),
+            })
+        };
+        Ok(Self {
+            upwards: mesh(upwards, "first to last")?,
+            downwards: mesh(downwards, "last to first")?,
+            atlas,
+            colours,
+            image,
+            material,
+        })
+    }
+
+    /// What to draw when the stack is looked at from one side.
+    pub(super) fn drawable(&self, facing: Facing) -> Drawable {
+        let mesh = if facing.from_first {
+            self.downwards
+        } else {
+            self.upwards
+        };
+        let material = self.material;
+        Drawable { mesh, material }
+    }
+}
+
+/// From a place in the box, in samples from its first, to metres from its middle.
+fn from_middle(layout: &VolumeLayout, area: &SampleBox) -> impl Fn(DVec3) -> [f32; 3] {
+    let [x, y, z] = layout.steps;
+    let steps = DMat3::from_cols(x, y, z);
+    let middle = last(area) / 2.0;
+    move |place| (steps * (place - middle)).as_vec3().to_array()
+}
+
+/// The box' last sample, from its first.
+fn last(area: &SampleBox) -> DVec3 {
+    DVec3::from(area.samples().map(|count| f64::from(count) - 1.0))
+}
+
+/// Two triangles a section, from the first section to the last.
+fn sections(layout: &VolumeLayout, area: &SampleBox, atlas: &Atlas) -> Geometry {
+    let axis = atlas.axis();
+    let metres = from_middle(layout, area);
+    let ends = axis.plane().map(|along| along.of(last(area).to_array()));
+    let mut geometry = Geometry::default();
+    for (number, at) in atlas.sections().iter().enumerate() {
+        let corners = atlas.corners(number);
+        let first = geometry.positions.len() as u32;
+        for [u, v] in [[0, 0], [1, 0], [1, 1], [0, 1]] {
+            let place = axis.place(f64::from(*at), [ends[0] * u as f64, ends[1] * v as f64]);
+            geometry.positions.push(metres(DVec3::from(place)));
+            geometry.uvs.push([corners[u][0], corners[v][1]]);
+        }
+        let quad = [0, 1, 2, 0, 2, 3].map(|corner| first + corner);
+        geometry.indices.extend(quad);
+    }
+    geometry
+}
+
+/// The twelve triangles of the lens' box, which need not be upright.
+fn surrounding(layout: &VolumeLayout, area: &SampleBox) -> Geometry {
+    let metres = from_middle(layout, area);
+    let last = last(area);
+    let unit = Geometry::from_box(&antumbra_scene::Aabb {
+        min: DVec3::ZERO,
+        max: DVec3::ONE,
+    });
+    let mut indices = unit.indices;
+    let [x, y, z] = layout.steps;
+    if x.cross(y).dot(z) < 0.0 {
+        // The volume's axes turn the other way: so must the triangles, to look outwards.
+        indices
+            .as_chunks_mut::<3>()
+            .0
+            .iter_mut()
+            .for_each(|corners| corners.reverse());
+    }
+    Geometry {
+        positions: (unit.positions.iter())
+            .map(|corner| metres(DVec3::from(corner.map(f64::from)) * last))
+            .collect(),
+        indices,
+        ..Geometry::default()
+    }
+}
