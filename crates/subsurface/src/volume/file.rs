@@ -37,11 +37,11 @@ impl VolumeFile {
             format: FORMAT,
             problem,
         };
-        let file = File::open(path).map_err(failed)?;
-        let metadata = file.metadata().map_err(failed)?;
-        if !metadata.is_file() {
+        // Before it is opened: a pipe would wait for somebody to write.
+        if !std::fs::metadata(path).map_err(failed)?.is_file() {
             return Err(bad("it is not a regular file".into()));
         }
+        let file = File::open(path).map_err(failed)?;
         // SAFETY: memory that a file backs is sound to look at as long as nobody changes the file. No program can rule that out, so every
         // library asks for `unsafe` here. Those of our programs that write volumes rename a finished file into place and never change one, the
         // map is read-only, and its bytes are only ever copied out as numbers of which every pattern is valid. A file that another program cuts
