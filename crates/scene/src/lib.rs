@@ -11,6 +11,7 @@ mod light;
 mod load;
 mod material;
 mod mesh;
+mod save;
 mod scene;
 mod simplify;
 
@@ -23,5 +24,6 @@ pub use light::Light;
 pub use load::{Format, LoadError, LoadOptions, LoadProblem, load, load_gltf_slice, load_slice};
 pub use material::{AlphaMode, Filter, Image, Material, Sampler, Wrap};
 pub use mesh::{Geometry, Mesh, Topology};
+pub use save::{SaveError, SaveProblem, save_glb};
 pub use scene::{Changes, Drawable, Scene};
 pub use simplify::{ProxyOptions, proxy};

@@ -142,6 +142,12 @@ impl Scene {
         self.cameras.remove(entity)
     }
 
+    /// The entity's camera, its pose relative to the entity, if it has one.
+    #[must_use]
+    pub fn camera(&self, entity: EntityKey) -> Option<Camera> {
+        self.cameras.get(entity).copied()
+    }
+
     /// Every camera with its pose in the world, in arena order. Scales above it move it but do not scale what it sees.
     pub fn cameras(&self) -> impl Iterator<Item = (EntityKey, Camera)> + '_ {
         let mut cameras: Vec<_> = self.cameras.iter().collect();
