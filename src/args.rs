@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use antumbra::cull::Latency;
 use antumbra::draw::AdapterChoice;
+use antumbra::subsurface::{Axis, SampleBox};
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 
 /// Compares occlusion culling strategies: what each costs, and what each gets wrong.
@@ -33,6 +34,8 @@ pub enum Command {
     Render(RenderArgs),
     /// Print the graph of a strategy
     Graph(GraphArgs),
+    /// Make a scene of horizons, faults and picks, or a seismic volume of cell properties
+    Prepare(PrepareArgs),
     /// List adapters, their features and limits, and which ways of counting each allows
     Doctor,
 }
@@ -40,11 +43,22 @@ pub enum Command {
 /// What decides a scene and how it is looked at.
 #[derive(Debug, Clone, ClapArgs)]
 pub struct ViewArgs {
-    /// A file (.glb, .gltf, .obj, .ply, .stl) or a built-in scene (grid), with a size if need be (grid:12)
+    /// A file (.glb, .gltf, .obj, .ply, .stl) or a built-in scene (subsurface, grid), with a size and settings if need be (grid:12,
+    /// subsurface:200:tiles=5)
     pub scene: Option<String>,
-    /// The camera path: orbit, flight, or a JSON file of poses
-    #[arg(long, default_value = "orbit")]
-    pub path: String,
+    /// The camera path: orbit, flight, a view of the scene's (open and occluded of subsurface), or a JSON file of poses; where none is
+    /// named, subsurface is flown through and others are circled
+    #[arg(long)]
+    pub path: Option<String>,
+    /// A seismic volume to show sections of, as `prepare` writes it
+    #[arg(long, value_name = "FILE")]
+    pub volume: Option<PathBuf>,
+    /// A slice of the volume, AXIS inline, crossline or time; three in the middle where neither slice nor lens is asked for
+    #[arg(long, value_name = "AXIS=SAMPLE")]
+    pub slice: Vec<SliceAt>,
+    /// A semi-transparent box of the volume: first and last sample along the inline, crossline and time axis
+    #[arg(long, value_name = "I..I,C..C,T..T")]
+    pub lens: Vec<LensAt>,
     /// Poses of the path
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: Option<u32>,
@@ -122,6 +136,132 @@ pub enum Format {
     Mermaid,
     /// For programs
     Json,
+}
+
+/// Arguments of `prepare`.
+#[derive(Debug, ClapArgs)]
+pub struct PrepareArgs {
+    /// Files of horizons and faults: Irap surfaces (.gri, .irap), ROFF grids, GOCAD TSurfs (.ts), faultroom JSON, picks (.csv), rasters (.asc,
+    /// .tif); for a volume a ROFF property; or the built-in model (subsurface, subsurface:200)
+    #[arg(required = true)]
+    pub input: Vec<PathBuf>,
+    /// What to write: a scene (.glb) or a volume (.vol)
+    #[arg(short, long)]
+    pub output: PathBuf,
+    /// Tiles along each side of a horizon, 1 to 64
+    #[arg(long, default_value_t = 10)]
+    pub tiles: u32,
+    /// Triangles of a surface for each of its low-resolution version
+    #[arg(long, default_value_t = 100.0)]
+    pub decimation: f64,
+    /// Triangles of the source for each of the high-resolution version
+    #[arg(long, default_value_t = 1.0)]
+    pub thinning: f64,
+    /// Coarser levels of detail between the two, 0 to 4
+    #[arg(long, default_value_t = 2)]
+    pub levels: u32,
+    /// Which way z grows in the files, where not as is their custom
+    #[arg(long, value_enum)]
+    pub positive: Option<Way>,
+    /// What triangle files (GOCAD, faultroom) hold, where not faults
+    #[arg(long, value_enum)]
+    pub kind: Option<Kind>,
+    /// Triangles between picks with a longer edge are holes, in metres; four times the usual where none is named
+    #[arg(long, value_name = "METRES")]
+    pub longest_edge: Option<f64>,
+    /// The column that names a pick's surface
+    #[arg(long, value_name = "NAME")]
+    pub surface_column: Option<String>,
+    /// The ROFF grid whose cells a property belongs to
+    #[arg(long, value_name = "FILE")]
+    pub grid: Option<PathBuf>,
+    /// Samples of a property's volume; two a cell where none are named
+    #[arg(long, value_name = "IxCxT")]
+    pub samples: Option<Samples>,
+    /// Print nothing but errors
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// Which way z grows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Way {
+    /// Depths
+    Down,
+    /// Elevations
+    Up,
+}
+
+/// What a surface is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Kind {
+    /// Cut into tiles
+    Horizon,
+    /// Kept whole
+    Fault,
+}
+
+/// Samples along three axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Samples(pub [u32; 3]);
+
+impl FromStr for Samples {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sides: Vec<u32> = text
+            .split('x')
+            .map_while(|side| side.parse().ok())
+            .collect();
+        let whole = text.split('x').count() == 3;
+        <[u32; 3]>::try_from(sides)
+            .ok()
+            .filter(|sides| whole && sides.iter().all(|side| *side > 0))
+            .map(Self)
+            .ok_or_else(|| "write it as 256x256x128".to_owned())
+    }
+}
+
+/// Where a slice lies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SliceAt(pub Axis, pub u32);
+
+impl FromStr for SliceAt {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (axis, sample) = text.split_once('=').unwrap_or((text, ""));
+        let axis = Axis::ALL
+            .into_iter()
+            .find(|known| known.to_string() == axis);
+        match (axis, sample.parse()) {
+            (Some(axis), Ok(sample)) => Ok(Self(axis, sample)),
+            _ => Err("write it as inline=120, crossline=80 or time=300".to_owned()),
+        }
+    }
+}
+
+/// Where a lens lies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LensAt(pub SampleBox);
+
+impl FromStr for LensAt {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let ends = |part: &str| {
+            let (first, last) = part.split_once("..")?;
+            Some((first.parse().ok()?, last.parse().ok()?))
+        };
+        let parts: Vec<(u32, u32)> = text.split(',').map_while(ends).collect();
+        match parts.as_slice() {
+            [i, c, t] if text.split(',').count() == 3 => Ok(Self(SampleBox {
+                min: [i.0, c.0, t.0],
+                max: [i.1, c.1, t.1],
+            })),
+            _ => Err("write it as 100..180,60..120,200..320".to_owned()),
+        }
+    }
 }
 
 /// An image's width and height in pixels.

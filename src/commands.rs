@@ -3,4 +3,5 @@
 pub mod compare;
 pub mod doctor;
 pub mod graph;
+pub mod prepare;
 pub mod render;

@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use antumbra::cull::{RegistryError, SettingError, StageError};
 use antumbra::draw::{DeviceError, DrawError};
 use antumbra::measure::MeasureError;
-use antumbra::scene::LoadError;
 use antumbra::scene::builtin::BuiltinError;
+use antumbra::scene::{LoadError, SaveError};
+use antumbra::subsurface::SubsurfaceError;
 use thiserror::Error;
 
 /// What went wrong, for a person to read.
@@ -21,6 +22,9 @@ pub enum Failure {
     /// No such built-in scene.
     #[error(transparent)]
     Builtin(#[from] BuiltinError),
+    /// A sub-surface model.
+    #[error(transparent)]
+    Subsurface(#[from] SubsurfaceError),
     /// A scene file.
     #[error("{}: {error}", path.display())]
     Load {
@@ -29,6 +33,9 @@ pub enum Failure {
         /// What is wrong with it.
         error: LoadError,
     },
+    /// A scene could not be written.
+    #[error(transparent)]
+    Save(#[from] SaveError),
     /// The device.
     #[error(transparent)]
     Device(#[from] DeviceError),
@@ -56,6 +63,7 @@ impl Failure {
             Self::Usage(_)
             | Self::Registry(_)
             | Self::Builtin(_)
+            | Self::Subsurface(SubsurfaceError::Setting { .. })
             | Self::Stage(StageError::Declare(_)) => 2,
             _ => 1,
         }

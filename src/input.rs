@@ -1,13 +1,21 @@
 //! From the command line's words to a device, a scene and a path.
 
 use std::path::Path as FilePath;
+use std::sync::Arc;
 
 use antumbra::draw::Gpu;
-use antumbra::measure::path::{Orbit, Path};
-use antumbra::scene::{Aabb, LoadOptions, Scene, builtin, load};
+use antumbra::measure::compare::{Script, camera};
+use antumbra::measure::path::{Orbit, Path, Pose};
+use antumbra::scene::Camera;
+use antumbra::scene::builtin::{self, BuiltinError};
+use antumbra::scene::{Aabb, LoadOptions, Projection, Scene, load};
+use antumbra::subsurface::{
+    BrickSource, BuiltIn, BuiltInOptions, Model, SectionPlaces, Sections, VolumeFile,
+};
 
 use crate::args::ViewArgs;
 use crate::failure::Failure;
+use crate::progress;
 
 /// A scene with its name, and what fits it where the command line is silent.
 pub struct Input {
@@ -21,14 +29,22 @@ pub struct Input {
     pub size: [u32; 2],
     /// What a built-in scene was made from; `None` for a file.
     pub scene_seed: Option<u64>,
+    /// Slices and lenses of a volume.
+    pub sections: Option<Sections>,
 }
 
 /// File endings that scenes have.
 const ENDINGS: [&str; 5] = ["glb", "gltf", "obj", "ply", "stl"];
 
 /// Without a scene named, a software adapter gets a smaller one, so that the answer comes within a minute.
-const SMALL: (&str, u32, [u32; 2]) = ("grid:14", 30, [640, 512]);
-const FULL: (&str, u32, [u32; 2]) = ("grid", 120, [1280, 1024]);
+const SMALL: (&str, u32, [u32; 2]) = ("subsurface:160", 24, [640, 512]);
+const FULL: (&str, u32, [u32; 2]) = ("subsurface", 120, [1280, 1024]);
+
+/// The near plane of sub-surface views, in metres: the model is 6 km wide, and flown through.
+const NEAR: f64 = 5.0;
+
+/// Bytes of a volume that are kept in memory.
+const BUDGET: usize = 64 << 20;
 
 impl Input {
     /// Loads or builds what the arguments name.
@@ -44,73 +60,234 @@ impl Input {
         let named = args.scene.as_deref().unwrap_or(default_scene);
         let size = args.size.map_or(size, |size| size.0);
         let frames = args.frames.unwrap_or(frames) as usize;
-        let (mut scene, scene_seed) = scene(named)?;
-        scene.ensure_proxies(&Default::default());
-        scene.update();
-        let path = path(args, named, &scene, size, frames)?;
+        let mut found = Found::named(named, args.asks_for_sections())?;
+        found.add_sections(args)?;
+        found.scene.ensure_proxies(&Default::default());
+        found.scene.update();
+        let path = path(args, &found, size, frames)?;
         let name = FilePath::new(named)
             .file_name()
             .map_or(named.to_owned(), |name| name.to_string_lossy().into_owned());
         Ok(Self {
-            scene,
+            scene: found.scene,
             name,
             path,
             size,
-            scene_seed,
+            scene_seed: found.seed,
+            sections: found.sections,
         })
     }
 }
 
-/// The scene, and the seed of a built-in one.
-fn scene(named: &str) -> Result<(Scene, Option<u64>), Failure> {
-    let file = FilePath::new(named);
-    let ending = file
-        .extension()
-        .and_then(|ending| ending.to_str())
-        .unwrap_or_default()
-        .to_lowercase();
-    if file.is_file() || ENDINGS.contains(&ending.as_str()) {
-        let loaded = load(file, &LoadOptions::default()).map_err(|error| Failure::Load {
-            path: file.to_owned(),
-            error,
-        });
-        return Ok((loaded?, None));
-    }
-    if file.exists() || named.contains(['/', '\\']) {
-        let known = ENDINGS.map(|ending| format!(".{ending}")).join(", ");
-        return Err(Failure::Usage(format!(
-            "'{named}' is no scene: name a file ({known}) or a built-in scene ({})",
-            builtin::names().join(", ")
-        )));
-    }
-    let (name, size) = match named.split_once(':') {
-        Some((name, size)) => {
-            let size = size
-                .parse()
-                .map_err(|_| Failure::Usage(format!("'{size}' is no size: write {name}:12")))?;
-            (name, Some(size))
+impl Input {
+    /// The camera at a pose, with the scene turned towards it.
+    ///
+    /// # Errors
+    /// For a pose that the path does not have.
+    pub fn look(&mut self, pose: usize) -> Result<Camera, Failure> {
+        let camera = camera(&self.path, pose)?;
+        if let Some(sections) = &mut self.sections {
+            sections.face(&mut self.scene, camera.position)?;
         }
-        None => (named, None),
-    };
-    let scene = builtin::by_name(name, size)?;
-    Ok((scene, Some(builtin::GridOptions::default().seed)))
+        Ok(camera)
+    }
 }
 
-fn path(
-    args: &ViewArgs,
-    named: &str,
-    scene: &Scene,
-    size: [u32; 2],
-    frames: usize,
-) -> Result<Path, Failure> {
+/// What a name stands for.
+struct Found {
+    scene: Scene,
+    /// What a built-in scene was made from.
+    seed: Option<u64>,
+    /// What the scene brings its own views of.
+    model: Option<Model>,
+    sections: Option<Sections>,
+    /// Whether it is the whole built-in grid, which has an orbit of its own.
+    whole_grid: bool,
+}
+
+impl Found {
+    /// `bare`: a built-in model comes without its own slices and lens.
+    fn named(named: &str, bare: bool) -> Result<Self, Failure> {
+        let file = FilePath::new(named);
+        let ending = file
+            .extension()
+            .and_then(|ending| ending.to_str())
+            .unwrap_or_default()
+            .to_lowercase();
+        if file.is_file() || ENDINGS.contains(&ending.as_str()) {
+            let loaded = load(file, &LoadOptions::default()).map_err(|error| Failure::Load {
+                path: file.to_owned(),
+                error,
+            });
+            return Ok(Self {
+                scene: loaded?,
+                seed: None,
+                model: None,
+                sections: None,
+                whole_grid: false,
+            });
+        }
+        if file.exists() || named.contains(['/', '\\']) {
+            let known = ENDINGS.map(|ending| format!(".{ending}")).join(", ");
+            return Err(Failure::Usage(format!(
+                "'{named}' is no scene: name a file ({known}) or a built-in scene ({})",
+                built_in_names().join(", ")
+            )));
+        }
+        let mut words = named.split(':');
+        let name = words.next().unwrap_or_default();
+        let settings: Vec<(&str, &str)> = words
+            .map(|word| word.split_once('=').unwrap_or(("size", word)))
+            .collect();
+        if name == "subsurface" {
+            Self::subsurface(&settings, bare)
+        } else {
+            Self::built_in(name, &settings)
+        }
+    }
+
+    fn subsurface(settings: &[(&str, &str)], bare: bool) -> Result<Self, Failure> {
+        let mut options = BuiltInOptions::default();
+        for (key, value) in settings {
+            options.set(key, value)?;
+        }
+        if bare {
+            (options.slices, options.lens) = (false, false);
+        }
+        let bar = progress::work("preparing", false);
+        let built = BuiltIn::new(&options, &|done, total| {
+            bar.set_length(total as u64);
+            bar.set_position(done as u64);
+        });
+        bar.finish_and_clear();
+        let built = built?;
+        Ok(Self {
+            scene: built.scene,
+            seed: Some(options.model.seed),
+            model: Some(built.model),
+            sections: Some(built.sections),
+            whole_grid: false,
+        })
+    }
+
+    fn built_in(name: &str, settings: &[(&str, &str)]) -> Result<Self, Failure> {
+        let mut size = None;
+        for (key, value) in settings {
+            if *key != "size" {
+                return Err(Failure::Usage(format!(
+                    "'{key}' is no setting of {name}: it has a size alone, {name}:12"
+                )));
+            }
+            let number = value.parse();
+            size =
+                Some(number.map_err(|_| {
+                    Failure::Usage(format!("'{value}' is no size: write {name}:12"))
+                })?);
+        }
+        let scene = builtin::by_name(name, size).map_err(|error| match error {
+            BuiltinError::UnknownName { name } => Failure::Usage(format!(
+                "there is no built-in scene \"{name}\"; there are: {}",
+                built_in_names().join(", ")
+            )),
+            error => error.into(),
+        })?;
+        Ok(Self {
+            scene,
+            seed: Some(builtin::GridOptions::default().seed),
+            model: None,
+            sections: None,
+            whole_grid: size.is_none(),
+        })
+    }
+}
+
+impl Found {
+    /// Adds what the arguments ask for: of the volume they name, or of the model's own.
+    fn add_sections(&mut self, args: &ViewArgs) -> Result<(), Failure> {
+        let source: Arc<dyn BrickSource> = match (&args.volume, &self.model) {
+            (Some(file), _) => Arc::new(VolumeFile::open(file)?),
+            _ if !args.asks_for_sections() => return Ok(()),
+            (None, Some(model)) => Arc::new(model.volume()),
+            (None, None) => {
+                return Err(Failure::Usage(
+                    "slices and lenses are of a volume: name one with --volume".to_owned(),
+                ));
+            }
+        };
+        let places = if args.slice.is_empty() && args.lens.is_empty() {
+            SectionPlaces::middle(source.as_ref())
+        } else {
+            SectionPlaces {
+                slices: args.slice.iter().map(|at| (at.0, at.1)).collect(),
+                lenses: args.lens.iter().map(|at| at.0).collect(),
+            }
+        };
+        let mut sections = Sections::spawn(&mut self.scene, source, &places, BUDGET)?;
+        sections.page(&mut self.scene, &|_| false)?;
+        self.sections = Some(sections);
+        Ok(())
+    }
+}
+
+impl ViewArgs {
+    /// Whether sections of a volume are asked for, in place of a model's own.
+    fn asks_for_sections(&self) -> bool {
+        self.volume.is_some() || !self.slice.is_empty() || !self.lens.is_empty()
+    }
+}
+
+/// Turns the lenses towards each pose.
+pub struct FaceLenses<'a>(pub &'a mut Sections);
+
+impl Script for FaceLenses<'_> {
+    fn set(&mut self, scene: &mut Scene, _: usize, camera: &Camera) -> Result<(), String> {
+        let faced = self.0.face(scene, camera.position);
+        faced.map(|_| ()).map_err(|error| error.to_string())
+    }
+}
+
+fn built_in_names() -> Vec<&'static str> {
+    std::iter::once("subsurface")
+        .chain(builtin::names().iter().copied())
+        .collect()
+}
+
+fn path(args: &ViewArgs, found: &Found, size: [u32; 2], frames: usize) -> Result<Path, Failure> {
     let nothing = Aabb::new(glam::DVec3::NEG_ONE, glam::DVec3::ONE);
-    let bounds = scene.bounds().unwrap_or(nothing);
+    let bounds = found.scene.bounds().unwrap_or(nothing);
     let aspect = f64::from(size[0]) / f64::from(size[1]);
-    match args.path.as_str() {
+    if let Some(model) = &found.model
+        && let Some(path) = own_path(args.path.as_deref(), model, frames)?
+    {
+        return Ok(path);
+    }
+    match args.path.as_deref() {
         // The grid's own orbit, whole grid or a part of it.
-        "orbit" if named == "grid" => Ok(Path::orbit(&Orbit::grid(frames))?),
-        "orbit" => Ok(Path::orbit_around(&bounds, aspect, frames)?),
-        "flight" => Ok(Path::flight(&bounds, args.seed, frames)?),
-        file => Ok(Path::load(file)?),
+        None | Some("orbit") if found.whole_grid => Ok(Path::orbit(&Orbit::grid(frames))?),
+        None | Some("orbit") => Ok(Path::orbit_around(&bounds, aspect, frames)?),
+        Some("flight") => Ok(Path::flight(&bounds, args.seed, frames)?),
+        Some(file) => Ok(Path::load(file)?),
+    }
+}
+
+/// A path that a sub-surface model brings along: its flight, or one of its views.
+fn own_path(named: Option<&str>, model: &Model, frames: usize) -> Result<Option<Path>, Failure> {
+    let projection = |fov_y| Projection::Perspective { fov_y, near: NEAR };
+    let views = model.views();
+    match named {
+        None | Some("flight") => {
+            let fov_y = views.first().map_or(0.7, |view| view.fov_y);
+            let path = Path::through("flight", &model.flight(), projection(fov_y), frames)?;
+            Ok(Some(path))
+        }
+        Some(name) => {
+            let Some(view) = views.iter().find(|view| view.name == name) else {
+                return Ok(None);
+            };
+            let pose = Pose::look_at(view.position, view.target, None)
+                .map_err(|error| Failure::Usage(format!("the view {name}: {error}")))?;
+            let poses = vec![pose; frames];
+            Ok(Some(Path::new(name, projection(view.fov_y), poses)?))
+        }
     }
 }

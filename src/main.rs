@@ -1,4 +1,4 @@
-//! The command line: compare, render, graph, doctor.
+//! The command line: compare, render, graph, prepare, doctor.
 //!
 //! Exit status: 0, 1 when the work failed, 2 for wrong usage.
 
@@ -27,6 +27,7 @@ fn main() -> ExitCode {
         Command::Compare(args) => commands::compare::run(args),
         Command::Render(args) => commands::render::run(args),
         Command::Graph(args) => commands::graph::run(args),
+        Command::Prepare(args) => commands::prepare::run(args),
         Command::Doctor => commands::doctor::run(),
     };
     match outcome {

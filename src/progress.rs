@@ -42,3 +42,18 @@ impl Bars {
         self.bar.finish_and_clear();
     }
 }
+
+/// A bar for one kind of work, on standard error where that is a terminal and `quiet` is not asked for. Work that takes no time shows none.
+pub fn work(what: &'static str, quiet: bool) -> ProgressBar {
+    let target = if quiet {
+        ProgressDrawTarget::hidden()
+    } else {
+        ProgressDrawTarget::stderr()
+    };
+    let bar = ProgressBar::with_draw_target(Some(1), target);
+    if let Ok(style) = ProgressStyle::with_template("{msg:>14} {bar:40} {percent}%, {eta} left") {
+        bar.set_style(style);
+    }
+    bar.set_message(what);
+    bar
+}

@@ -1,14 +1,14 @@
 //! `antumbra compare`: the main job.
 
 use antumbra::draw::Gpu;
-use antumbra::measure::compare::{CompareOptions, compare};
+use antumbra::measure::compare::{CompareOptions, Script, compare_scripted};
 use antumbra::measure::table::{Table, facts, wants_colour};
 use antumbra::measure::verdict::picks;
 
 use crate::args::CompareArgs;
 use crate::contenders::contenders;
 use crate::failure::Failure;
-use crate::input::Input;
+use crate::input::{FaceLenses, Input};
 use crate::progress::Bars;
 
 /// Compares, writes the report, prints the table and where the report lies.
@@ -28,9 +28,16 @@ pub fn run(args: CompareArgs) -> Result<(), Failure> {
         ..CompareOptions::default()
     };
     let mut bars = Bars::new(args.quiet);
-    let comparison = compare(
+    let mut lenses = input.sections.as_mut().map(FaceLenses);
+    let mut nothing = ();
+    let script: &mut dyn Script = match &mut lenses {
+        Some(lenses) => lenses,
+        None => &mut nothing,
+    };
+    let comparison = compare_scripted(
         &gpu,
         &mut input.scene,
+        script,
         &input.path,
         &contenders.list,
         &options,

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use antumbra::cull::{Members, Oracle, Registry, Stage, StageOptions, ViewInput, ViewSpec};
 use antumbra::draw::{Gpu, GpuScene};
 use antumbra::graph::Picture;
-use antumbra::measure::compare::camera;
 
 use crate::args::{Format, GraphArgs};
 use crate::failure::Failure;
@@ -19,6 +18,7 @@ pub fn run(args: GraphArgs) -> Result<(), Failure> {
     let strategy = Registry::built_in().parse(&args.strategy)?;
     let gpu = Gpu::open(&args.view.adapter)?;
     let mut input = Input::open(&args.view, &gpu)?;
+    let camera = input.look(0)?;
     let scene = GpuScene::new(&gpu, &mut input.scene)?;
     let [width, height] = input.size;
     let options = StageOptions {
@@ -31,7 +31,6 @@ pub fn run(args: GraphArgs) -> Result<(), Failure> {
         vec![ViewSpec::main(width, height)],
         options,
     )?;
-    let camera = camera(&input.path, 0)?;
     let reference = match stage.strategy().needs_reference() {
         true => Some(Arc::new(
             Oracle::new(&scene, input.size)

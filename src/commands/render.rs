@@ -6,7 +6,6 @@ use antumbra::cull::{
     Members, Oracle, Registry, Stage, StageError, StageOptions, Verdict, ViewInput, ViewSpec,
 };
 use antumbra::draw::{Gpu, GpuScene, read_back};
-use antumbra::measure::compare::camera;
 use antumbra::measure::image_error::save_png;
 use image::{Rgba, RgbaImage};
 
@@ -22,6 +21,7 @@ pub fn run(args: RenderArgs) -> Result<(), Failure> {
     let strategy = Registry::built_in().parse(&args.strategy)?;
     let gpu = Gpu::open(&args.view.adapter)?;
     let mut input = Input::open(&args.view, &gpu)?;
+    let camera = input.look(args.pose as usize)?;
     let scene = GpuScene::new(&gpu, &mut input.scene)?;
     let [width, height] = input.size;
     let mut stage = Stage::new(
@@ -30,7 +30,6 @@ pub fn run(args: RenderArgs) -> Result<(), Failure> {
         vec![ViewSpec::main(width, height)],
         StageOptions::default(),
     )?;
-    let camera = camera(&input.path, args.pose as usize)?;
     let mut oracle = Oracle::new(&scene, input.size);
     let reference = Some(Arc::new(
         oracle.look(&scene, &camera, Members::Frustum)?.owners(),

@@ -6,6 +6,7 @@
 //! - [`Surface`] is a horizon or a fault at full resolution, wherever it came from.
 
 mod assemble;
+mod built_in;
 pub mod corner_point;
 mod error;
 mod height_field;
@@ -13,15 +14,20 @@ mod lens;
 mod model;
 mod prepare;
 pub mod read;
+mod sections;
+mod show;
 mod slice;
 mod surface;
 mod volume;
 
+pub use built_in::{BuiltIn, BuiltInOptions};
 pub use error::SubsurfaceError;
 pub use height_field::HeightField;
 pub use lens::{Facing, Lens, LensOptions};
 pub use model::{Fault, Model, ModelOptions, ModelVolume, View, Well};
 pub use prepare::{PrepareOptions, Prepared, Tile, prepare, prepare_all};
+pub use sections::{SectionPlaces, Sections};
+pub use show::{ShownSurface, add_lamps, surface_material};
 pub use slice::{Paged, Slice, SliceOptions, SliceTile};
 pub use surface::{Surface, SurfaceKind};
 pub use volume::{

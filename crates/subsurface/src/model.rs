@@ -16,11 +16,12 @@ mod wells;
 
 pub use fault::Fault;
 pub use stage::View;
+pub(crate) use stage::colour;
 pub use volume::ModelVolume;
 pub use wells::Well;
 
 use crate::error::SubsurfaceError;
-use crate::surface::{Surface, SurfaceKind};
+use crate::surface::Surface;
 use antumbra_scene::Light;
 use fault::displace;
 use glam::{DVec2, DVec3};
@@ -158,12 +159,6 @@ impl Model {
     #[must_use]
     pub fn volume(&self) -> ModelVolume {
         ModelVolume::new(self.clone())
-    }
-
-    /// Linear RGBA of a surface: the spectrum from the top horizon down, and reds for faults.
-    #[must_use]
-    pub fn colour(&self, kind: SurfaceKind, index: usize) -> [f32; 4] {
-        stage::colour(kind, index)
     }
 
     /// Two lamps above the field and where they are, with intensities for its size.

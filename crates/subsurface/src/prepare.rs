@@ -42,7 +42,11 @@ impl Default for PrepareOptions {
 }
 
 impl PrepareOptions {
-    fn check(&self) -> Result<(), SubsurfaceError> {
+    /// Refuses what is out of range.
+    ///
+    /// # Errors
+    /// [`SubsurfaceError::Setting`], which names the option and its range.
+    pub fn check(&self) -> Result<(), SubsurfaceError> {
         let ratio = |value: f64| (1.0..=1e6).contains(&value);
         let refuse = |what, value: String, problem: &str| {
             Err(SubsurfaceError::Setting {

@@ -35,7 +35,8 @@ const HORIZONS: [[u8; 3]; 11] = [
 /// sRGB.
 const FAULTS: [[u8; 3]; 4] = [[206, 62, 48], [224, 94, 52], [186, 44, 72], [214, 78, 96]];
 
-pub(super) fn colour(kind: SurfaceKind, index: usize) -> [f32; 4] {
+/// Linear RGBA of a surface: the spectrum from the top horizon down, and reds for faults.
+pub(crate) fn colour(kind: SurfaceKind, index: usize) -> [f32; 4] {
     let palette: &[[u8; 3]] = match kind {
         SurfaceKind::Horizon => &HORIZONS,
         SurfaceKind::Fault => &FAULTS,
@@ -56,13 +57,13 @@ fn linear(component: u8) -> f32 {
 }
 
 pub(super) fn lights() -> [(DVec3, Light); 2] {
-    // Candela: about three lux in the middle of the field from the first, one from the second.
+    // Candela: about three lux in the middle of the model from the first, one from the second.
     [
-        (DVec3::new(5200.0, 5200.0, 2800.0), [1.0, 0.96, 0.9], 1.6e8),
+        (DVec3::new(3000.0, 2700.0, 2500.0), [1.0, 0.97, 0.92], 1.0e8),
         (
-            DVec3::new(-4600.0, 3000.0, -5000.0),
-            [0.82, 0.9, 1.0],
-            6.0e7,
+            DVec3::new(-3800.0, 2300.0, -3600.0),
+            [0.85, 0.92, 1.0],
+            5.0e7,
         ),
     ]
     .map(|(position, colour, intensity)| {
@@ -81,13 +82,13 @@ pub(super) fn views() -> [View; 2] {
     [
         View {
             name: "open",
-            position: DVec3::new(5600.0, 2900.0, 5200.0),
-            target: DVec3::new(300.0, -1350.0, 300.0),
+            position: DVec3::new(6700.0, 3500.0, 6300.0),
+            target: DVec3::new(250.0, -1500.0, 250.0),
             fov_y,
         },
         View {
             name: "occluded",
-            position: DVec3::new(-3900.0, 3600.0, -4300.0),
+            position: DVec3::new(-4300.0, 4000.0, -4800.0),
             target: DVec3::new(-250.0, -900.0, -250.0),
             fov_y,
         },
@@ -128,4 +129,24 @@ pub(super) fn flight(model: &Model) -> Vec<(DVec3, DVec3)> {
         (DVec3::new(-2400.0, -900.0, 4600.0), centre),
         (DVec3::new(2800.0, 800.0, 6800.0), centre),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn colours_tell_neighbours_apart() {
+        let bits = |kind, index| colour(kind, index).map(f32::to_bits);
+        let horizons: HashSet<_> = (0..11).map(|k| bits(SurfaceKind::Horizon, k)).collect();
+        assert_eq!(horizons.len(), 11);
+        for fault in 0..16 {
+            let own = bits(SurfaceKind::Fault, fault);
+            assert_ne!(own, bits(SurfaceKind::Fault, fault + 1));
+            assert!(!horizons.contains(&own));
+        }
+        let any = colour(SurfaceKind::Horizon, usize::MAX);
+        assert!(any.iter().all(|c| (0.0..=1.0).contains(c)));
+    }
 }
