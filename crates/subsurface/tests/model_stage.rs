@@ -2,9 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_scene::{Camera, Projection, Scene};
-use antumbra_subsurface::{Model, ModelOptions, SurfaceKind};
+use antumbra_subsurface::{Model, ModelOptions};
 use glam::{DAffine3, DVec2, DVec3};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 fn model(nodes_per_side: u32, seed: u64) -> Model {
     let options = ModelOptions {
@@ -48,27 +48,6 @@ fn wells_are_closed_tubes_inside_the_volume() {
             assert!(max.y - min.y > 1500.0);
         }
     }
-}
-
-#[test]
-fn colours_tell_neighbours_apart() {
-    let model = model(2, 1);
-    let colour = |kind, index| model.colour(kind, index).map(f32::to_bits);
-    let horizons: HashSet<_> = (0..11).map(|k| colour(SurfaceKind::Horizon, k)).collect();
-    assert_eq!(horizons.len(), 11);
-    for fault in 0..16 {
-        assert_ne!(
-            colour(SurfaceKind::Fault, fault),
-            colour(SurfaceKind::Fault, fault + 1)
-        );
-        assert!(!horizons.contains(&colour(SurfaceKind::Fault, fault)));
-    }
-    assert!(
-        model
-            .colour(SurfaceKind::Horizon, usize::MAX)
-            .iter()
-            .all(|c| (0.0..=1.0).contains(c))
-    );
 }
 
 #[test]

@@ -87,6 +87,16 @@ impl Fault {
         self.throw * rest * (rest * (1.0 + 3.0 * radius)).sqrt()
     }
 
+    /// Whether the surface passes a point within so many metres.
+    pub(super) fn passes(&self, place: DVec2, depth: f64, within: f64) -> bool {
+        let local = self.local(place);
+        let [sine, _] = self.slope;
+        let distance = (local.across - self.across(local.along, depth)) * sine;
+        local.along.abs() < self.half_length
+            && (depth - self.depth).abs() < self.half_depth()
+            && distance.abs() < within
+    }
+
     /// Whether this fault may move anything above or below a place.
     pub(super) fn reaches(&self, place: DVec2) -> bool {
         let local = self.local(place);

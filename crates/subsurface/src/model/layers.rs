@@ -81,7 +81,8 @@ impl Layers {
         let dome = DVec2::new(chance.between(-900.0, 900.0), chance.between(-900.0, 900.0));
         let dome_reach = chance.between(1300.0, 1700.0);
         let long = [32.0, 18.0, 12.0].map(|height| Wave::new(chance, [2200.0, 6000.0], height));
-        let short = [3.0, 2.2, 1.5].map(|height| Wave::new(chance, [140.0, 420.0], height));
+        let short = [2.6, 2.2, 1.8, 1.4, 1.1, 0.8, 0.6]
+            .map(|height| Wave::new(chance, [110.0, 620.0], height));
         let shares: Vec<f64> = (1..horizons).map(|_| chance.between(0.65, 1.35)).collect();
         let whole: f64 = shares.iter().sum();
         let layer = |share: f64| Layer {

@@ -13,6 +13,8 @@ const THROWS: [f64; 2] = [20.0, 150.0];
 const TRIES: usize = 24;
 /// Metres between a fault and the border of the volume.
 const MARGIN: f64 = 60.0;
+/// Metres between the middle of a fault and another fault.
+const CLEARANCE: f64 = 100.0;
 
 /// The faults, oldest and greatest first.
 pub(super) fn faults(seed: u64, layers: &Layers, horizons: usize, count: usize) -> Vec<Fault> {
@@ -33,17 +35,26 @@ pub(super) fn faults(seed: u64, layers: &Layers, horizons: usize, count: usize) 
             );
             let horizon = chance.pick(horizons);
             let before = displace(&faults, centre, layers.depth(horizon, centre));
+            let tried = Fault {
+                centre,
+                horizon,
+                depth: before.depth,
+                ..fault
+            };
             let others = faults.iter().map(|other| other.centre.distance(centre));
             let mut apart = others.fold(DEPTH, f64::min);
-            // Next to the top or the bottom there is little of a fault, and within another one none.
-            if before.cut || DEPTH * 0.5 - (before.depth - DEPTH * 0.5).abs() < DEPTH * 0.25 {
+            let meets = |other: &Fault| {
+                other.passes(centre, before.depth, CLEARANCE)
+                    || tried.passes(other.centre, other.depth, CLEARANCE)
+            };
+            // Next to the top or the bottom there is little room for a fault.
+            let to_end = before.depth.min(DEPTH - before.depth);
+            if before.cut || to_end < DEPTH * 0.25 || faults.iter().any(meets) {
                 apart -= DEPTH * 10.0;
             }
             if apart > best {
                 best = apart;
-                fault.centre = centre;
-                fault.horizon = horizon;
-                fault.depth = before.depth;
+                fault = tried;
             }
         }
         let above_and_below = fault.depth.min(DEPTH - fault.depth) - MARGIN;
