@@ -9,7 +9,7 @@ use crate::args::CompareArgs;
 use crate::failure::Failure;
 
 /// Waiting for each of more occludees than this takes minutes: only when asked for.
-const PATIENCE: usize = 2_000;
+const PATIENCE: usize = 500;
 
 /// What is compared when nothing is asked for: label, then the strategy.
 const STANDARD: [(&str, &str); 9] = [

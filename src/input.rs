@@ -160,7 +160,8 @@ impl Found {
             bar.set_position(done as u64);
         });
         bar.finish_and_clear();
-        let built = built?;
+        let mut built = built?;
+        built.sections.page(&mut built.scene, &|_| false)?;
         Ok(Self {
             scene: built.scene,
             seed: Some(options.model.seed),

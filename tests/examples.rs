@@ -8,6 +8,9 @@ mod custom_strategy;
 #[path = "../examples/embed.rs"]
 #[allow(dead_code, reason = "its main is run by hand")]
 mod embed;
+#[path = "../examples/explore_subsurface.rs"]
+#[allow(dead_code, reason = "its main is run by hand")]
+mod explore_subsurface;
 
 use antumbra::cull::Strategy;
 use antumbra::cull::kit::{self, Kit};
@@ -86,4 +89,19 @@ fn a_stage_may_live_on_another_thread() {
     moves::<antumbra::cull::Stage>();
     moves::<antumbra::draw::GpuScene>();
     moves::<antumbra::scene::Scene>();
+}
+
+#[test]
+fn a_flight_reads_only_what_is_seen_and_goes_on_while_surfaces_come_and_go() {
+    let dir = tempfile::tempdir().unwrap();
+    let image = dir.path().join("subsurface.png");
+    let mut options = antumbra::subsurface::BuiltInOptions::default();
+    options.model.nodes_per_side = 64;
+    options.prepare.tiles = 5;
+    let explored = || explore_subsurface::run(options, [320, 256], 16, &image).unwrap();
+    let first = explored();
+    assert!(0 < first.bricks_read && first.bricks_read < first.bricks_crossed);
+    assert!(first.drawn < first.entities * 2 / 3, "{first:?}");
+    assert!(image.is_file());
+    assert_eq!(first, explored(), "the same flight went otherwise");
 }

@@ -118,11 +118,16 @@ impl Samples {
                 .occupant(*slot)
                 .map_or(u64::MAX, |occupant| occupant.born);
             let verdict = match (asked, self.get(*slot)) {
-                _ if candidates.is_near(*slot) => Verdict::Untested,
+                _ if candidates.is_near(*slot) => {
+                    if !table.is_tested(*slot) {
+                        verdicts.note(*slot, true);
+                    }
+                    Verdict::Untested
+                }
                 (Some(asked), _) if born > asked.epoch => Verdict::New,
                 (Some(_), count) if !table.is_tested(*slot) => {
-                    if count == Some(0) {
-                        verdicts.note_hidden(*slot);
+                    if let Some(count) = count {
+                        verdicts.note(*slot, count > 0);
                     }
                     Verdict::Untested
                 }

@@ -57,8 +57,8 @@ pub struct Verdicts {
     of: Vec<Verdict>,
     /// By slot as far as it reaches; level 0 beyond.
     levels: Vec<u8>,
-    /// Drawn, though no sample was visible; ascending.
-    hidden: Vec<u32>,
+    /// What a test said of those that are drawn whatever it says; ascending.
+    noted: Vec<(u32, bool)>,
     asked: u32,
 }
 
@@ -68,7 +68,7 @@ impl Verdicts {
         self.of.clear();
         self.of.resize(slots as usize, verdict);
         self.levels.clear();
-        self.hidden.clear();
+        self.noted.clear();
         self.asked = 0;
     }
 
@@ -118,14 +118,23 @@ impl Verdicts {
             .map_or(1, |most| most.saturating_add(1))
     }
 
-    /// Notes that a slot is drawn for reasons of its own though a test found no sample of it. Slots come in ascending order.
-    pub fn note_hidden(&mut self, slot: u32) {
-        self.hidden.push(slot);
+    /// Notes what a test said of a slot that is drawn whatever it says: whether any sample was visible. Slots come in ascending order.
+    pub fn note(&mut self, slot: u32, seen: bool) {
+        self.noted.push((slot, seen));
     }
 
-    /// Whether a test found no sample of a slot, be it drawn or not: what it would show need not be fetched.
-    pub fn is_hidden(&self, slot: u32) -> bool {
-        self.get(slot) == Verdict::Occluded || self.hidden.binary_search(&slot).is_ok()
+    /// Whether a test found a visible sample of a slot, be it drawn or not; `None` where no test has said anything yet. What would be fetched to
+    /// show a slot need not be until this is `Some(true)`.
+    pub fn seen(&self, slot: u32) -> Option<bool> {
+        match self.get(slot) {
+            Verdict::Absent => None,
+            Verdict::OutsideFrustum | Verdict::Occluded => Some(false),
+            Verdict::BelowThreshold | Verdict::Visible => Some(true),
+            Verdict::Untested | Verdict::New => {
+                let at = self.noted.binary_search_by_key(&slot, |noted| noted.0);
+                Some(self.noted.get(at.ok()?)?.1)
+            }
+        }
     }
 
     /// Slots that are drawn, ascending.

@@ -100,7 +100,7 @@ pub struct BuiltIn {
     pub surfaces: Vec<ShownSurface>,
     /// The wells' entities.
     pub wells: Vec<EntityKey>,
-    /// Inline, crossline and time slice, and the lens; all filled.
+    /// Inline, crossline and time slice, and the lens; empty until they are paged.
     pub sections: Sections,
 }
 
@@ -141,8 +141,7 @@ impl BuiltIn {
         }
         let volume = Arc::new(model.volume());
         let places = places(volume.layout(), options);
-        let mut sections = Sections::spawn(&mut scene, volume, &places, options.budget)?;
-        sections.page(&mut scene, &|_| false)?;
+        let sections = Sections::spawn(&mut scene, volume, &places, options.budget)?;
         Ok(Self {
             scene,
             model,
