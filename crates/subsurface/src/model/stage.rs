@@ -82,8 +82,8 @@ pub(super) fn views() -> [View; 2] {
     [
         View {
             name: "open",
-            position: DVec3::new(6700.0, 3500.0, 6300.0),
-            target: DVec3::new(250.0, -1500.0, 250.0),
+            position: DVec3::new(6900.0, 3500.0, 6500.0),
+            target: DVec3::new(350.0, -1700.0, 350.0),
             fov_y,
         },
         View {
