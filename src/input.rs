@@ -43,6 +43,9 @@ const FULL: (&str, u32, [u32; 2]) = ("subsurface", 120, [1280, 1024]);
 /// The near plane of sub-surface views, in metres: the model is 6 km wide, and flown through.
 const NEAR: f64 = 5.0;
 
+/// Frames of the whole flight through the sub-surface model: half a minute of a screen's.
+const FLIGHT: usize = 1800;
+
 /// Bytes of a volume that are kept in memory.
 const BUDGET: usize = 64 << 20;
 
@@ -278,7 +281,7 @@ fn own_path(named: Option<&str>, model: &Model, frames: usize) -> Result<Option<
     match named {
         None | Some("flight") => {
             let fov_y = views.first().map_or(0.7, |view| view.fov_y);
-            let path = Path::through("flight", &model.flight(), projection(fov_y), frames)?;
+            let path = Path::through("flight", &model.flight(), projection(fov_y), FLIGHT, frames)?;
             Ok(Some(path))
         }
         Some(name) => {

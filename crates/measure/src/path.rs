@@ -13,6 +13,7 @@ mod flight;
 mod orbit;
 
 pub use file::{MAX_PATH_BYTES, MAX_POSES};
+pub use flight::BURST;
 pub use orbit::Orbit;
 
 /// Where the camera stands in one frame.

@@ -289,3 +289,57 @@ fn a_huge_file_is_left_before_memory_is() {
             .contains("huge.json")
     );
 }
+
+#[test]
+fn a_flight_through_places_goes_from_the_first_to_the_last() {
+    let places: Vec<(DVec3, DVec3)> = (0..6)
+        .map(|i| (DVec3::new(f64::from(i) * 100.0, 50.0, 80.0), DVec3::ZERO))
+        .collect();
+    let projection = Projection::Perspective {
+        fov_y: 1.0,
+        near: 0.5,
+    };
+    let through =
+        |whole, frames| Path::through("mine", &places, projection, whole, frames).unwrap();
+    let whole = through(60, 60);
+    let [first, last] = [whole.poses()[0], whole.poses()[59]];
+    // The spline's ends are repeated keys: near them, not in them.
+    assert!(
+        first.position.distance(places[0].0) < 20.0,
+        "{}",
+        first.position
+    );
+    assert!(
+        last.position.distance(places[5].0) < 20.0,
+        "{}",
+        last.position
+    );
+    assert!((first.rotation * DVec3::NEG_Z).dot((DVec3::ZERO - first.position).normalize()) > 0.98);
+    assert!(whole.poses().iter().all(|pose| !pose.cut));
+
+    // In bursts: each pose is one of the whole flight's, and follows on the one before but at a cut.
+    let parts = through(60, 30);
+    assert_eq!(parts.poses().len(), 30);
+    let at = |pose: &Pose| {
+        let same =
+            |other: &Pose| other.position == pose.position && other.rotation == pose.rotation;
+        whole
+            .poses()
+            .iter()
+            .position(same)
+            .expect("a pose of the whole flight")
+    };
+    let places: Vec<usize> = parts.poses().iter().map(at).collect();
+    let cuts: Vec<usize> = (0..30).filter(|i| parts.poses()[*i].cut).collect();
+    assert_eq!(cuts, [0, 12, 24]);
+    for i in 1..30 {
+        assert!(
+            parts.poses()[i].cut || places[i] == places[i - 1] + 1,
+            "{places:?}"
+        );
+    }
+    assert_eq!((places[0], places[24]), (0, 48));
+
+    assert!(Path::through("none", &[], projection, 60, 60).is_err());
+    assert_eq!(through(60, 1).poses().len(), 1);
+}

@@ -50,7 +50,9 @@ impl Path {
     }
 
     /// A smooth flight of your own: by places, each an eye and what it looks at, in world metres. The camera starts at the first and ends
-    /// at the last; between, it passes near them.
+    /// at the last; between, it passes near them. The whole flight takes `whole` frames; of them `frames` are taken, in bursts of
+    /// [`BURST`] consecutive ones evenly spread over it, each beginning with a cut: so that a few frames show all of the flight, and
+    /// each still follows closely on the one before, as it would on a screen.
     ///
     /// # Errors
     /// No places; as for [`Path::new`].
@@ -58,6 +60,7 @@ impl Path {
         name: impl Into<String>,
         places: &[(DVec3, DVec3)],
         projection: Projection,
+        whole: usize,
         frames: usize,
     ) -> Result<Self, MeasureError> {
         let mut turned = None;
@@ -66,9 +69,28 @@ impl Path {
             .map(|(eye, target)| Key::towards(*eye, *target - *eye, &mut turned))
             .collect();
         let frames = if keys.is_empty() { 0 } else { frames };
-        Self::new(name, projection, along(&keys, frames))
+        if frames >= whole {
+            return Self::new(name, projection, along(&keys, frames));
+        }
+        let bursts = frames.div_ceil(BURST);
+        let step = keys.len().saturating_sub(1) as f64 / whole.saturating_sub(1).max(1) as f64;
+        let first = |burst: usize| match bursts {
+            1 => 0,
+            _ => burst * (whole - BURST.min(frames)) / (bursts - 1),
+        };
+        let poses = (0..frames).map(|frame| {
+            let (burst, within) = (frame / BURST, frame % BURST);
+            Pose {
+                cut: within == 0,
+                ..pose(&keys, (first(burst) + within) as f64 * step)
+            }
+        });
+        Self::new(name, projection, poses.collect())
     }
 }
+
+/// Consecutive frames of a flight that is not measured whole.
+pub const BURST: usize = 12;
 
 /// Poses evenly spread over the spline's time.
 fn along(keys: &[Key], frames: usize) -> Vec<Pose> {
