@@ -226,6 +226,44 @@ fn instances_are_entities() {
 }
 
 #[test]
+fn extras_say_what_is_not_tested() {
+    let triangle = floats(&[0., 0., 0., 1., 0., 0., 0., 1., 0.]);
+    let part = r#"{"attributes":{"POSITION":0}}"#;
+    let json = |extras: &str| {
+        format!(
+            r#"{{"asset":{{"version":"2.0"}},"buffers":[{{"byteLength":36}}],"bufferViews":[{{"buffer":0,"byteLength":36}}],
+"accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}}],"meshes":[{{"primitives":[{part},{part}]}}],
+"nodes":[{{"mesh":0,"extras":{extras},"children":[1]}},{{"mesh":0}},
+{{"mesh":0,"extras":{extras},"extensions":{{"EXT_mesh_gpu_instancing":{{"attributes":{{"TRANSLATION":0}}}}}}}}]}}"#
+        )
+    };
+    let untested = |extras: &str| {
+        let scene = read(&common::glb(&json(extras), &triangle));
+        assert_eq!(scene.len(), 6 + 1 + 3 * 3);
+        let drawn = |e: &EntityKey| scene.drawable(*e).is_some();
+        let all = scene.entities().filter(|e| !scene.is_tested(*e));
+        all.filter(drawn).count()
+    };
+    // Both primitives of the first node, and of the three instances; what hangs below speaks for itself.
+    assert_eq!(untested(r#"{"tested":false}"#), 2 + 6);
+    assert_eq!(untested(r#" { "by":"hand", "tested" : false } "#), 2 + 6);
+    for other in [
+        r#"{"tested":true}"#,
+        r#"{"tested":0}"#,
+        r#"{"tested":null}"#,
+        r#"{"Tested":false}"#,
+        r#"{"in":{"tested":false}}"#,
+        "[false]",
+        "false",
+        r#""tested""#,
+        "null",
+        "{}",
+    ] {
+        assert_eq!(untested(other), 0, "{other}");
+    }
+}
+
+#[test]
 fn materials_say_how_a_surface_looks() {
     let png = base64::engine::general_purpose::STANDARD.encode(common::PNG);
     let json = format!(

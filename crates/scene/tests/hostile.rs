@@ -235,6 +235,29 @@ fn numbers_that_are_not_finite_are_named() {
         "\"turned\"",
         "rotation"
     );
+    for beyond in [
+        r#""translation":[0,-1e39,0]"#,
+        r#""rotation":[0,0,1e39,1]"#,
+        r#""matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 1e39,0,0,1]"#,
+        r#""scale":[1e999,1,1]"#,
+    ] {
+        let problem = gltf(&scene(&format!("{{{beyond}}}"), ""));
+        assert!(
+            matches!(
+                problem,
+                LoadProblem::BadNode { .. } | LoadProblem::Syntax { .. }
+            ),
+            "{problem:?}"
+        );
+    }
+    let short = scene(r#"{"name":"turned","rotation":[0,0,0,1e-60]}"#, "");
+    assert_problem!(gltf(&short), LoadProblem::BadNode { .. }, "no length");
+    // A node as an array of its members, which the JSON reader would take for one.
+    let array = scene(
+        "[null,null,null,null,null,0,null,[0,0,0,1],null,null,null,null]",
+        "",
+    );
+    assert_problem!(gltf(&array), LoadProblem::BadNode { .. }, "no JSON object");
     let projective = scene(r#"{"matrix":[1,0,0,1, 0,1,0,0, 0,0,1,0, 0,0,0,1]}"#, "");
     assert_problem!(gltf(&projective), LoadProblem::BadNode { .. }, "affine");
 }

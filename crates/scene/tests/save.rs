@@ -302,6 +302,38 @@ fn coordinates_are_written_as_f64() {
 }
 
 #[test]
+fn coordinates_come_back_to_the_bit() {
+    let mut scene = Scene::new();
+    let far = DVec3::new(456_000.123_456_789, -1_234.567_89, -5_926_000.987_654_321);
+    let root = scene.spawn(None, DAffine3::from_translation(far)).unwrap();
+    // Numbers whose seventeen digits a hasty reader takes for the next f64.
+    let mut odd = 0x9E37_79B9_7F4A_7C15_u64;
+    let mut number = || {
+        odd = odd.wrapping_mul(0x5851_F42D_4C95_7F2D).wrapping_add(1);
+        ((odd >> 11) as f64 / (1_u64 << 53) as f64 - 0.5) * 1e7
+    };
+    let sheared = DMat3::from_cols(DVec3::X, DVec3::new(0.1, 1.0, 0.0), DVec3::Z);
+    let turned = DMat3::from_quat(DQuat::from_rotation_y(0.7)) * 1.5;
+    for at in 0..300 {
+        let place = DVec3::new(number(), number(), number());
+        let matrix = [DMat3::IDENTITY, turned, sheared][at % 3];
+        let local = DAffine3::from_mat3_translation(matrix, place);
+        scene.spawn(Some(root), local).unwrap();
+    }
+    let (again, _, _folder) = round_trip(&scene);
+    assert_same(&scene, &again);
+    let bits = |scene: &Scene| -> Vec<[u64; 3]> {
+        let locals = scene.entities().map(|e| scene.local(e).unwrap());
+        locals
+            .map(|local| local.translation.to_array().map(f64::to_bits))
+            .collect()
+    };
+    let (was, is) = (bits(&scene), bits(&again));
+    assert_eq!(was.first(), Some(&far.to_array().map(f64::to_bits)));
+    assert_eq!(was, is);
+}
+
+#[test]
 fn lights_and_cameras_come_back() {
     let mut scene = Scene::new();
     let colour = [1.0, 0.9, 0.1];
@@ -456,12 +488,31 @@ fn entities_that_are_not_tested_say_so() {
         scene.set_entity_name(entity, name).unwrap();
         scene.set_tested(entity, name == "tested").unwrap();
     }
-    let (_, document, _folder) = round_trip(&scene);
+    let mesh = scene.add_mesh(Mesh::new("square", square(1.0))).unwrap();
+    let material = scene.add_material(Material::default());
+    let drawable = Drawable { mesh, material };
+    let drawn = spawn(&mut scene, None, "drawn", DAffine3::IDENTITY, drawable);
+    scene.set_tested(drawn, false).unwrap();
+    spawn(
+        &mut scene,
+        Some(drawn),
+        "below",
+        DAffine3::IDENTITY,
+        drawable,
+    );
+    let (again, document, _folder) = round_trip(&scene);
+    assert_same(&scene, &again);
+    let untested = again.entities().filter(|entity| !again.is_tested(*entity));
+    assert_eq!(
+        untested.map(|e| again.entity_name(e)).collect::<Vec<_>>(),
+        ["untested", "drawn"]
+    );
     let extras: Vec<_> = document
         .nodes()
         .map(|node| node.extras().as_ref().map(|json| json.get().to_owned()))
         .collect();
-    assert_eq!(extras, [None, Some(r#"{"tested":false}"#.to_owned())]);
+    let untested = Some(r#"{"tested":false}"#.to_owned());
+    assert_eq!(extras, [None, untested.clone(), untested, None]);
 }
 
 #[test]

@@ -2,7 +2,8 @@
 //! the crate's validation, which expects well-meaning files, is not relied upon.
 //!
 //! Read are all primitive modes, sparse accessors and component types, default morph weights, skins in their rest pose (baked
-//! into the mesh), cameras, base colours and their images, and the extensions in [`SUPPORTED`]. Animations are not.
+//! into the mesh), cameras, base colours and their images, and the extensions in [`SUPPORTED`], and of extras
+//! whether an entity is tested. Animations are not. Nodes are placed in f64.
 
 mod accessor;
 mod container;
@@ -12,6 +13,7 @@ mod geometry;
 mod material;
 mod nodes;
 mod skin;
+mod transform;
 mod tree;
 
 use super::budget::Budget;
@@ -36,7 +38,7 @@ pub(super) fn read(
     budget: &mut Budget,
 ) -> Result<Scene, LoadProblem> {
     let parts = container::split(bytes)?;
-    let root = container::parse(parts.json, budget)?;
-    let document = Document::open(root, parts.binary, files, budget)?;
+    let json = container::parse(parts.json, budget)?;
+    let document = Document::open(json, parts.binary, files, budget)?;
     nodes::place(&document, files, budget)
 }

@@ -4,6 +4,7 @@ use super::super::budget::Budget;
 use super::super::error::LoadProblem;
 use super::SUPPORTED;
 use gltf::json::Root;
+use gltf::json::extras::RawValue;
 use serde::Deserialize;
 
 /// What a file consists of.
@@ -24,6 +25,13 @@ struct Asset {
     /// A string; a number in files of version 1.
     version: Option<serde_json::Value>,
     min_version: Option<serde_json::Value>,
+}
+
+/// As much of the JSON as is read a second time.
+#[derive(Deserialize)]
+struct Again<'a> {
+    #[serde(borrow, default)]
+    nodes: Vec<&'a RawValue>,
 }
 
 const HEADER: usize = 12;
@@ -90,8 +98,11 @@ pub(super) fn split(bytes: &[u8]) -> Result<Parts<'_>, LoadProblem> {
     })
 }
 
-/// The JSON as the `gltf` crate sees it, if its version and required extensions are known.
-pub(super) fn parse(json: &[u8], budget: &Budget) -> Result<Root, LoadProblem> {
+/// The JSON as the `gltf` crate sees it, and its nodes as they stand there, if its version and required extensions are known.
+pub(super) fn parse<'a>(
+    json: &'a [u8],
+    budget: &Budget,
+) -> Result<(Root, Vec<&'a RawValue>), LoadProblem> {
     // A few bytes of JSON become hundreds in memory, so what takes it is counted first.
     let (mut objects, mut commas) = (0_u64, 0_u64);
     for byte in json {
@@ -129,5 +140,7 @@ pub(super) fn parse(json: &[u8], budget: &Budget) -> Result<Root, LoadProblem> {
             supported: SUPPORTED,
         });
     }
-    Ok(root)
+    let again: Again<'_> =
+        serde_json::from_slice(json).map_err(|e| broken("the JSON", e.to_string()))?;
+    Ok((root, again.nodes))
 }

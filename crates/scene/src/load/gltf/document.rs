@@ -3,19 +3,22 @@
 use super::super::budget::Budget;
 use super::super::error::LoadProblem;
 use super::super::files::Files;
+use gltf::json::extras::RawValue;
 use gltf::json::{Index, Root};
 use std::borrow::Cow;
 
 /// The JSON and the bytes it refers to.
 pub(super) struct Document<'a> {
     pub(super) root: Root,
+    /// The root's nodes as the file has them.
+    pub(super) nodes: Vec<&'a RawValue>,
     buffers: Vec<Option<Cow<'a, [u8]>>>,
 }
 
 impl<'a> Document<'a> {
     /// Fetches every buffer and checks that it is as long as it says.
     pub(super) fn open(
-        root: Root,
+        (root, nodes): (Root, Vec<&'a RawValue>),
         binary: Option<&'a [u8]>,
         files: &Files<'_>,
         budget: &mut Budget,
@@ -40,7 +43,11 @@ impl<'a> Document<'a> {
             }
             buffers.push(bytes);
         }
-        Ok(Self { root, buffers })
+        Ok(Self {
+            root,
+            nodes,
+            buffers,
+        })
     }
 
     /// The bytes of a buffer view, and its stride if it has one.

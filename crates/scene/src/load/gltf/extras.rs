@@ -1,4 +1,4 @@
-//! The extensions that the `gltf` crate hands on as plain JSON: MSFT_lod and EXT_mesh_gpu_instancing.
+//! What the `gltf` crate hands on as plain JSON: MSFT_lod, EXT_mesh_gpu_instancing, and the extras that `save_glb` writes.
 
 use super::super::budget::Budget;
 use super::super::error::LoadProblem;
@@ -7,6 +7,23 @@ use super::document::Document;
 use glam::{DAffine3, Quat, Vec3};
 use gltf::json::accessor::Type;
 use gltf::json::scene::Node;
+use serde::Deserialize;
+
+/// As much of a node's extras as means something here.
+#[derive(Deserialize)]
+struct Extras {
+    tested: bool,
+}
+
+/// Whether what the node becomes may be culled by a test: not if its extras say `"tested": false`.
+pub(super) fn tested(node: &Node) -> bool {
+    let extras = node.extras.as_ref().map(|extras| extras.get());
+    // An array would be taken for the members in their order.
+    let object = extras.filter(|extras| extras.starts_with('{'));
+    // Extras are anyone's: what is no such object says something else.
+    let extras = object.and_then(|object| serde_json::from_str::<Extras>(object).ok());
+    extras.is_none_or(|extras| extras.tested)
+}
 
 /// The nodes that stand for `node` from farther away, finest first. What is no index is left out.
 pub(super) fn lods(node: &Node) -> Vec<usize> {

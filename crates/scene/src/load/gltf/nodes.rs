@@ -95,16 +95,28 @@ impl Placer<'_, '_> {
         Ok(entity)
     }
 
+    /// Says that an entity is not tested, if so; others are without being told.
+    fn mark(&mut self, entity: EntityKey, tested: bool) -> Result<(), LoadProblem> {
+        if !tested {
+            self.scene.set_tested(entity, false)?;
+        }
+        Ok(())
+    }
+
     /// Gives a node's entity its mesh, camera and light.
     fn equip(&mut self, index: usize, node: &Node, entity: EntityKey) -> Result<(), LoadProblem> {
+        let tested = extras::tested(node);
+        // Also without a mesh, which it may be given later.
+        self.mark(entity, tested)?;
         if let Some(mesh) = at(node.mesh.as_ref()) {
             let parts = self.parts(index, node, mesh)?;
             match extras::instances(self.document, index, node, self.budget)? {
-                None => self.dress(entity, &parts)?,
+                None => self.dress(entity, &parts, tested)?,
                 Some(instances) => {
                     for local in instances {
                         let instance = self.scene.spawn(Some(entity), local)?;
-                        self.dress(instance, &parts)?;
+                        self.mark(instance, tested)?;
+                        self.dress(instance, &parts, tested)?;
                     }
                 }
             }
@@ -142,6 +154,7 @@ impl Placer<'_, '_> {
         &mut self,
         entity: EntityKey,
         parts: &[(Drawable, String)],
+        tested: bool,
     ) -> Result<(), LoadProblem> {
         if let [(only, _)] = parts {
             self.scene.set_drawable(entity, *only)?;
@@ -150,6 +163,7 @@ impl Placer<'_, '_> {
         for (part, name) in parts {
             let child = self.spawn(Some(entity), DAffine3::IDENTITY, name)?;
             self.scene.set_drawable(child, *part)?;
+            self.mark(child, tested)?;
         }
         Ok(())
     }

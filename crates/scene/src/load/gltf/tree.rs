@@ -3,8 +3,8 @@
 use super::super::error::LoadProblem;
 use super::document::{Document, item};
 use super::extras;
-use glam::{DAffine3, DMat4, DQuat, DVec3, Vec3};
-use gltf::json::scene::Node;
+use super::transform::local;
+use glam::DAffine3;
 
 /// The checked tree.
 pub(super) struct Tree {
@@ -27,9 +27,10 @@ impl Tree {
         let mut is_lod = vec![false; nodes.len()];
         let mut locals = Vec::with_capacity(nodes.len());
         for (index, node) in nodes.iter().enumerate() {
-            locals.push(local(node).map_err(|problem| LoadProblem::BadNode {
+            let json = item(&document.nodes, index, "node", "the file")?;
+            locals.push(local(node, json).map_err(|problem| LoadProblem::BadNode {
                 node: name(index),
-                problem: problem.to_owned(),
+                problem,
             })?);
             for child in node.children.iter().flatten().map(|child| child.value()) {
                 item(nodes, child, "node", &name(index))?;
@@ -124,42 +125,4 @@ fn roots(document: &Document<'_>, parents: &[Option<usize>]) -> Result<Vec<usize
         roots.push(index);
     }
     Ok(roots)
-}
-
-fn local(node: &Node) -> Result<DAffine3, &'static str> {
-    let local = if let Some(matrix) = node.matrix {
-        let matrix = DMat4::from_cols_array(&matrix.map(f64::from));
-        let row = matrix.row(3);
-        if !(row - glam::DVec4::W)
-            .abs()
-            .cmplt(glam::DVec4::splat(1e-4))
-            .all()
-        {
-            return Err(
-                "the last row of its matrix is not 0 0 0 1; only affine matrices can be placed",
-            );
-        }
-        DAffine3::from_mat4(matrix)
-    } else {
-        let rotation = node
-            .rotation
-            .map_or([0.0, 0.0, 0.0, 1.0], |r| r.0)
-            .map(f64::from);
-        let rotation = DQuat::from_array(rotation);
-        let length = rotation.length();
-        if length == 0.0 {
-            return Err("its rotation has no length; use 0 0 0 1 for none");
-        }
-        let vector = |v: Option<[f32; 3]>, or: DVec3| v.map_or(or, |v| Vec3::from(v).as_dvec3());
-        DAffine3::from_scale_rotation_translation(
-            vector(node.scale, DVec3::ONE),
-            rotation / length,
-            vector(node.translation, DVec3::ZERO),
-        )
-    };
-    if local.is_finite() {
-        Ok(local)
-    } else {
-        Err("its transform is not finite")
-    }
 }

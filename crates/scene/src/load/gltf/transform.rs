@@ -1,0 +1,93 @@
+//! A node's transform in the digits that the file has. The `gltf` crate keeps f32 of them, which is half a metre where maps count
+//! millions of metres, so they are read from the node's JSON a second time.
+
+use glam::{DAffine3, DMat4, DQuat, DVec3, DVec4};
+use gltf::json::extras::RawValue;
+use gltf::json::scene::Node;
+use serde::{Deserialize, Deserializer};
+
+/// As much of a node as places it.
+#[derive(Deserialize)]
+struct Numbers {
+    translation: Option<[Number; 3]>,
+    rotation: Option<[Number; 4]>,
+    scale: Option<[Number; 3]>,
+    matrix: Option<[Number; 16]>,
+}
+
+/// A number as near to its digits as f64 can be; what serde_json makes of them by itself may be the next one.
+#[derive(Clone, Copy)]
+struct Number(f64);
+
+impl<'de> Deserialize<'de> for Number {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let digits = <&RawValue>::deserialize(deserializer)?.get();
+        let number = digits.parse().map_err(serde::de::Error::custom)?;
+        Ok(Self(number))
+    }
+}
+
+/// Where a node stands relative to its parent, of its JSON; or what is wrong with that.
+pub(super) fn local(node: &Node, json: &RawValue) -> Result<DAffine3, String> {
+    let vectors = node.translation.is_some() || node.scale.is_some();
+    if !vectors && node.rotation.is_none() && node.matrix.is_none() {
+        return Ok(DAffine3::IDENTITY);
+    }
+    // An array would be taken for the members in their order, which here are not those of the `gltf` crate.
+    if !json.get().starts_with('{') {
+        return Err("it is no JSON object".to_owned());
+    }
+    let numbers: Numbers = serde_json::from_str(json.get()).map_err(|e| e.to_string())?;
+    let local = match numbers.matrix {
+        Some(matrix) => affine(finite(matrix)?)?,
+        None => composed(&numbers)?,
+    };
+    if local.is_finite() {
+        Ok(local)
+    } else {
+        Err(NOT_FINITE.to_owned())
+    }
+}
+
+const NOT_FINITE: &str = "its transform is not finite";
+
+/// The numbers, if f32 holds their sizes, though not their digits: what comes after reckons in f32 too.
+fn finite<const N: usize>(numbers: [Number; N]) -> Result<[f64; N], &'static str> {
+    let numbers = numbers.map(|number| number.0);
+    if numbers.iter().all(|number| (*number as f32).is_finite()) {
+        Ok(numbers)
+    } else {
+        Err(NOT_FINITE)
+    }
+}
+
+fn affine(matrix: [f64; 16]) -> Result<DAffine3, &'static str> {
+    let matrix = DMat4::from_cols_array(&matrix);
+    let off = (matrix.row(3) - DVec4::W).abs();
+    if off.cmplt(DVec4::splat(1e-4)).all() {
+        Ok(DAffine3::from_mat4(matrix))
+    } else {
+        Err("the last row of its matrix is not 0 0 0 1; only affine matrices can be placed")
+    }
+}
+
+fn composed(numbers: &Numbers) -> Result<DAffine3, &'static str> {
+    let vector = |given: Option<[Number; 3]>, or: DVec3| match given {
+        Some(numbers) => finite(numbers).map(DVec3::from),
+        None => Ok(or),
+    };
+    let rotation = match numbers.rotation {
+        Some(numbers) => DQuat::from_array(finite(numbers)?),
+        None => DQuat::IDENTITY,
+    };
+    let length = rotation.length();
+    // What is nothing in f32 is too short to be divided by.
+    if length as f32 == 0.0 {
+        return Err("its rotation has no length; use 0 0 0 1 for none");
+    }
+    Ok(DAffine3::from_scale_rotation_translation(
+        vector(numbers.scale, DVec3::ONE)?,
+        rotation / length,
+        vector(numbers.translation, DVec3::ZERO)?,
+    ))
+}
