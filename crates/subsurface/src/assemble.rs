@@ -6,7 +6,7 @@ use glam::DVec3;
 use crate::surface::{Surface, SurfaceKind};
 
 /// Metres from the world's zero; what lies further out is no place on Earth, and too coarse in f64 to be drawn.
-const FARTHEST: f64 = 1e12;
+pub(crate) const FARTHEST: f64 = 1e12;
 
 /// A point that a surface can have.
 pub(crate) fn is_place(point: DVec3) -> bool {

@@ -6,6 +6,7 @@
 use antumbra_scene::Geometry;
 use glam::{DVec2, DVec3};
 
+use crate::assemble::FARTHEST;
 use crate::error::SubsurfaceError;
 use crate::surface::{Surface, SurfaceKind};
 
@@ -22,7 +23,7 @@ pub struct HeightField {
     pub step_u: DVec2,
     /// The way from a row to the next, metres east and north.
     pub step_v: DVec2,
-    /// Metres, positive up, `columns * rows` of them, a row after the other. What is not finite (NaN, by custom) is a hole.
+    /// Metres, positive up, `columns * rows` of them, a row after the other. What is not finite (NaN, by custom) or beyond 1e12 is a hole.
     pub elevation: Vec<f32>,
 }
 
@@ -35,7 +36,7 @@ impl HeightField {
         }
         let index = row as usize * self.columns as usize + column as usize;
         let height = self.elevation.get(index).copied();
-        height.filter(|height| height.is_finite())
+        height.filter(is_known)
     }
 
     /// Where a node lies in the world; `None` in a hole and outside.
@@ -119,7 +120,7 @@ impl HeightField {
         let span = self.step_u * f64::from(columns) + self.step_v * f64::from(rows);
         let area = self.step_u.perp_dot(self.step_v);
         let far = self.origin.abs() + self.step_u.abs() * f64::from(columns) + span.abs();
-        if !far.is_finite() || far.max_element() > f64::from(f32::MAX) {
+        if !far.is_finite() || far.max_element() > FARTHEST {
             return Some(format!(
                 "origin {} and steps {}, {} reach beyond what can be drawn",
                 self.origin, self.step_u, self.step_v
@@ -135,7 +136,7 @@ impl HeightField {
 
     /// The middle of the grid in the plan and of the defined heights; `None` when there are none.
     fn middle(&self) -> Option<DVec3> {
-        let defined = self.elevation.iter().filter(|height| height.is_finite());
+        let defined = self.elevation.iter().filter(|height| is_known(height));
         let (low, high) = defined.fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), &h| {
             (low.min(h), high.max(h))
         });
@@ -143,6 +144,11 @@ impl HeightField {
         let plan = (self.plan(0, 0) + self.plan(self.columns - 1, self.rows - 1)) * 0.5;
         (low <= high).then(|| DVec3::new(plan.x, height, -plan.y))
     }
+}
+
+/// A height that is a place on Earth.
+fn is_known(height: &f32) -> bool {
+    f64::from(height.abs()) <= FARTHEST
 }
 
 /// Vertices are made as the first triangle asks for them; only two rows of them are looked up at a time.

@@ -80,7 +80,7 @@ pub type Progress<'a> = &'a mut dyn FnMut(u64, u64);
 ///
 /// Of picks, the columns `x`, `y`, `z` (or easting, northing, elevation, depth) are found by their names whatever their case; the
 /// surface's name is made of all columns called `surface`, `horizon`, `formation`, `feature_name`, `name` or `val`, and a row that leaves
-/// one of those empty is no pick. Without such a column the picks make one surface. Picks at the same place become their mean.
+/// one of those empty is no pick. Surfaces whose picks span no triangle are left out. Without such a column the picks make one surface. Picks at the same place become their mean.
 ///
 /// # Errors
 /// [`SubsurfaceError::File`] when it cannot be read, [`SubsurfaceError::Format`] when it is none of the formats above, truncated, lies
@@ -117,7 +117,10 @@ pub fn surfaces_in(
         Format::IrapAscii => horizon(irap_ascii::read(bytes, down)),
         Format::Esri => horizon(esri::read(bytes, up)),
         Format::GeoTiff => horizon(geotiff::read(bytes, up)),
-        Format::Roff => roff_grid::grid(bytes, down).and_then(|grid| grid.layers(&stem, progress)),
+        Format::Roff => roff_grid::grid(bytes, down).and_then(|grid| {
+            let surfaces = grid.surfaces(&stem, progress);
+            surfaces.map_err(|error| error.to_string())
+        }),
         Format::Gocad => gocad::read(bytes, &stem, options.positive, kind),
         Format::Faultroom => faultroom::read(bytes, down, kind),
         Format::Picks => picks::read(bytes, &stem, options, progress),
@@ -248,7 +251,7 @@ fn stem(path: &Path) -> String {
     stem.map_or_else(|| "surface".into(), |stem| stem.into_owned())
 }
 
-/// A whole file, unless it is too large; endless ones (devices, pipes) end there too.
+/// A whole file, unless it is too large or may have no end.
 fn contents(path: &Path) -> Result<Vec<u8>, SubsurfaceError> {
     let failed = |action| {
         move |source| SubsurfaceError::File {
@@ -258,7 +261,12 @@ fn contents(path: &Path) -> Result<Vec<u8>, SubsurfaceError> {
         }
     };
     let file = File::open(path).map_err(failed("open"))?;
-    let length = file.metadata().map_err(failed("read"))?.len();
+    let metadata = file.metadata().map_err(failed("read"))?;
+    if !metadata.is_file() {
+        let problem = "it is no regular file, so that its length is not known";
+        return Err(failed("read")(std::io::Error::other(problem)));
+    }
+    let length = metadata.len();
     let mut bytes = Vec::new();
     if length <= LARGEST_FILE {
         let wanted = usize::try_from(length).unwrap_or(usize::MAX);

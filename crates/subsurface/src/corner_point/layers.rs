@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::Grid;
 use crate::assemble;
+use crate::error::SubsurfaceError;
 use crate::read::Progress;
 use crate::surface::{Surface, SurfaceKind};
 
@@ -17,11 +18,14 @@ impl Grid {
     /// there where the cell is active, or else the base of the cell above it where that one is.
     ///
     /// Cells are split along the diagonal that is shorter in space. The plan is the pillar's index by their count.
-    pub(crate) fn layers(
+    ///
+    /// # Errors
+    /// [`SubsurfaceError::BadSurface`] when no cell is active and has all its corners.
+    pub fn surfaces(
         &self,
         name: &str,
         progress: Progress<'_>,
-    ) -> Result<Vec<Surface>, String> {
+    ) -> Result<Vec<Surface>, SubsurfaceError> {
         let layers = self.size[2];
         let mut surfaces = Vec::new();
         for from_top in 0..=layers {
@@ -40,9 +44,11 @@ impl Grid {
             surfaces.push(assemble::surface(name, kind, &points, &triangles, plan));
         }
         if surfaces.is_empty() {
-            return Err(
-                "no cell is active and has all its corners; there is nothing to show".into(),
-            );
+            let problem = "no cell is active and has all its corners; there is nothing to show";
+            return Err(SubsurfaceError::BadSurface {
+                surface: name.to_owned(),
+                problem: problem.into(),
+            });
         }
         Ok(surfaces)
     }
@@ -132,15 +138,10 @@ impl<'a> Border<'a> {
             [[a, b, d], [b, c, d]]
         };
         for [a, b, c] in triangles {
-            // A cell that pinches out has corners in common.
-            if a != b && b != c && c != a {
-                let turned = if self.is_mirrored {
-                    [a, c, b]
-                } else {
-                    [a, b, c]
-                };
-                self.triangles.push(turned);
-            }
+            self.triangles.push(match self.is_mirrored {
+                true => [a, c, b],
+                false => [a, b, c],
+            });
         }
     }
 

@@ -81,7 +81,7 @@ fn at(points: &[DVec3], index: u32) -> DVec2 {
     DVec2::new(point.x, -point.z)
 }
 
-/// Counter-clockwise seen from above; without slivers that have no area.
+/// Counter-clockwise seen from above; without slivers so thin that f32, in which they are drawn, does not know them.
 fn triangulated(points: &[DVec3]) -> Vec<[u32; 3]> {
     let plan = || (0..points.len() as u32).map(|index| at(points, index));
     let low = plan().reduce(DVec2::min).unwrap_or_default();
@@ -91,13 +91,16 @@ fn triangulated(points: &[DVec3]) -> Vec<[u32; 3]> {
     let scaled = plan().map(|point| (point - low) / size);
     let scaled: Vec<_> = scaled.map(|point| Point::from(point.to_array())).collect();
     let found = delaunator::triangulate(&scaled).triangles;
+    // Nor are places far from zero finer than f64.
+    let far = low.abs().max(high.abs()).max_element();
+    let thin = (size * 1e-6).max(far * 1e-15);
     let oriented = |&[a, b, c]: &[usize; 3]| {
         let [a, b, c] = [a, b, c].map(|index| index as u32);
         let [p, q, r] = [a, b, c].map(|index| at(points, index));
         let area = (q - p).perp_dot(r - p);
-        let edges = p.distance_squared(q) + q.distance_squared(r);
+        let longest = p.distance(q).max(q.distance(r)).max(r.distance(p));
         match area {
-            area if area.abs() <= edges * 1e-9 => None,
+            area if area.abs() <= longest * thin => None,
             area if area < 0.0 => Some([a, c, b]),
             _ => Some([a, b, c]),
         }

@@ -10,8 +10,9 @@ use super::Positive;
 use super::text::{nodes, number};
 use crate::height_field::HeightField;
 
-/// Bytes of a decoded raster: compressed ones may be much shorter, so the file's length bounds nothing.
+/// Bytes of a decoded raster, and how many of them a byte of a compressed one can stand for.
 const MOST_BYTES: usize = 1 << 30;
+const MOST_PACKED: usize = 4096;
 
 /// Numbers of keys in the directory that GeoTIFF keeps in a tag of its own, and of their values.
 const MODEL_TYPE: u16 = 1024;
@@ -28,7 +29,8 @@ pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<HeightField, Stri
         .map_err(text)?
         .with_limits(limits);
     let (columns, rows) = file.dimensions().map_err(text)?;
-    let nodes = nodes(columns, rows, MOST_BYTES)?;
+    let most = bytes.len().saturating_mul(MOST_PACKED).min(MOST_BYTES);
+    let nodes = nodes(columns, rows, most)?;
     let samples = file.find_tag_unsigned::<u16>(Tag::SamplesPerPixel);
     let bands = samples.map_err(text)?.unwrap_or(1);
     if bands != 1 {
@@ -37,26 +39,26 @@ pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<HeightField, Stri
     let placed = Placed::of(&mut file)?;
     let nodata = file.get_tag_ascii_string(Tag::GdalNodata).ok();
     let nodata = nodata.and_then(|text| number(text.trim_matches(['\0', ' '])));
-    let values = heights(file.read_image().map_err(text)?);
-    if values.len() != nodes {
-        return Err(format!(
-            "{columns} x {rows} values are declared, but {} are there",
-            values.len()
-        ));
-    }
     // As f32, since the tag is text, with as many digits as its writer saw fit.
     let nodata = nodata.map(|value| value as f32);
     let height = |value: f64| match nodata == Some(value as f32) {
         true => f32::NAN,
         false => positive.up(value) as f32,
     };
+    let elevation = heights(file.read_image().map_err(text)?, height);
+    if elevation.len() != nodes {
+        return Err(format!(
+            "{columns} x {rows} values are declared, but {} are there",
+            elevation.len()
+        ));
+    }
     Ok(HeightField {
         columns,
         rows,
         origin: placed.origin,
         step_u: placed.step_u,
         step_v: placed.step_v,
-        elevation: values.into_iter().map(height).collect(),
+        elevation,
     })
 }
 
@@ -114,21 +116,22 @@ impl Placed {
     }
 }
 
-fn heights(decoded: DecodingResult) -> Vec<f64> {
-    fn all<T: Into<f64>>(values: Vec<T>) -> Vec<f64> {
-        values.into_iter().map(Into::into).collect()
+fn heights(decoded: DecodingResult, height: impl Fn(f64) -> f32) -> Vec<f32> {
+    fn all<T: Into<f64>>(values: Vec<T>, height: impl Fn(f64) -> f32) -> Vec<f32> {
+        let heights = values.into_iter().map(|value| height(value.into()));
+        heights.collect()
     }
     match decoded {
-        DecodingResult::U8(values) => all(values),
-        DecodingResult::U16(values) => all(values),
-        DecodingResult::U32(values) => all(values),
-        DecodingResult::U64(values) => values.into_iter().map(|value| value as f64).collect(),
-        DecodingResult::I8(values) => all(values),
-        DecodingResult::I16(values) => all(values),
-        DecodingResult::I32(values) => all(values),
-        DecodingResult::I64(values) => values.into_iter().map(|value| value as f64).collect(),
-        DecodingResult::F16(values) => all(values),
-        DecodingResult::F32(values) => all(values),
-        DecodingResult::F64(values) => values,
+        DecodingResult::U8(values) => all(values, height),
+        DecodingResult::U16(values) => all(values, height),
+        DecodingResult::U32(values) => all(values, height),
+        DecodingResult::I8(values) => all(values, height),
+        DecodingResult::I16(values) => all(values, height),
+        DecodingResult::I32(values) => all(values, height),
+        DecodingResult::F16(values) => all(values, height),
+        DecodingResult::F32(values) => all(values, height),
+        DecodingResult::F64(values) => all(values, height),
+        DecodingResult::U64(values) => values.into_iter().map(|v| height(v as f64)).collect(),
+        DecodingResult::I64(values) => values.into_iter().map(|v| height(v as f64)).collect(),
     }
 }

@@ -21,13 +21,11 @@ pub(super) fn read(
     for (line, words) in text.lines().enumerate() {
         let at = |problem: String| format!("line {}: {problem}", line + 1);
         let words = words.trim();
-        if words.to_ascii_uppercase().starts_with("GOCAD ") {
+        let mut begin = words.split_whitespace();
+        if (begin.next()).is_some_and(|word| word.eq_ignore_ascii_case("GOCAD")) {
             // Writers may leave out the last object's END.
             surfaces.extend(open.take().map(|it| it.finish(stem, kind)).transpose()?);
-            let is_surface = words
-                .split_whitespace()
-                .nth(1)
-                .is_some_and(|it| it.eq_ignore_ascii_case("TSurf"));
+            let is_surface = (begin.next()).is_some_and(|word| word.eq_ignore_ascii_case("TSurf"));
             if !is_surface {
                 return Err(at(format!(
                     "`{words}` is no TSurf; write the surfaces to a file of their own"

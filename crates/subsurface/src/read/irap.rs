@@ -70,12 +70,12 @@ pub(super) struct Placed {
 impl Placed {
     pub(super) fn field(&self, columns: u32, rows: u32, elevation: Vec<f32>) -> HeightField {
         let turn = DVec2::from_angle(self.degrees.to_radians());
-        // Writers that do not turn leave the centre at zero, where it must not matter.
-        let corner = if self.degrees == 0.0 {
-            self.corner
-        } else {
-            self.centre + turn.rotate(self.corner - self.centre)
+        // Some writers turn about the first node and leave the centre at zero.
+        let centre = match self.centre {
+            DVec2::ZERO => self.corner,
+            centre => centre,
         };
+        let corner = centre + turn.rotate(self.corner - centre);
         HeightField {
             columns,
             rows,

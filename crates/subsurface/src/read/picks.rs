@@ -65,11 +65,22 @@ pub(super) fn read(
         return Err("it has no pick; there is nothing to show".into());
     }
     let mut surfaces = Vec::new();
-    let count = picks.len() as u64;
+    let (mut done, count) = (0, picks.len() as u64);
+    let mut last_problem = String::new();
     for (name, points) in picks {
-        progress(surfaces.len() as u64, count);
+        progress(done, count);
         let name = if name.is_empty() { stem.into() } else { name };
-        surfaces.push(drape::surface(name, points, options.longest_edge)?);
+        match drape::surface(name, points, options.longest_edge) {
+            Ok(surface) => surfaces.push(surface),
+            Err(problem) => {
+                tracing::warn!("{problem}; it is left out");
+                last_problem = problem;
+            }
+        }
+        done += 1;
+    }
+    if surfaces.is_empty() {
+        return Err(last_problem);
     }
     Ok(surfaces)
 }

@@ -26,7 +26,10 @@ pub(super) enum Value<'a> {
         is_big: bool,
         bytes: &'a [u8],
     },
-    Ascii(Vec<f32>),
+    Ascii {
+        kind: Kind,
+        values: Vec<f32>,
+    },
     Text(String),
     /// Names of codes and the like; nothing here needs them.
     Texts,
@@ -69,7 +72,7 @@ impl Value<'_> {
     pub(super) fn len(&self) -> usize {
         match self {
             Self::Binary { kind, bytes, .. } => bytes.len() / kind.width(),
-            Self::Ascii(values) => values.len(),
+            Self::Ascii { values, .. } => values.len(),
             Self::Text(_) | Self::Texts => 0,
         }
     }
@@ -83,7 +86,7 @@ impl Value<'_> {
         } = self
         else {
             return match self {
-                Self::Ascii(values) => values.clone(),
+                Self::Ascii { values, .. } => values.clone(),
                 _ => Vec::new(),
             };
         };
@@ -104,7 +107,7 @@ impl Value<'_> {
     }
 
     pub(super) fn is_of_bytes(&self) -> bool {
-        matches!(self, Self::Binary { kind, .. } if *kind == Kind::Byte)
+        matches!(self, Self::Binary { kind, .. } | Self::Ascii { kind, .. } if *kind == Kind::Byte)
     }
 }
 
@@ -303,7 +306,8 @@ fn ascii(text: &str) -> Result<Roff<'static>, String> {
                     let value = number(word).map(|value| value as f32);
                     value.ok_or_else(|| format!("tag {tag}: `{name}` has `{word}`, no number"))
                 };
-                Value::Ascii((0..count).map(value).collect::<Result<_, String>>()?)
+                let values = (0..count).map(value).collect::<Result<_, String>>()?;
+                Value::Ascii { kind, values }
             };
             roff.key(name.into(), value, keys)?;
             keys += 1;

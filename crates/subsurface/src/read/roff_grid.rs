@@ -18,6 +18,9 @@ const NO_BYTE: f32 = 255.0;
 
 pub(super) fn grid(bytes: &[u8], positive: Positive) -> Result<Grid, String> {
     let roff = Roff::parse(bytes)?;
+    if roff.text("filedata", "filetype").as_deref() == Some("parameter") {
+        return Err("it holds a parameter of a grid's cells; give the grid".into());
+    }
     let size = size(&roff)?;
     let [nx, ny, nz] = size.map(|cells| cells as usize);
     let placed = Placed::of(&roff, positive);

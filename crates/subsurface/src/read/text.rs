@@ -70,7 +70,12 @@ impl<'a> Words<'a> {
         let nodes = nodes(columns, rows, length / 2 + 1)?;
         let mut values = Vec::with_capacity(nodes);
         for index in 0..nodes {
-            let value = self.number(&format!("value {index} of {nodes}"))?;
+            let what = || format!("value {index} of {nodes}");
+            let word = self
+                .next()
+                .ok_or_else(|| format!("the file ends at line {} before {}", self.line, what()))?;
+            let value = number(word)
+                .ok_or_else(|| format!("line {}: {} is `{word}`, no number", self.line, what()))?;
             values.push(if is_undefined(value) { f64::NAN } else { value });
         }
         match self.next() {
