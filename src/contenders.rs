@@ -18,12 +18,15 @@ const STANDARD: [(&str, &str); 9] = [
     ("", "ideal"),
     ("", "stop-and-wait"),
     ("three-pass late", "three-pass:latency=frame-late"),
-    ("three-pass half", "three-pass:latency=frame-late:scale=0.5"),
     ("three-pass same", "three-pass:latency=same-frame"),
     ("three-pass on-gpu", "three-pass:latency=on-gpu"),
     (
+        "three-pass coarser",
+        "three-pass:latency=on-gpu:coarser=1000",
+    ),
+    (
         "three-pass exact",
-        "three-pass:latency=same-frame:threshold=0:occluders=full:occludees=full",
+        "three-pass:latency=same-frame:threshold=0:scale=1:occluders=full:occludees=full",
     ),
 ];
 

@@ -42,7 +42,7 @@ fn three_passes(gpu: &Gpu, latency: &str) -> Vec<String> {
                 let apart = occluders != occludees;
                 if way.lacking(gpu).is_none() && !(way == Counting::Identity && apart) {
                     all.push(format!(
-                        "three-pass:latency={latency}:counting={way}:threshold=0:occluders={occluders}:occludees={occludees}"
+                        "three-pass:latency={latency}:counting={way}:threshold=0:scale=1:occluders={occluders}:occludees={occludees}"
                     ));
                 }
             }
@@ -91,13 +91,13 @@ fn stop_and_wait(name: &str) {
 fn three_pass_in_every_case(name: &str) {
     let notable = [
         "three-pass",
-        "three-pass:threshold=0:occluders=full:occludees=full",
-        "three-pass:latency=same-frame:threshold=0:occluders=full:occludees=full",
+        "three-pass:threshold=0:scale=1:occluders=full:occludees=full",
+        "three-pass:latency=same-frame:threshold=0:scale=1:occluders=full:occludees=full",
         "three-pass:latency=same-frame:threshold=8",
-        "three-pass:latency=on-gpu:threshold=0:occluders=full:occludees=full:counting=queries",
+        "three-pass:latency=on-gpu:threshold=0:scale=1:occluders=full:occludees=full:counting=queries",
         "three-pass:latency=same-frame:coarser=100",
         "three-pass:latency=on-gpu:coarser=100",
-        "three-pass:latency=on-gpu:scale=0.5",
+        "three-pass:latency=on-gpu",
     ];
     conform(&gpu(name), &small(), named(&notable));
 }
@@ -155,7 +155,7 @@ fn three_pass_conforms_in_every_setting_on_gl() {
 #[test]
 fn claims_are_made_where_they_hold_and_nowhere_else() {
     let conservative = |text: &str| Registry::built_in().parse(text).unwrap().conservative();
-    let exact = "three-pass:latency=same-frame:threshold=0:occluders=full:occludees=full";
+    let exact = "three-pass:latency=same-frame:threshold=0:scale=1:occluders=full:occludees=full";
     for text in ["none", "frustum", "ideal", "stop-and-wait", exact] {
         assert!(conservative(text), "{text}");
     }

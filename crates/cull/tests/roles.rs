@@ -97,7 +97,7 @@ fn levels_follow_visible_samples(name: &str) {
     let mut pictures = Vec::new();
     for latency in ["frame-late", "same-frame", "on-gpu"] {
         let text = format!(
-            "three-pass:latency={latency}:threshold=0:coarser={}",
+            "three-pass:latency={latency}:threshold=0:scale=1:coarser={}",
             rule.coarser
         );
         let (verdicts, picture) = settled(&scene, &text);

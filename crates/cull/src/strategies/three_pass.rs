@@ -84,7 +84,7 @@ impl Default for ThreePass {
             coarser: 0,
             occluders: StandIn::Proxy,
             occludees: StandIn::Proxy,
-            scale: 1.0,
+            scale: 0.5,
         }
     }
 }

@@ -88,8 +88,8 @@ pub(super) fn views() -> [View; 2] {
         },
         View {
             name: "occluded",
-            position: DVec3::new(-4300.0, 4000.0, -4800.0),
-            target: DVec3::new(-250.0, -900.0, -250.0),
+            position: DVec3::new(-2700.0, 6200.0, -2400.0),
+            target: DVec3::new(150.0, -1100.0, 150.0),
             fov_y,
         },
     ]
