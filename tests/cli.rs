@@ -1,40 +1,11 @@
 //! The command line as a person meets it: exit status, what is printed, what is written.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod common;
+
 use std::path::Path;
-use std::process::Output;
 
-use assert_cmd::Command;
-
-fn antumbra(arguments: &[&str]) -> Output {
-    Command::cargo_bin("antumbra")
-        .unwrap()
-        .args(arguments)
-        .output()
-        .unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-/// The run fails with this status, and its message has all of these words in it.
-fn refuses(arguments: &[&str], status: i32, words: &[&str]) {
-    let output = antumbra(arguments);
-    let message = stderr(&output);
-    assert_eq!(
-        output.status.code(),
-        Some(status),
-        "{arguments:?}: {message}"
-    );
-    for word in words {
-        assert!(
-            message.contains(word),
-            "{arguments:?}: '{word}' is not in: {message}"
-        );
-    }
-    assert!(!message.contains("panicked"), "{message}");
-}
+use common::{antumbra, refuses, stderr};
 
 fn report(dir: &Path) -> serde_json::Value {
     serde_json::from_slice(&std::fs::read(dir.join("report.json")).unwrap()).unwrap()

@@ -1,42 +1,11 @@
 //! `antumbra prepare` as a person meets it: what it makes can be compared, and what it refuses it refuses in words.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod common;
+
 use std::path::Path;
-use std::process::Output;
 
-use assert_cmd::Command;
-
-fn antumbra(arguments: &[&str]) -> Output {
-    Command::cargo_bin("antumbra")
-        .unwrap()
-        .args(arguments)
-        .output()
-        .unwrap()
-}
-
-fn succeeds(arguments: &[&str]) -> String {
-    let output = antumbra(arguments);
-    let message = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.success(), "{arguments:?}: {message}");
-    String::from_utf8_lossy(&output.stdout).into_owned()
-}
-
-fn refuses(arguments: &[&str], status: i32, words: &[&str]) {
-    let output = antumbra(arguments);
-    let message = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(
-        output.status.code(),
-        Some(status),
-        "{arguments:?}: {message}"
-    );
-    for word in words {
-        assert!(
-            message.contains(word),
-            "{arguments:?}: '{word}' is not in: {message}"
-        );
-    }
-    assert!(!message.contains("panicked"), "{message}");
-}
+use common::{refuses, succeeds};
 
 /// An Irap binary surface of `columns` x `rows` nodes 25 m apart.
 fn irap(columns: i32, rows: i32, value: impl Fn(i32, i32) -> f32) -> Vec<u8> {

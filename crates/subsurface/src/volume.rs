@@ -168,11 +168,16 @@ impl VolumeLayout {
         [rank % across, rank / across % along, rank / across / along].map(|at| at as u32)
     }
 
-    /// Refuses a buffer that does not fit a brick.
-    fn check_buffer(&self, samples: &[u8]) -> Result<(), SubsurfaceError> {
+    /// Refuses what no [`BrickSource::read`] can do: a brick that is not there, a buffer that does not fit one. Where the brick stands among all.
+    pub(crate) fn check_read(
+        &self,
+        brick: [u32; 3],
+        samples: &[u8],
+    ) -> Result<u64, SubsurfaceError> {
+        let rank = self.rank(brick)?;
         let (expected, actual) = (self.brick_bytes(), samples.len());
         if expected == actual {
-            return Ok(());
+            return Ok(rank);
         }
         Err(SubsurfaceError::BufferLength { expected, actual })
     }

@@ -51,14 +51,7 @@ impl BrickSource for GridVolume {
     }
 
     fn read(&self, brick: [u32; 3], samples: &mut [u8]) -> Result<(), SubsurfaceError> {
-        let bricks = self.layout.bricks();
-        if brick.iter().zip(&bricks).any(|(at, of)| at >= of) {
-            return Err(SubsurfaceError::NoSuchBrick { brick, bricks });
-        }
-        let (expected, actual) = (self.layout.brick_bytes(), samples.len());
-        if expected != actual {
-            return Err(SubsurfaceError::BufferLength { expected, actual });
-        }
+        self.layout.check_read(brick, samples)?;
         let edge = self.layout.brick;
         let at = |axis: usize, step: u32| {
             let sides = brick.get(axis).zip(self.layout.size.get(axis));

@@ -123,15 +123,7 @@ impl BrickSource for ModelVolume {
     }
 
     fn read(&self, brick: [u32; 3], samples: &mut [u8]) -> Result<(), SubsurfaceError> {
-        let bricks = self.layout.bricks();
-        if brick.iter().zip(&bricks).any(|(at, end)| at >= end) {
-            return Err(SubsurfaceError::NoSuchBrick { brick, bricks });
-        }
-        let expected = self.layout.brick_bytes();
-        if samples.len() != expected {
-            let actual = samples.len();
-            return Err(SubsurfaceError::BufferLength { expected, actual });
-        }
+        self.layout.check_read(brick, samples)?;
         let first = brick.map(|at| at * BRICK);
         let [.., top] = first;
         let [.., deepest] = self.layout.size;

@@ -103,8 +103,7 @@ impl BrickSource for VolumeFile {
     }
 
     fn read(&self, brick: [u32; 3], samples: &mut [u8]) -> Result<(), SubsurfaceError> {
-        let rank = self.layout.rank(brick)?;
-        self.layout.check_buffer(samples)?;
+        let rank = self.layout.check_read(brick, samples)?;
         // The file's length was checked against the layout: no brick's end lies beyond it.
         let start = HEADER + rank as usize * samples.len();
         samples.copy_from_slice(&self.map[start..start + samples.len()]);
