@@ -1,0 +1,58 @@
+//! The closed shells that a geometry is made of, corners at one place taken as one.
+
+use antumbra_scene::Geometry;
+use std::collections::HashMap;
+
+/// How many edges of triangles have no counterpart that runs the other way.
+pub fn open_edges(geometry: &Geometry) -> usize {
+    let names = welded(geometry);
+    let mut edges: HashMap<(u32, u32), i32> = HashMap::new();
+    for triangle in geometry.triangles() {
+        let [a, b, c] = triangle.map(|i| names[i as usize]);
+        for (from, to) in [(a, b), (b, c), (c, a)] {
+            let way = if from < to { 1 } else { -1 };
+            *edges.entry((from.min(to), from.max(to))).or_default() += way;
+        }
+    }
+    edges.values().filter(|sum| **sum != 0).count()
+}
+
+/// The volume of each shell in cubic metres: positive when its triangles look outwards.
+pub fn volumes(geometry: &Geometry) -> Vec<f64> {
+    let names = welded(geometry);
+    let mut above: Vec<u32> = (0..geometry.positions.len() as u32).collect();
+    for triangle in geometry.triangles() {
+        let [a, b, c] = triangle.map(|i| top(&mut above, names[i as usize]));
+        above[b as usize] = a;
+        let c = top(&mut above, c);
+        above[c as usize] = a;
+    }
+    let mut sums: HashMap<u32, f64> = HashMap::new();
+    for triangle in geometry.triangles() {
+        let [a, b, c] = geometry.corners(triangle).unwrap();
+        let shell = top(&mut above, names[triangle[0] as usize]);
+        *sums.entry(shell).or_default() += a.dot(b.cross(c)) / 6.0;
+    }
+    sums.into_values().collect()
+}
+
+fn top(above: &mut [u32], mut name: u32) -> u32 {
+    while above[name as usize] != name {
+        let next = above[above[name as usize] as usize];
+        above[name as usize] = next;
+        name = next;
+    }
+    name
+}
+
+/// For each position the first one at the same place.
+fn welded(geometry: &Geometry) -> Vec<u32> {
+    let mut first = HashMap::new();
+    let places = geometry.positions.iter().enumerate();
+    let named = places.map(|(i, position)| {
+        // Adding zero makes -0 a 0.
+        let place = position.map(|p| (p + 0.0).to_bits());
+        *first.entry(place).or_insert(i as u32)
+    });
+    named.collect()
+}
