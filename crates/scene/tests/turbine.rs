@@ -103,8 +103,8 @@ fn one_seed_is_one_engine_and_another_moves_pipes_and_brackets_alone() {
 
 #[test]
 fn parts_are_closed_and_look_outwards() {
-    for size in SIZES {
-        for (_, mesh) in engine(size, 1).meshes() {
+    for (size, seed) in [(1, 1), (1, 2), (1, 3), (2, 4)] {
+        for (_, mesh) in engine(size, seed).meshes() {
             mesh.validate().unwrap();
             let (name, geometry) = (&mesh.name, mesh.full().unwrap());
             assert_eq!(shells::open_edges(geometry), 0, "{name} is closed");
@@ -161,13 +161,13 @@ fn everything_lies_where_an_engine_has_it() {
     }
 }
 
-/// Where openings have their middles: along the axis, and degrees around.
-const OPENINGS: [(f64, [f64; 2]); 5] = [
-    (-1.39, [90.0, 270.0]),
-    (-0.375, [75.0, 285.0]),
-    (0.065, [75.0, 285.0]),
-    (0.565, [75.0, 285.0]),
-    (1.15, [75.0, 285.0]),
+/// Where openings begin and end along the axis, and their middles around it in degrees.
+const OPENINGS: [([f64; 2], [f64; 2]); 5] = [
+    ([-1.66, -1.12], [90.0, 270.0]),
+    ([-0.52, -0.23], [75.0, 285.0]),
+    ([-0.07, 0.20], [75.0, 285.0]),
+    ([0.36, 0.77], [75.0, 285.0]),
+    ([0.93, 1.37], [75.0, 285.0]),
 ];
 
 #[test]
@@ -197,14 +197,17 @@ fn one_sees_in_through_openings_and_only_there() {
                 name,
             )
         };
-        for (x, angles) in OPENINGS {
+        for ([front, rear], angles) in OPENINGS {
             for angle in angles {
+                let x = 0.5 * (front + rear);
                 let (within, height, name) = look(x, angle);
                 assert!(within, "at {x} m, {angle} degrees {name} is in the way");
                 assert!(height > 0.0, "{name} lies on the other side");
-                for beside in [-36.0, 36.0] {
-                    let (within, _, name) = look(x, angle + beside);
-                    assert!(!within, "{name} is seen where there is no opening");
+                let around = [-36.0, 36.0].map(|beside| (x, angle + beside));
+                let along = [front - 0.04, rear + 0.04].map(|x| (x, angle));
+                for (x, angle) in around.into_iter().chain(along) {
+                    let (within, _, name) = look(x, angle);
+                    assert!(!within, "{name} is seen at {x} m, {angle} degrees");
                 }
             }
         }

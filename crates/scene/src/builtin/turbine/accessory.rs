@@ -157,8 +157,8 @@ fn electronics() -> Solid {
 /// Two mounts on top of the core, and the links between them that carry the thrust.
 fn mounts(engine: &mut Assembly) -> Result<(), SceneError> {
     for (name, x, radius) in [
-        ("front mount", [-0.93, -0.68], [0.78, 1.07]),
-        ("rear mount", [1.48, 1.61], [0.78, 1.07]),
+        ("front mount", [-0.93, -0.68], [0.78, 1.1]),
+        ("rear mount", [1.48, 1.61], [0.78, 1.1]),
     ] {
         let mut mount = Solid::default();
         mount.block([1, 8, 12], |u, v, w| {
@@ -176,7 +176,7 @@ fn mounts(engine: &mut Assembly) -> Result<(), SceneError> {
     }
     for side in [-1.0, 1.0] {
         let ends = [(-0.75, 0.1), (1.54, 0.07)];
-        let ends = ends.map(|(x, angle)| polar(x, 1.03, side * angle));
+        let ends = ends.map(|(x, angle)| polar(x, 1.06, side * angle));
         let way: Vec<_> = (0..=24)
             .map(|i| ends[0].lerp(ends[1], f64::from(i) / 24.0))
             .collect();

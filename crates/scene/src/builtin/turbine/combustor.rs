@@ -1,7 +1,7 @@
 //! The combustor: cans in a ring, each with its swirler, fuel nozzle, cross-fire tube and transition to the turbine, and the fuel's
 //! manifold around the casing.
 
-use super::assembly::{Assembly, Part, shifted};
+use super::assembly::{Assembly, shifted};
 use super::look::Look;
 use super::plan::{Plan, line};
 use super::shell::Wall;
@@ -28,31 +28,25 @@ pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> 
     engine.module("combustor")?;
     let count = plan.cans;
     let radius = (0.88 * CIRCLE * (PI / count as f64).sin()).min(0.085);
-    let in_ring = shifted(0.0, CIRCLE);
-    let parts: [(Part, DAffine3); 6] = [
-        (engine.part("can", Look::Can, can(radius))?, in_ring),
+    let (in_ring, whole) = (shifted(0.0, CIRCLE), DAffine3::IDENTITY);
+    for (name, look, solid, at) in [
+        ("can", Look::Can, can(radius), in_ring),
+        ("swirler", Look::Steel, swirler(radius), in_ring),
+        ("fuel nozzle", Look::Steel, nozzle(), whole),
         (
-            engine.part("swirler", Look::Steel, swirler(radius))?,
-            in_ring,
+            "cross-fire tube",
+            Look::Can,
+            cross_fire(radius, count),
+            whole,
         ),
         (
-            engine.part("fuel nozzle", Look::Steel, nozzle())?,
-            DAffine3::IDENTITY,
+            "transition",
+            Look::TurbineVane,
+            transition(radius, count),
+            whole,
         ),
-        (
-            engine.part("cross-fire tube", Look::Can, cross_fire(radius, count))?,
-            DAffine3::IDENTITY,
-        ),
-        (
-            engine.part("transition", Look::TurbineVane, transition(radius, count))?,
-            DAffine3::IDENTITY,
-        ),
-        (
-            engine.part("fuel feed", Look::Copper, feed())?,
-            DAffine3::IDENTITY,
-        ),
-    ];
-    for (mut part, at) in parts {
+    ] {
+        let mut part = engine.part(name, look, solid)?;
         engine.around(&mut part, count, 0.0, at)?;
     }
     let mut inner = Solid::default();
@@ -68,6 +62,10 @@ pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> 
     ];
     inner.ring(&profile, 192);
     engine.single("inner combustor casing", Look::HotCasing, inner)?;
+
+    engine.module("fuel")?;
+    let mut feeds = engine.part("fuel feed", Look::Copper, feed())?;
+    engine.around(&mut feeds, count, 0.0, whole)?;
     let [x, radius, thick] = MANIFOLD;
     let mut manifold = Solid::default();
     manifold.torus(x, radius, thick, [14, 192]);

@@ -17,18 +17,18 @@ use std::f64::consts::{PI, TAU};
 const KINDS: [(&str, Look, f64); 3] = [
     ("fuel pipe", Look::Steel, 0.007),
     ("oil pipe", Look::Copper, 0.0095),
-    ("harness", Look::Hose, 0.012),
+    ("harness", Look::Hose, 0.011),
 ];
 /// Heights above the casing, clear of the flanges: the lower ones for runs along the axis, the others for those around it, so that
-/// pipes cross each other without touching.
-const LEVELS: [f64; 6] = [0.058, 0.084, 0.112, 0.138, 0.164, 0.19];
+/// pipes cross each other without touching. Between the two is room for bends.
+const LEVELS: [f64; 6] = [0.056, 0.08, 0.142, 0.166, 0.19, 0.214];
 /// How many of them are for runs along the axis.
 const ALONG: usize = 2;
 /// Sides of a pipe.
 const SIDES: usize = 12;
 /// Radius of bends.
 const BEND: f64 = 0.045;
-/// Shortest run along the axis.
+/// Shortest run along the axis or around it.
 const SHORTEST: f64 = 0.12;
 
 /// Adds the pipes, a third of them on the fan's casing, and their clamps.
@@ -101,41 +101,46 @@ impl Routes {
     /// A way over the casing, from inside its wall and back, as so many places.
     fn way(&mut self, steps: usize, chance: &mut Chance) -> Vec<DVec3> {
         let (round, high) = self.rounds.pop().unwrap_or((self.skin.x[0], LEVELS[ALONG]));
-        let [from, to] = [0; 2].map(|_| {
+        let mut place = || {
             let x = chance.between(self.skin.x[0], self.skin.x[1]);
             let away = (x - round).abs().max(SHORTEST).copysign(x - round);
             // Turns back where it would leave the casing.
             let ends = self.skin.x[0]..=self.skin.x[1];
             let there = round + away;
-            let there = if ends.contains(&there) {
-                there
-            } else {
-                round - away
-            };
-            let (angle, low) = self.lanes.pop().unwrap_or((0.0, LEVELS[0]));
-            (self.skin.beside_flanges(there), angle, low)
-        });
-        // The shorter way around.
-        let turn = (to.1 - from.1 + PI).rem_euclid(TAU) - PI;
+            let kept = ends.contains(&there);
+            self.skin
+                .beside_flanges(if kept { there } else { round - away })
+        };
+        let ends = [place(), place()];
+        let from = self.lanes.pop().unwrap_or((0.0, LEVELS[0]));
+        let far = |lane: &(f64, f64)| turn(from.0, lane.0).abs() * self.skin.radius > SHORTEST;
+        let far = self.lanes.iter().rposition(far);
+        let to = far.map_or((PI, LEVELS[0]), |lane| self.lanes.remove(lane));
         // Bends are rounded on the unrolled casing: along the axis, around, above.
-        let around = turn * self.skin.radius;
+        let around = turn(from.0, to.0) * self.skin.radius;
+        let [start, end] = ends;
         let corners = [
-            DVec3::new(from.0, 0.0, -0.015),
-            DVec3::new(from.0, 0.0, from.2),
-            DVec3::new(round, 0.0, from.2),
+            DVec3::new(start, 0.0, -0.015),
+            DVec3::new(start, 0.0, from.1),
+            DVec3::new(round, 0.0, from.1),
             DVec3::new(round, 0.0, high),
             DVec3::new(round, around, high),
-            DVec3::new(round, around, to.2),
-            DVec3::new(to.0, around, to.2),
-            DVec3::new(to.0, around, -0.015),
+            DVec3::new(round, around, to.1),
+            DVec3::new(end, around, to.1),
+            DVec3::new(end, around, -0.015),
         ];
         let flat = rounded(&corners, BEND, steps);
         let rolled = flat.iter().map(|place| {
             let radius = line(self.skin.outer, place.x) + place.z;
-            polar(place.x, radius, from.1 + place.y / self.skin.radius)
+            polar(place.x, radius, from.0 + place.y / self.skin.radius)
         });
         rolled.collect()
     }
+}
+
+/// The shorter way around from one angle to another.
+fn turn(from: f64, to: f64) -> f64 {
+    (to - from + PI).rem_euclid(TAU) - PI
 }
 
 /// The place nearest to `at` where the way keeps to a level, and that level.
@@ -197,4 +202,24 @@ fn clamp(radius: f64, height: f64) -> Solid {
     let foot = DAffine3::from_translation(foot);
     solid.add(&stud(0.007, 0.0), foot * standing());
     solid
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::builtin::turbine::plan::PLANS;
+
+    #[test]
+    fn there_is_a_place_for_every_pipe() {
+        for plan in PLANS {
+            let mut chance = Chance::new(1, For::Pipes);
+            let on_fan = plan.pipes.div_ceil(3);
+            let pipes = [on_fan, plan.pipes - on_fan];
+            for (skin, pipes) in SKINS.into_iter().zip(pipes) {
+                let routes = Routes::new(skin, &mut chance);
+                assert!(routes.rounds.len() >= pipes, "{}", routes.rounds.len());
+                assert!(routes.lanes.len() >= 2 * pipes, "{}", routes.lanes.len());
+            }
+        }
+    }
 }

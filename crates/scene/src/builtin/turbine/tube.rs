@@ -42,47 +42,52 @@ fn frames(way: &[DVec3]) -> Vec<(DVec3, DVec3, DVec3)> {
         .collect()
 }
 
-/// The way along straight runs between `corners`, its bends of at most `bend` metres, as `count` places at equal distances.
-pub(super) fn rounded(corners: &[DVec3], bend: f64, count: usize) -> Vec<DVec3> {
-    let mut fine = Vec::new();
-    for (i, &corner) in corners.iter().enumerate() {
-        if i == 0 || i + 1 == corners.len() {
-            fine.push(corner);
-            continue;
-        }
-        let [before, after] = [corners[i - 1], corners[i + 1]].map(|other| {
-            let run = other - corner;
-            corner + run.normalize_or_zero() * bend.min(run.length() * 0.5)
-        });
-        // A parabola that touches both runs.
-        fine.extend((0..=8).map(|step| {
-            let t = f64::from(step) / 8.0;
-            before.lerp(corner, t).lerp(corner.lerp(after, t), t)
-        }));
-    }
-    evenly(&fine, count)
-}
+/// Places along a bend.
+const BEND_PLACES: usize = 7;
 
-/// `count` places at equal distances along a way.
-fn evenly(way: &[DVec3], count: usize) -> Vec<DVec3> {
-    let length: f64 = way.windows(2).map(|run| run[0].distance(run[1])).sum();
-    let mut runs = way.windows(2).map(|run| (run[0], run[1]));
-    let (mut run, mut behind) = (runs.next(), 0.0);
-    (0..count)
-        .filter_map(|i| {
-            let along = length * i as f64 / (count - 1) as f64;
-            loop {
-                let (from, to) = run?;
-                let here = from.distance(to);
-                let part = (along - behind) / here.max(f64::MIN_POSITIVE);
-                if part <= 1.0 {
-                    return Some(from.lerp(to, part.max(0.0)));
-                }
-                match runs.next() {
-                    Some(next) => (run, behind) = (Some(next), behind + here),
-                    None => return Some(to),
-                }
-            }
+/// The way along straight runs between `corners`, its bends of at most `bend` metres: `count` places, as many in each bend as in the
+/// next, the rest spread over the runs.
+pub(super) fn rounded(corners: &[DVec3], bend: f64, count: usize) -> Vec<DVec3> {
+    let bends: Vec<[DVec3; 3]> = corners
+        .windows(3)
+        .map(|three| {
+            // A little of each run stays straight, so that no two bends meet.
+            let towards = |other: DVec3| {
+                let run = other - three[1];
+                three[1] + run.normalize_or_zero() * bend.min(run.length() * 0.45)
+            };
+            [towards(three[0]), three[1], towards(three[2])]
         })
-        .collect()
+        .collect();
+    let starts = corners
+        .iter()
+        .take(1)
+        .chain(bends.iter().map(|bend| &bend[2]));
+    let ends = bends.iter().map(|bend| &bend[0]).chain(corners.last());
+    let runs: Vec<(DVec3, DVec3)> = starts.copied().zip(ends.copied()).collect();
+    let length: f64 = runs.iter().map(|(from, to)| from.distance(*to)).sum();
+    let spread = count.saturating_sub(2 + bends.len() * BEND_PLACES);
+    let mut way: Vec<DVec3> = corners.iter().take(1).copied().collect();
+    let (mut along, mut given) = (0.0, 0);
+    for (i, (from, to)) in runs.iter().enumerate() {
+        along += from.distance(*to);
+        let last = i + 1 == runs.len();
+        let until = if last {
+            spread
+        } else {
+            (along / length * spread as f64) as usize
+        };
+        let inner = until - given;
+        way.extend((1..=inner).map(|k| from.lerp(*to, k as f64 / (inner + 1) as f64)));
+        given = until;
+        match bends.get(i) {
+            // A parabola that touches both runs.
+            Some([before, corner, after]) => way.extend((0..BEND_PLACES).map(|k| {
+                let t = k as f64 / (BEND_PLACES - 1) as f64;
+                before.lerp(*corner, t).lerp(corner.lerp(*after, t), t)
+            })),
+            None => way.push(*to),
+        }
+    }
+    way
 }
