@@ -4,7 +4,8 @@ CARGO ?= cargo
 # Where `make demo` puts its report, and what else it is to be told: make demo ARGS="--frames 60 --size 800x600"
 OUT ?= out/demo
 ARGS ?=
-# How long `make fuzz` runs, in seconds.
+# What `make fuzz` fuzzes, and for how many seconds.
+FUZZ ?= loaders
 FUZZ_SECONDS ?= 600
 
 # Mesa's device selection complains where there is no desktop, and is not needed: Antumbra looks at every adapter itself.
@@ -40,6 +41,6 @@ bench: ## run the benches; loading is measured on data/2CylinderEngine.glb where
 data: ## fetch the real scenes into data/
 	scripts/data.sh all
 
-fuzz: ## fuzz the loaders for ten minutes (FUZZ_SECONDS=600); see fuzz/README.md
+fuzz: ## fuzz the loaders for ten minutes (FUZZ_SECONDS=600, FUZZ=surfaces for the sub-surface readers); see fuzz/README.md
 	@$(CARGO) fuzz --version >/dev/null 2>&1 || { echo "make fuzz needs cargo-fuzz: cargo install cargo-fuzz --locked"; exit 1; }
-	RUSTC_BOOTSTRAP=1 $(CARGO) fuzz run loaders -- -max_total_time=$(FUZZ_SECONDS)
+	RUSTC_BOOTSTRAP=1 $(CARGO) fuzz run $(FUZZ) -- -max_total_time=$(FUZZ_SECONDS)

@@ -1,11 +1,22 @@
-//! Writes the small files that the fuzzer starts from into `corpus/loaders`.
+//! Writes the small files that the fuzzers start from into `corpus/loaders` and `corpus/surfaces`.
 
 #[path = "../crates/scene/tests/common/mod.rs"]
 mod common;
+#[path = "../crates/subsurface/tests/read_support/files.rs"]
+#[allow(dead_code)]
+mod files;
+#[path = "../crates/subsurface/tests/read_support/roff.rs"]
+#[allow(dead_code)]
+mod roff;
 
 use std::path::Path;
 
 fn main() -> std::io::Result<()> {
+    loaders()?;
+    surfaces()
+}
+
+fn loaders() -> std::io::Result<()> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/loaders");
     std::fs::create_dir_all(&folder)?;
     let gltf = [
@@ -30,7 +41,42 @@ fn main() -> std::io::Result<()> {
         (3, common::stl_binary(b"solid", 2)),
     ];
     let gltf = gltf.into_iter().map(|file| (0, file));
-    for (i, (format, file)) in gltf.chain(others).enumerate() {
+    write(&folder, gltf.chain(others))
+}
+
+fn surfaces() -> std::io::Result<()> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus/surfaces");
+    std::fs::create_dir_all(&folder)?;
+    let grid = |way| {
+        let grid = roff::GridFile {
+            way,
+            ..roff::GridFile::new([2, 2, 1])
+        };
+        grid.write(|_, [.., k]| -1500.0 - f64::from(k) * 10.0)
+    };
+    let values = [0.1, 0.2, 0.3, 0.4];
+    let picks = "x,y,z,surface\n0,0,-5,a\n10,0,-6,a\n0,10,-7,a\n10,10,-4,a\n";
+    let seeds = [
+        (0, files::irap(4, 3, &files::depths(), 0.0)),
+        (1, files::irap_ascii().into_bytes()),
+        (2, grid(roff::Way::Little)),
+        (2, grid(roff::Way::Ascii)),
+        (
+            2,
+            roff::parameter(roff::Way::Big, [2, 2, 1], "float", &values),
+        ),
+        (3, files::gocad().into_bytes()),
+        (4, files::faultroom().into_bytes()),
+        (5, picks.as_bytes().to_vec()),
+        (6, files::esri().into_bytes()),
+        (7, files::geotiff(&[])),
+    ];
+    write(&folder, seeds.into_iter())
+}
+
+/// Each file behind the byte that picks its format.
+fn write(folder: &Path, files: impl Iterator<Item = (u8, Vec<u8>)>) -> std::io::Result<()> {
+    for (i, (format, file)) in files.enumerate() {
         std::fs::write(
             folder.join(format!("seed-{i}")),
             [vec![format], file].concat(),

@@ -37,7 +37,7 @@ pub struct Input {
 const ENDINGS: [&str; 5] = ["glb", "gltf", "obj", "ply", "stl"];
 
 /// Without a scene named, a software adapter gets a smaller one, so that the answer comes within a minute.
-const SMALL: (&str, u32, [u32; 2]) = ("subsurface:160", 24, [640, 512]);
+const SMALL: (&str, u32, [u32; 2]) = ("subsurface:140", 18, [640, 512]);
 const FULL: (&str, u32, [u32; 2]) = ("subsurface", 120, [1280, 1024]);
 
 /// The near plane of sub-surface views, in metres: the model is 6 km wide, and flown through.
@@ -179,13 +179,13 @@ impl Found {
         for (key, value) in settings {
             if *key != "size" {
                 return Err(Failure::Usage(format!(
-                    "'{key}' is no setting of {name}: it has a size alone, {name}:12"
+                    "'{key}' is no setting of {name}: it has a size alone, {name}:2"
                 )));
             }
             let number = value.parse();
             size =
                 Some(number.map_err(|_| {
-                    Failure::Usage(format!("'{value}' is no size: write {name}:12"))
+                    Failure::Usage(format!("'{value}' is no size: write {name}:2"))
                 })?);
         }
         let scene = builtin::by_name(name, size).map_err(|error| match error {
@@ -197,10 +197,13 @@ impl Found {
         })?;
         Ok(Self {
             scene,
-            seed: Some(builtin::GridOptions::default().seed),
+            seed: match name {
+                "turbine" => Some(builtin::TurbineOptions::default().seed),
+                _ => Some(builtin::GridOptions::default().seed),
+            },
             model: None,
             sections: None,
-            whole_grid: size.is_none(),
+            whole_grid: name == "grid" && size.is_none(),
         })
     }
 }

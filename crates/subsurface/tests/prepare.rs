@@ -160,6 +160,20 @@ fn a_fault_stays_whole() {
 }
 
 #[test]
+fn what_is_too_small_to_simplify_stands_for_itself() {
+    let one = hills(2, |c, r| c == 1 && r == 1);
+    assert_eq!(one.geometry.triangle_count(), 1);
+    for kind in [SurfaceKind::Horizon, SurfaceKind::Fault] {
+        let surface = Surface {
+            kind,
+            ..one.clone()
+        };
+        let prepared = prepare(&surface, &options(1, 100.0)).unwrap();
+        assert_eq!((prepared.triangles(), prepared.proxy_triangles()), (1, 1));
+    }
+}
+
+#[test]
 fn thinning_keeps_neighbours_together() {
     let surface = hills(101, |_, _| false);
     let thinned = PrepareOptions {

@@ -31,10 +31,10 @@ pub(super) fn to_ratio(geometry: &Geometry, ratio: f64, plan: &[[f32; 2]]) -> Re
     let mut best: Option<Reduced> = None;
     for attempt in 0..TRIES {
         let wanted = full as f64 / ratio * MORE.powi(attempt as i32);
-        if wanted >= full as f64 {
+        let target = (wanted.ceil() as usize).max(2) * 3;
+        if target >= geometry.indices.len() {
             break;
         }
-        let target = (wanted.ceil() as usize).max(2) * 3;
         let indices = meshopt::simplify(
             &geometry.indices,
             &vertices,

@@ -1,0 +1,46 @@
+//! Whatever the bytes are, a reader of sub-surface files answers with surfaces that can be prepared or with an error: no panic, no endless
+//! loop, bounded memory. The first byte picks the ending, the rest is the file.
+#![no_main]
+
+use antumbra_subsurface::read::{ReadOptions, property_in, surfaces_in};
+use antumbra_subsurface::{PrepareOptions, prepare};
+use libfuzzer_sys::fuzz_target;
+use std::path::Path;
+
+const ENDINGS: [&str; 8] = ["gri", "irap", "roff", "ts", "json", "csv", "asc", "tif"];
+
+fuzz_target!(|data: &[u8]| {
+    let Some((pick, bytes)) = data.split_first() else {
+        return;
+    };
+    let ending = ENDINGS[usize::from(*pick) % ENDINGS.len()];
+    let name = format!("file.{ending}");
+    let path = Path::new(&name);
+    let options = PrepareOptions {
+        tiles: 3,
+        decimation: 5.0,
+        ..PrepareOptions::default()
+    };
+    match surfaces_in(path, bytes, &ReadOptions::default(), &mut |_, _| ()) {
+        Err(error) => assert!(error.to_string().contains(&name)),
+        Ok(surfaces) => {
+            assert!(!surfaces.is_empty());
+            for surface in &surfaces {
+                assert!(
+                    surface.check().is_ok(),
+                    "{}: {:?}",
+                    surface.name,
+                    surface.check()
+                );
+                let prepared = prepare(surface, &options).unwrap();
+                assert_eq!(prepared.triangles(), surface.geometry.triangle_count());
+                for tile in &prepared.tiles {
+                    assert!(tile.mesh.validate().is_ok());
+                }
+            }
+        }
+    }
+    if ending == "roff" {
+        let _ = property_in(path, bytes);
+    }
+});
