@@ -3,7 +3,26 @@
 //! The system is that of Plate, Grundhoefer, Schmidt, Froehlich, *Occlusion Culling for Sub-Surface Models in Geo-Scientific
 //! Applications*, 2004.
 //!
-//! - [`Surface`] is a horizon or a fault at full resolution, wherever it came from.
+//! - [`read`] takes surfaces and cell properties out of files; a [`Surface`] is a horizon or a fault at full resolution, wherever it came from.
+//! - [`prepare`](prepare()) cuts horizons into tiles, each with levels of detail and a stand-in for tests; [`Prepared::show`] puts them into a scene.
+//! - [`VolumeFile`], [`Bricks`]: seismic volumes of any size under a budget; [`Slice`] and [`Lens`] show sections of them, [`Sections`] several.
+//! - [`Model`] is the built-in model, [`BuiltIn`] the scene of it.
+//!
+//! ```no_run
+//! use antumbra_subsurface::{PrepareOptions, add_lamps, prepare_all, read, surface_material};
+//!
+//! let surfaces = read::surfaces("top.gri".as_ref(), &Default::default(), &mut |_, _| ())?;
+//! let prepared = prepare_all(&surfaces, &PrepareOptions::default(), &|_| ())?;
+//! let mut scene = antumbra_scene::Scene::new();
+//! for (index, surface) in prepared.into_iter().enumerate() {
+//!     let material = scene.add_material(surface_material(&surface.name, surface.kind, index));
+//!     let shown = surface.show(&mut scene, None, material)?;
+//!     // Moving or removing shown.root moves or removes the whole surface, while the program runs.
+//!     println!("{} in {} tiles", shown.name, shown.tiles.len());
+//! }
+//! add_lamps(&mut scene)?;
+//! # Ok::<(), antumbra_subsurface::SubsurfaceError>(())
+//! ```
 
 mod assemble;
 mod built_in;
