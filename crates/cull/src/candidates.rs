@@ -123,4 +123,43 @@ pub struct Asked {
     pub stamp: Stamp,
     /// The slots that were tested; with hardware queries, in the order of the queries.
     pub slots: Arc<Vec<u32>>,
+    /// With hardware queries about several slots each: where each query's slots end. Empty: each slot has its own.
+    pub ends: Arc<Vec<u32>>,
+}
+
+impl Asked {
+    /// How many hardware queries were asked.
+    pub fn queries(&self) -> u32 {
+        match self.ends.len() {
+            0 => self.slots.len() as u32,
+            joined => joined as u32,
+        }
+    }
+
+    /// Each slot with the query that asks about it, in the order of the queries.
+    pub fn by_query(&self) -> impl Iterator<Item = (u32, Query)> + '_ {
+        let mut number = 0;
+        self.slots.iter().zip(0u32..).map(move |(slot, at)| {
+            if self.ends.is_empty() {
+                let number = at;
+                return (*slot, Query { number, slots: 1 });
+            }
+            while self.ends.get(number).is_some_and(|end| *end <= at) {
+                number += 1;
+            }
+            let end = |at: usize| self.ends.get(at).copied().unwrap_or(0);
+            let slots = end(number) - number.checked_sub(1).map_or(0, end);
+            let number = number as u32;
+            (*slot, Query { number, slots })
+        })
+    }
+}
+
+/// A hardware query.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Query {
+    /// Which, in the order of asking.
+    pub number: u32,
+    /// How many slots it asks about.
+    pub slots: u32,
 }

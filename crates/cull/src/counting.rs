@@ -190,6 +190,7 @@ impl FrameGraph<'_> {
             *ctx.get_mut(asked)? = Asked {
                 stamp: candidates.stamp(),
                 slots: tested,
+                ends: Arc::default(),
             };
             Ok(())
         });

@@ -12,6 +12,7 @@ pub mod kit;
 mod on_gpu;
 mod oracle;
 mod order;
+mod question;
 mod registry;
 mod samples;
 mod setting;
@@ -22,7 +23,7 @@ mod verdict;
 mod view_nodes;
 mod visible_samples;
 
-pub use candidates::{Asked, Candidates, Stamp};
+pub use candidates::{Asked, Candidates, Query, Stamp};
 pub use counting::{Counting, Counts, Proxies};
 pub use frame_graph::{CULL, Chosen, DRAW, FrameGraph};
 pub use oracle::{IdImage, Members, Oracle, Transparent};

@@ -44,3 +44,15 @@ pub(crate) fn back_to_front(
         list.push(table, slot, Detail::Level(level));
     }
 }
+
+/// Orders slots by the distance from the eye to the nearest corner of their boxes, ties by slot.
+pub(crate) fn by_nearest_corner(order: &mut [u32], table: &SceneTable, frame: &ViewFrame) {
+    order.sort_by_cached_key(|slot| {
+        let distance = frame
+            .camera
+            .nearest_corner_distance(&table.bounds(*slot))
+            .max(0.0);
+        // The bits of positive floats sort as the floats do.
+        (distance.to_bits(), *slot)
+    });
+}

@@ -3,7 +3,9 @@
 use thiserror::Error;
 
 use crate::setting::SettingError;
-use crate::strategies::{Frustum, Ideal, None, StopAndWait, ThreePass};
+use crate::strategies::{
+    Coherent, Frustum, Ideal, None, StereoCoherent, StopAndWait, ThreePass,
+};
 use crate::strategy::Strategy;
 
 type Maker = Box<dyn Fn() -> Box<dyn Strategy> + Send + Sync>;
@@ -57,6 +59,8 @@ impl Registry {
         registry.register(|| Box::new(Ideal));
         registry.register(|| Box::new(StopAndWait::default()));
         registry.register(|| Box::new(ThreePass::default()));
+        registry.register(|| Box::new(Coherent::default()));
+        registry.register(|| Box::new(StereoCoherent::default()));
         registry
     }
 

@@ -2,7 +2,7 @@
 
 use antumbra_draw::SceneTable;
 
-use crate::candidates::{Asked, Candidates, Stamp};
+use crate::candidates::{Asked, Candidates, Query, Stamp};
 use crate::verdict::{Verdict, Verdicts};
 
 /// How a buffer of counts is laid out.
@@ -12,6 +12,33 @@ pub enum CountLayout {
     BySlot,
     /// A u64 a query, in the order of [`Asked::slots`]: zero, or anything else for "at least one sample".
     ByQuery,
+}
+
+impl CountLayout {
+    /// Each slot that was asked about, its query, and whether any sample was visible; slots whose answer the bytes do not hold are
+    /// left out.
+    pub fn answers<'a>(
+        self,
+        asked: &'a Asked,
+        bytes: &'a [u8],
+    ) -> impl Iterator<Item = (u32, Query, bool)> + 'a {
+        let slots = asked.by_query();
+        slots.filter_map(move |(slot, query)| {
+            Some((slot, query, self.count(bytes, slot, query.number)? > 0))
+        })
+    }
+
+    /// The count of a slot whose question was the so-manieth.
+    fn count(self, bytes: &[u8], slot: u32, query: u32) -> Option<u32> {
+        match self {
+            Self::BySlot => word(bytes, slot as usize * 4),
+            // Boolean by contract, though some drivers count.
+            Self::ByQuery => word(bytes, query as usize * 8).map(|low| {
+                let high = word(bytes, query as usize * 8 + 4).unwrap_or(0);
+                u32::from(low != 0 || high != 0)
+            }),
+        }
+    }
 }
 
 /// Visible samples by slot.
@@ -77,17 +104,10 @@ impl Samples {
             .map_or(0, |most| *most as usize + 1);
         self.of.resize(slots, NOT_ASKED);
         self.asked = Some(asked.stamp);
-        self.questions = asked.slots.len() as u32;
-        for (query, slot) in asked.slots.iter().enumerate() {
-            let count = match layout {
-                CountLayout::BySlot => word(bytes, *slot as usize * 4),
-                // Boolean by contract, though some drivers count.
-                CountLayout::ByQuery => word(bytes, query * 8).map(|low| {
-                    let high = word(bytes, query * 8 + 4).unwrap_or(0);
-                    u32::from(low != 0 || high != 0)
-                }),
-            };
-            if let (Some(place), Some(count)) = (self.of.get_mut(*slot as usize), count) {
+        self.questions = asked.queries();
+        for (slot, query) in asked.by_query() {
+            let count = layout.count(bytes, slot, query.number);
+            if let (Some(place), Some(count)) = (self.of.get_mut(slot as usize), count) {
                 *place = count.min(NOT_ASKED - 1);
             }
         }

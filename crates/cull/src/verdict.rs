@@ -82,6 +82,11 @@ impl Verdicts {
         self.asked
     }
 
+    /// Whether the same entities are drawn for the same reasons and at the same levels, however many were asked about.
+    pub fn agree(&self, other: &Self) -> bool {
+        self.of == other.of && self.levels == other.levels
+    }
+
     /// Sets one; slots beyond the end are ignored.
     pub fn set(&mut self, slot: u32, verdict: Verdict) {
         if let Some(place) = self.of.get_mut(slot as usize) {

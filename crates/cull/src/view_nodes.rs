@@ -41,6 +41,11 @@ impl ViewNodes {
         self.index
     }
 
+    /// Whether no view comes after it.
+    pub fn is_last(&self) -> bool {
+        self.index + 1 >= self.count
+    }
+
     /// Width and height of its image in pixels.
     pub fn size(&self) -> [u32; 2] {
         self.size

@@ -112,6 +112,38 @@ fn three_pass_in_every_setting(name: &str) {
     }
 }
 
+/// Both coherent strategies, waiting and late, alone and together, and with a fraction, which takes longer to settle.
+fn coherent(name: &str) {
+    let gpu = gpu(name);
+    for strategy in ["coherent", "stereo-coherent"] {
+        let whole = [
+            format!("{strategy}:latency=same-frame"),
+            format!("{strategy}:latency=same-frame:together=1"),
+            format!("{strategy}:latency=frame-late"),
+        ];
+        conform(&gpu, &small(), whole);
+        let parts = [
+            format!("{strategy}:latency=same-frame:fraction=0.5"),
+            format!("{strategy}:latency=frame-late:fraction=0.25:late=2"),
+        ];
+        let patient = Kit {
+            settle: 16,
+            ..small()
+        };
+        conform(&gpu, &patient, parts);
+    }
+}
+
+#[test]
+fn coherent_strategies_conform_on_vulkan() {
+    coherent("vulkan");
+}
+
+#[test]
+fn coherent_strategies_conform_on_gl() {
+    coherent("gl");
+}
+
 #[test]
 fn baselines_conform_on_vulkan() {
     baselines("vulkan");

@@ -37,6 +37,8 @@ pub struct DrawList {
     ids: Vec<u32>,
     primitives: u64,
     starts: Vec<u32>,
+    /// Where each question ends in `ids`; empty: each entry is one.
+    questions: Vec<u32>,
 }
 
 impl DrawList {
@@ -64,7 +66,36 @@ impl DrawList {
     pub fn clear(&mut self) {
         self.runs.clear();
         self.ids.clear();
+        self.questions.clear();
         self.primitives = 0;
+    }
+
+    /// How many hardware queries ask about the list: one an entry, unless [joined](Self::join).
+    pub fn questions(&self) -> u32 {
+        match self.questions.len() {
+            0 => self.ids.len() as u32,
+            joined => joined as u32,
+        }
+    }
+
+    /// The entries that a question is about: indices into [`Self::ids`].
+    pub fn question(&self, number: u32) -> std::ops::Range<u32> {
+        let at = number as usize;
+        match self.questions.get(at) {
+            Some(end) => at.checked_sub(1).map_or(0, |before| self.questions[before])..*end,
+            None => number..number + 1,
+        }
+    }
+
+    /// Where each question ends in [`Self::ids`]; empty where each entry is one.
+    pub fn question_ends(&self) -> &[u32] {
+        &self.questions
+    }
+
+    /// Has the entries be asked about together, a question up to each of these ends: ascending, the last one the length of the list.
+    pub fn join(&mut self, ends: impl Iterator<Item = u32>) {
+        self.questions.clear();
+        self.questions.extend(ends);
     }
 
     /// Makes the list of these slots in canonical order: a stable counting sort by batch, linear in slots and batches.

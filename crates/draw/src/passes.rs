@@ -132,7 +132,7 @@ pub fn shaded_indirect_pass(
     out
 }
 
-/// Asks one hardware query an entry of a list, in the list's order, against a depth that stays as it is.
+/// Asks one hardware query a [question](DrawList::questions) of a list, in the list's order, against a depth that stays as it is.
 /// The answers are u64: zero, or something else.
 pub fn query_pass(
     g: &mut Graph,
@@ -144,25 +144,23 @@ pub fn query_pass(
 ) -> Buffer {
     let mut node = node(g, spec, inputs, what);
     node.depth_read(depth);
-    let answers = node.queries(answers, move |host| {
-        host.get(what.list)
-            .map_or(0, |list| list.ids().len() as u32)
-    });
-    let pipelines = Arc::clone(&spec.pipelines);
-    node.run(move |ctx| {
-        let list = ctx.get(what.list)?;
-        let scene = bind(ctx, inputs, &pipelines, what.ids)?;
-        let mut recorder = Recorder::new(&scene, &pipelines);
-        let asked = ctx.query_range();
-        for run in list.runs() {
-            let first = run.first.max(asked.start);
-            for query in first..(run.first + run.count).min(asked.end) {
-                ctx.query(query, |pass| recorder.run(pass, run, query..query + 1))?;
-            }
-        }
-        Ok(())
-    });
-    answers
+    ask(&mut node, spec, inputs, what, answers)
+}
+
+/// Shades a list with a hardware query a question, in the list's order: whether any sample of it passed while it was drawn.
+/// The answers are u64: zero, or something else.
+pub fn shaded_query_pass(
+    g: &mut Graph,
+    spec: &PassSpec,
+    inputs: ViewInputs,
+    what: Submitted,
+    (colour, depth): (Texture, Texture),
+    answers: Buffer,
+) -> (Texture, Texture, Buffer) {
+    let mut node = node(g, spec, inputs, what);
+    node.uniform(inputs.lights);
+    let (colour, depth) = (node.colour(colour), node.depth(depth));
+    (colour, depth, ask(&mut node, spec, inputs, what, answers))
 }
 
 /// Counts the samples of a list that pass against a depth, by slot, with fragment atomics.
@@ -267,6 +265,42 @@ fn node<'g>(
         // A value that cannot be read is the body's to complain of.
         .only_if(move |host| host.get(what.list).map_or(true, |list| !list.is_empty()));
     node
+}
+
+/// Draws a list with a query around each question.
+fn ask(
+    node: &mut antumbra_graph::RasterBuilder<'_>,
+    spec: &PassSpec,
+    inputs: ViewInputs,
+    what: Submitted,
+    answers: Buffer,
+) -> Buffer {
+    let answers = node.queries(answers, move |host| {
+        host.get(what.list).map_or(0, |list| list.questions())
+    });
+    let pipelines = Arc::clone(&spec.pipelines);
+    node.run(move |ctx| {
+        let list = ctx.get(what.list)?;
+        let scene = bind(ctx, inputs, &pipelines, what.ids)?;
+        let mut recorder = Recorder::new(&scene, &pipelines);
+        let mut runs = list.runs();
+        for number in ctx.query_range() {
+            let entries = list.question(number);
+            while let Some((run, rest)) = runs.split_first()
+                && run.first + run.count <= entries.start
+            {
+                runs = rest;
+            }
+            ctx.query(number, |pass| {
+                for run in runs.iter().take_while(|run| run.first < entries.end) {
+                    let first = run.first.max(entries.start);
+                    recorder.run(pass, run, first..(run.first + run.count).min(entries.end));
+                }
+            })?;
+        }
+        Ok(())
+    });
+    answers
 }
 
 fn draw(

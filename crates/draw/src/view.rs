@@ -3,7 +3,7 @@
 use antumbra_scene::{Aabb, Camera, Frustum, Projection};
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
-use glam::DVec3;
+use glam::{DVec3, Mat4};
 
 use crate::instance::split;
 
@@ -50,10 +50,14 @@ impl ViewFrame {
         aspect(self.size)
     }
 
+    /// Turns world coordinates relative to the camera into clip coordinates.
+    pub fn clip_from_relative(&self) -> Mat4 {
+        self.camera.projection_matrix(self.aspect()) * self.camera.view_rotation()
+    }
+
     /// What the shaders read.
     pub fn uniform(&self) -> GpuView {
-        let clip_from_relative =
-            self.camera.projection_matrix(self.aspect()) * self.camera.view_rotation();
+        let clip_from_relative = self.clip_from_relative();
         let (eye_high, eye_low) = split(self.camera.position);
         GpuView {
             clip_from_relative: clip_from_relative.to_cols_array(),

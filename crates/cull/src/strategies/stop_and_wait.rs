@@ -5,13 +5,13 @@
 //! last one found visible and asks about the next; its sync point is where the machine waits.
 
 use antumbra_draw::passes::{self, PassSpec, Submitted};
-use antumbra_draw::{Detail, DrawList, PassKind, SceneTable, ViewFrame};
+use antumbra_draw::{Detail, PassKind};
 use antumbra_graph::{BufferDesc, Host};
-use antumbra_scene::Topology;
 
 use crate::candidates::Candidates;
 use crate::frame_graph::{CULL, DRAW, FrameGraph};
-use crate::order::back_to_front;
+use crate::order::{back_to_front, by_nearest_corner};
+use crate::question::question;
 use crate::samples::outside;
 use crate::setting::{Latency, Setting, SettingError, parse};
 use crate::strategy::{DeclareError, Strategy, VisibleSet};
@@ -141,21 +141,10 @@ fn begin(
         // What no test may judge is drawn first, as if a question about it had been answered.
         walk.pending.clear();
         walk.pending.extend(candidates.exempt());
-        sort_front_to_back(&mut walk.order, &scene.table, &frame);
+        by_nearest_corner(&mut walk.order, &scene.table, &frame);
         Ok(())
     });
     (walk, verdicts)
-}
-
-fn sort_front_to_back(order: &mut [u32], table: &SceneTable, frame: &ViewFrame) {
-    order.sort_by_cached_key(|slot| {
-        let distance = frame
-            .camera
-            .nearest_corner_distance(&table.bounds(*slot))
-            .max(0.0);
-        // The bits of positive floats sort as the floats do.
-        (distance.to_bits(), *slot)
-    });
 }
 
 /// One turn: draw what the last answers showed, ask about the next, wait.
@@ -208,7 +197,11 @@ fn turn(
         pending.clear();
         pending.extend_from_slice(order.get(*asked..next).unwrap_or_default());
         *asked = next;
-        push_all(&mut ask_list, table, &*ctx.get(inputs.view)?, pending);
+        let frame = ctx.get(inputs.view)?;
+        ask_list.clear();
+        for slot in pending.iter() {
+            ask_list.push(table, *slot, question(table, &frame, *slot));
+        }
         ctx.upload(draw.ids, 0, bytemuck::cast_slice(draw_list.ids()))?;
         ctx.upload(ask.ids, 0, bytemuck::cast_slice(ask_list.ids()))?;
         Ok(())
@@ -254,25 +247,6 @@ fn turn(
     *ends = (walk, verdicts);
     done
 }
-
-/// Boxes in the order of asking. A mesh that is no dearer than its box stands for itself. So do lines and points, which cover pixels
-/// that their boxes do not, and what is small on the screen, where the box's margin is less than what a rasteriser may snap.
-fn push_all(list: &mut DrawList, table: &SceneTable, frame: &ViewFrame, slots: &[u32]) {
-    list.clear();
-    for slot in slots {
-        let boxed = table.class_of(*slot).topology() == Topology::Triangles
-            && table.primitives_of(*slot, Detail::Level(0)) > BOX_TRIANGLES
-            && frame.pixels_across(&table.bounds(*slot)) > BOX_PIXELS;
-        let detail = if boxed { Detail::Box } else { Detail::Level(0) };
-        list.push(table, *slot, detail);
-    }
-}
-
-/// Triangles of a box.
-const BOX_TRIANGLES: u32 = 12;
-
-/// From how many pixels on a box's margin, a hundredth of its size a side, is wide against the 1/256 of a pixel that vertices snap to.
-const BOX_PIXELS: f64 = 8.0;
 
 /// Transparent entities hide nothing, so they wait until all that is solid is drawn.
 fn submit_transparent(
