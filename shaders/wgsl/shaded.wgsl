@@ -1,7 +1,8 @@
 //!import position
 //!import material
 //!import light
-// The shaded pass: base colour, Lambert and Blinn-Phong, alpha mask and blend.
+//!import environment
+// The shaded pass: base colour, Lambert and Blinn-Phong, alpha mask and blend; with an environment, reflections of it.
 
 // 0 opaque, 1 mask, 2 blend; a constant a pipeline, so that opaque geometry keeps its early depth test.
 override alpha_mode: u32 = 0u;
@@ -40,6 +41,18 @@ fn vertex(
     return out;
 }
 
+// How much of a light a surface that is no metal reflects.
+const GLOSS: f32 = 0.12;
+// How much of what it stands in such a surface reflects straight on.
+const DIELECTRIC: f32 = 0.04;
+
+fn facing(normal: vec3<f32>, eye: vec3<f32>, front: bool) -> vec3<f32> {
+    let size = dot(normal, normal);
+    // A mesh without normals, or a collapsed one, is lit as if it faced the eye.
+    let unit = select(eye, normal * inverseSqrt(size), size > 1e-30);
+    return select(-unit, unit, front);
+}
+
 @fragment
 fn fragment(in: Varying, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     let material = materials[in.material];
@@ -51,11 +64,37 @@ fn fragment(in: Varying, @builtin(front_facing) front: bool) -> @location(0) vec
     if material.unlit != 0u {
         return vec4<f32>(base.rgb, alpha);
     }
-    var normal = in.normal;
-    let size = dot(normal, normal);
     let eye = -normalize(in.relative);
-    // A mesh without normals, or a collapsed one, is lit as if it faced the eye.
-    normal = select(eye, normal * inverseSqrt(size), size > 1e-30);
-    normal = select(-normal, normal, front);
-    return vec4<f32>(lit(base.rgb, normal, eye, in.relative), alpha);
+    let normal = facing(in.normal, eye, front);
+    let start = base.rgb * lights.ambient;
+    return vec4<f32>(lit(start, base.rgb, vec3<f32>(GLOSS), normal, eye, in.relative), alpha);
+}
+
+// The same in a scene with an environment: Fresnel reflection (Schlick, An Inexpensive BRDF Model for Physically-based Rendering, 1994),
+// at grazing angles the less the rougher (Lagarde, Adopting a physically based shading model, 2011), and light from all sides.
+@fragment
+fn reflecting_fragment(in: Varying, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
+    let material = materials[in.material];
+    let base = base_colour(material, in.uv, in.colour);
+    if alpha_mode == ALPHA_MASK && base.a < material.alpha_cutoff {
+        discard;
+    }
+    let alpha = select(1.0, base.a, alpha_mode == ALPHA_BLEND);
+    if material.unlit != 0u {
+        return vec4<f32>(base.rgb, alpha);
+    }
+    let eye = -normalize(in.relative);
+    let normal = facing(in.normal, eye, front);
+    let facing_eye = clamp(dot(normal, eye), 0.0, 1.0);
+    let grazing = 1.0 - facing_eye;
+    let grazing_squared = grazing * grazing;
+    let straight = mix(vec3<f32>(DIELECTRIC), base.rgb, material.metallic);
+    let more = max(vec3<f32>(1.0 - material.roughness) - straight, vec3<f32>(0.0));
+    let reflected = straight + more * (grazing_squared * grazing_squared * grazing);
+    let seen = environment(reflect(-eye, normal), material.environment_level, material.environment_inset);
+    let around = environment(normal, ENVIRONMENT_ROUGHEST, ENVIRONMENT_ROUGHEST_INSET);
+    let diffuse = base.rgb * (1.0 - material.metallic);
+    let gloss = mix(vec3<f32>(GLOSS), base.rgb, material.metallic);
+    let start = (diffuse * around + reflected * seen) * lights.ambient;
+    return vec4<f32>(lit(start, diffuse, gloss, normal, eye, in.relative), alpha);
 }

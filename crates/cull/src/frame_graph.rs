@@ -284,6 +284,7 @@ impl<'g> FrameGraph<'g> {
         PassKind::Shaded {
             format: self.shared.colour_format,
             positional_lights: self.shared.topology.positional_lights,
+            environment: self.shared.topology.environment,
         }
     }
 

@@ -22,6 +22,8 @@ struct Placed {
 #[derive(Debug, Clone, Default)]
 pub struct SceneLights {
     placed: Vec<Placed>,
+    /// The environment's strength.
+    around: Option<f32>,
 }
 
 /// Mirrors `Light` of `shared/light.wgsl`.
@@ -88,7 +90,8 @@ impl SceneLights {
                 .total_cmp(&a.light.colour.iter().sum())
         });
         placed.truncate(LIGHTS_MOST);
-        Self { placed }
+        let around = scene.environment().map(|around| around.intensity);
+        Self { placed, around }
     }
 
     /// Whether any of them has a place.
@@ -101,7 +104,7 @@ impl SceneLights {
     /// The lights around an eye; `right` and `up` are the camera's, for the light of scenes that have none.
     pub fn around(&self, eye: DVec3, forward: DVec3, right: DVec3, up: DVec3) -> GpuLights {
         let mut lights = GpuLights {
-            ambient: [0.18; 3],
+            ambient: [self.around.unwrap_or(0.18); 3],
             count: self.placed.len() as u32,
             lights: Default::default(),
         };

@@ -4,6 +4,8 @@ use antumbra_scene::{AlphaMode, Material};
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
 
+use crate::environment;
+
 /// Mirrors `Material` of `shared/material.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
@@ -13,6 +15,10 @@ pub struct GpuMaterial {
     alpha_cutoff: f32,
     uv_v: [f32; 3],
     unlit: u32,
+    metallic: f32,
+    roughness: f32,
+    environment_level: f32,
+    environment_inset: f32,
 }
 
 impl From<&Material> for GpuMaterial {
@@ -22,14 +28,22 @@ impl From<&Material> for GpuMaterial {
             AlphaMode::Mask { cutoff } => cutoff,
             AlphaMode::Opaque | AlphaMode::Blend => 0.0,
         };
+        // NaN becomes 0 too.
+        let part = |value: f32| value.max(0.0).min(1.0);
+        let roughness = part(material.roughness);
+        let level = environment::level(roughness);
         Self {
             base_colour: material.base_colour,
             uv_u,
             alpha_cutoff,
             uv_v,
             unlit: u32::from(material.unlit),
+            metallic: part(material.metallic),
+            roughness,
+            environment_level: level as f32,
+            environment_inset: environment::inset(level),
         }
     }
 }
 
-assert_layout!(GpuMaterial, "shaded", "Material", { base_colour, uv_u, alpha_cutoff, uv_v, unlit });
+assert_layout!(GpuMaterial, "shaded", "Material", { base_colour, uv_u, alpha_cutoff, uv_v, unlit, metallic, roughness, environment_level, environment_inset });

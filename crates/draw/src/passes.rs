@@ -7,7 +7,7 @@ use antumbra_graph::{
 };
 
 use crate::list::DrawList;
-use crate::pipeline::{PassKind, PassPipelines};
+use crate::pipeline::{ENVIRONMENT_GROUP, PassKind, PassPipelines};
 use crate::record::{Recorder, begin};
 use crate::scene::SceneFrame;
 use crate::view::ViewFrame;
@@ -359,6 +359,10 @@ pub fn bind<'a>(
         if let Some(white) = scene.textures.first() {
             ctx.pass().set_bind_group(2, white, &[]);
         }
+    }
+    if shaded && let Some(environment) = &scene.environment {
+        ctx.pass()
+            .set_bind_group(ENVIRONMENT_GROUP, environment, &[]);
     }
     begin(ctx.pass(), &scene, ids, materials);
     Ok(scene)

@@ -13,6 +13,9 @@ pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 /// The format of entity-id buffers: slot + 1, 0 for nothing.
 pub const IDENTITY_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 
+/// The bind group of the environment in the shaded pass.
+pub(crate) const ENVIRONMENT_GROUP: u32 = 3;
+
 /// What a pass writes, and so what its pipelines do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum PassKind {
@@ -32,6 +35,8 @@ pub enum PassKind {
         format: wgpu::TextureFormat,
         /// Whether any light has a place.
         positional_lights: bool,
+        /// Whether the scene has an environment to reflect.
+        environment: bool,
     },
     /// Adds the ids of transparent fragments up, by pixel.
     Signature,
@@ -46,6 +51,26 @@ impl PassKind {
             Self::Identity => &identity::JOB,
             Self::Shaded { .. } => &shaded::JOB,
             Self::Signature => &signature::JOB,
+        }
+    }
+
+    fn reflects(self) -> bool {
+        matches!(
+            self,
+            Self::Shaded {
+                environment: true,
+                ..
+            }
+        )
+    }
+
+    /// Bind groups: the environment's, which is the last, only where there is one.
+    fn groups(self) -> u32 {
+        match self {
+            Self::Shaded {
+                environment: false, ..
+            } => ENVIRONMENT_GROUP,
+            _ => self.job().group_count(),
         }
     }
 
@@ -72,7 +97,7 @@ impl PassPipelines {
     pub fn new(gpu: &Gpu, kind: PassKind, classes: impl Iterator<Item = Class>) -> Self {
         let job = kind.job();
         let module = antumbra_shaders::module(&gpu.device, job);
-        let layouts: Vec<_> = (0..job.group_count())
+        let layouts: Vec<_> = (0..kind.groups())
             .map(|group| {
                 gpu.device
                     .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
@@ -128,6 +153,8 @@ fn create(
     let blended = class.alpha() == Alpha::Blend;
     let (vertex, fragment) = if kind.masked(class) {
         ("masked_vertex", "masked_fragment")
+    } else if kind.reflects() {
+        ("vertex", "reflecting_fragment")
     } else {
         ("vertex", "fragment")
     };

@@ -6,11 +6,12 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use antumbra_scene::{EntityKey, ImageKey, MaterialKey, MeshKey, Scene};
+use antumbra_scene::{EntityKey, Environment, ImageKey, MaterialKey, MeshKey, Scene};
 use slotmap::SecondaryMap;
 
 use crate::arena::Arena;
 use crate::device::Gpu;
+use crate::environment;
 use crate::error::DrawError;
 use crate::instance::Instance;
 use crate::light::SceneLights;
@@ -38,6 +39,8 @@ pub struct SceneFrame {
     pub textures: Arc<Vec<wgpu::BindGroup>>,
     /// Lights.
     pub lights: Arc<SceneLights>,
+    /// The environment that surfaces reflect, with the group it is bound as.
+    pub environment: Option<wgpu::BindGroup>,
 }
 
 /// What a compiled plan depends on; when it changes, plans are compiled anew.
@@ -53,6 +56,8 @@ pub struct Topology {
     pub transparent: bool,
     /// Whether any light has a place; without one, lighting needs no distances.
     pub positional_lights: bool,
+    /// Whether there is an environment to reflect.
+    pub environment: bool,
 }
 
 impl Topology {
@@ -74,6 +79,7 @@ pub struct GpuScene {
     textures: Arc<Vec<wgpu::BindGroup>>,
     texture_layout: wgpu::BindGroupLayout,
     lights: Arc<SceneLights>,
+    environment: Option<wgpu::BindGroup>,
     mesh_index: SecondaryMap<MeshKey, u32>,
     material_index: SecondaryMap<MaterialKey, u32>,
     texture_index: SecondaryMap<ImageKey, u32>,
@@ -107,6 +113,7 @@ impl GpuScene {
             textures: Arc::new(vec![white]),
             texture_layout: layout,
             lights: Arc::default(),
+            environment: environment::of(gpu, scene),
             mesh_index: SecondaryMap::new(),
             material_index: SecondaryMap::new(),
             texture_index: SecondaryMap::new(),
@@ -127,6 +134,10 @@ impl GpuScene {
     pub fn sync(&mut self, scene: &mut Scene) -> Result<(), DrawError> {
         let changes = scene.update();
         self.repaint(scene, &changes.images)?;
+        let repainted = |around: Environment| changes.images.contains(&around.image);
+        if changes.environment || scene.environment().is_some_and(repainted) {
+            self.environment = environment::of(&self.gpu, scene);
+        }
         self.apply(scene, &changes.removed, &changes.added, &changes.moved)
     }
 
@@ -142,6 +153,7 @@ impl GpuScene {
             materials: self.materials.buffer().clone(),
             textures: Arc::clone(&self.textures),
             lights: Arc::clone(&self.lights),
+            environment: self.environment.clone(),
         }
     }
 
@@ -153,6 +165,7 @@ impl GpuScene {
             classes: self.classes,
             transparent: self.table.has_transparent(),
             positional_lights: self.lights.any_positional(),
+            environment: self.environment.is_some(),
         }
     }
 

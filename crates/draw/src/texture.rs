@@ -120,8 +120,8 @@ fn sampler(sampler: &Sampler) -> wgpu::SamplerDescriptor<'static> {
     }
 }
 
-/// The next smaller copy: each pixel the mean of up to four, in linear light.
-fn halved(width: u32, height: u32, pixels: &[u8]) -> (u32, u32, Vec<u8>) {
+/// The next smaller copy of sRGB pixels: each pixel the mean of up to four, in linear light.
+pub fn halved(width: u32, height: u32, pixels: &[u8]) -> (u32, u32, Vec<u8>) {
     let (w, h) = ((width / 2).max(1), (height / 2).max(1));
     let mut out = Vec::with_capacity(w as usize * h as usize * 4);
     let at = |x: u32, y: u32, channel: usize| {
@@ -145,7 +145,8 @@ fn halved(width: u32, height: u32, pixels: &[u8]) -> (u32, u32, Vec<u8>) {
     (w, h, out)
 }
 
-fn to_linear(value: u8) -> f32 {
+/// Linear light of an sRGB byte, 0 to 1.
+pub fn to_linear(value: u8) -> f32 {
     let v = f32::from(value) / 255.0;
     if v <= 0.04045 {
         v / 12.92

@@ -88,6 +88,16 @@ pub enum SceneError {
         /// What is wrong, and what to do.
         problem: String,
     },
+    /// An environment whose strength means nothing.
+    #[error(
+        "the environment of scene \"{scene}\" has the intensity {intensity}: give a finite number, 0 or more"
+    )]
+    BadEnvironment {
+        /// The scene's name.
+        scene: String,
+        /// The intensity as given.
+        intensity: String,
+    },
     /// More entities than a 32-bit slot can name.
     #[error("a scene holds at most {limit} entities: split it into several scenes")]
     Full {

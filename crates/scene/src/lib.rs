@@ -4,6 +4,7 @@
 pub mod bounds;
 pub mod builtin;
 mod camera;
+mod environment;
 mod error;
 pub mod frustum;
 mod keys;
@@ -17,6 +18,7 @@ mod simplify;
 
 pub use bounds::{Aabb, BoxArray};
 pub use camera::{Camera, CameraError, Projection};
+pub use environment::Environment;
 pub use error::SceneError;
 pub use frustum::Frustum;
 pub use keys::{EntityKey, ImageKey, MaterialKey, MeshKey};

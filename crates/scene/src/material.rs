@@ -1,8 +1,8 @@
-//! How a surface looks: one colour, perhaps an image, and whether one can see through it.
+//! How a surface looks: one colour, perhaps an image, how it shines, and whether one can see through it.
 
 use crate::keys::ImageKey;
 
-/// A surface's look. The default is opaque white, single-sided and lit.
+/// A surface's look. The default is opaque white, dull, single-sided and lit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     /// For people; may be empty.
@@ -13,6 +13,12 @@ pub struct Material {
     pub base_colour_image: Option<ImageKey>,
     /// Two rows of three: `u' = r0 . (u, v, 1)`, `v' = r1 . (u, v, 1)`.
     pub uv_transform: [[f32; 3]; 2],
+    /// From 0, plastic or paint, to 1, bare metal, whose reflections have the base colour. Looked at where the scene has an
+    /// [`Environment`](crate::Environment) to reflect.
+    pub metallic: f32,
+    /// From 0, a mirror, to 1, which reflects from all sides alike. Looked at where the scene has an
+    /// [`Environment`](crate::Environment).
+    pub roughness: f32,
     /// What alpha means.
     pub alpha: AlphaMode,
     /// Whether back faces are drawn.
@@ -28,6 +34,8 @@ impl Default for Material {
             base_colour: [1.0; 4],
             base_colour_image: None,
             uv_transform: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+            metallic: 0.0,
+            roughness: 1.0,
             alpha: AlphaMode::Opaque,
             double_sided: false,
             unlit: false,

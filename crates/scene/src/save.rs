@@ -72,7 +72,7 @@ pub enum SaveProblem {
 ///   lies behind it, becomes a node of its own below its entity;
 /// - whether an entity may be culled by a test, as `"tested": false` in the node's extras.
 ///
-/// Geometry without an index is not written, and an entity that has no other becomes one without a mesh.
+/// The environment is not written: glTF has no word for it. Geometry without an index is not written either, and an entity that has no other becomes one without a mesh.
 ///
 /// # Errors
 /// [`SaveProblem::TooLarge`] beyond 4 GiB, a number of a material that is not finite, a uv transform that shears, and what the system says.

@@ -12,6 +12,7 @@ pub use changes::Changes;
 
 use crate::bounds::Aabb;
 use crate::camera::Camera;
+use crate::environment::Environment;
 use crate::error::SceneError;
 use crate::keys::{EntityKey, ImageKey, MaterialKey, MeshKey};
 use crate::light::Light;
@@ -68,6 +69,7 @@ pub struct Scene {
     mesh_boxes: update::MeshBoxes,
     materials: SlotMap<MaterialKey, Material>,
     images: SlotMap<ImageKey, Image>,
+    environment: Option<Environment>,
     /// Entities whose dense state asks for something; may hold keys of entities that are gone.
     listed: Vec<EntityKey>,
     ledger: Ledger,
@@ -109,6 +111,7 @@ impl Scene {
             mesh_boxes: SecondaryMap::new(),
             materials: SlotMap::with_key(),
             images: SlotMap::with_key(),
+            environment: None,
             listed: Vec::new(),
             ledger: Ledger::default(),
         }

@@ -264,6 +264,27 @@ fn extras_say_what_is_not_tested() {
 }
 
 #[test]
+fn what_says_nothing_of_metal_is_rough_metal() {
+    let json = format!(
+        r#"{{"asset":{{"version":"2.0"}},{square},
+"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"indices":1,"material":0}},{{"attributes":{{"POSITION":0}},"indices":1,"material":1}},{{"attributes":{{"POSITION":0}},"indices":1}}]}}],
+"nodes":[{{"mesh":0}}],
+"materials":[{{"name":"silent"}},{{"name":"painted","pbrMetallicRoughness":{{"metallicRoughnessTexture":{{"index":0}}}}}}],
+"textures":[{{"source":0}}],"images":[{{"uri":"none.png"}}]}}"#,
+        square = common::SQUARE
+    );
+    let scene = read(&common::glb(&json, &common::square()));
+    let shine = |name: &str| {
+        let mut materials = scene.materials();
+        let (_, found) = materials.find(|(_, m)| m.name == name).unwrap();
+        [found.metallic, found.roughness]
+    };
+    assert_eq!(shine("silent"), [1.0, 1.0]);
+    assert_eq!(shine("painted"), [0.0, 1.0], "its image is not read");
+    assert_eq!(shine(""), [0.0, 1.0], "no material at all");
+}
+
+#[test]
 fn materials_say_how_a_surface_looks() {
     let png = base64::engine::general_purpose::STANDARD.encode(common::PNG);
     let json = format!(
@@ -271,7 +292,7 @@ fn materials_say_how_a_surface_looks() {
 "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"indices":1,"material":0}},{{"attributes":{{"POSITION":0}},"indices":1}}]}}],
 "nodes":[{{"name":"both","mesh":0}}],
 "materials":[{{"name":"leaf","doubleSided":true,"alphaMode":"MASK","alphaCutoff":0.25,"extensions":{{"KHR_materials_unlit":{{}}}},
-"pbrMetallicRoughness":{{"baseColorFactor":[0.5,0.25,0.125,1],"baseColorTexture":{{"index":0,"extensions":{{"KHR_texture_transform":{{"offset":[0.5,0.25],"scale":[2,4]}}}}}}}}}}],
+"pbrMetallicRoughness":{{"metallicFactor":0.25,"roughnessFactor":0.5,"baseColorFactor":[0.5,0.25,0.125,1],"baseColorTexture":{{"index":0,"extensions":{{"KHR_texture_transform":{{"offset":[0.5,0.25],"scale":[2,4]}}}}}}}}}}],
 "textures":[{{"source":0,"sampler":0}}],"samplers":[{{"wrapS":33071,"wrapT":33648}}],
 "images":[{{"uri":"data:image/png;base64,{png}"}}]}}"#,
         square = common::SQUARE
@@ -284,6 +305,7 @@ fn materials_say_how_a_surface_looks() {
     );
     let (_, leaf) = scene.materials().find(|(_, m)| m.name == "leaf").unwrap();
     assert_eq!(leaf.base_colour, [0.5, 0.25, 0.125, 1.0]);
+    assert_eq!([leaf.metallic, leaf.roughness], [0.25, 0.5]);
     assert_eq!(leaf.alpha, AlphaMode::Mask { cutoff: 0.25 });
     assert!(leaf.double_sided && leaf.unlit);
     assert_eq!(leaf.uv_transform, [[2.0, 0.0, 0.5], [0.0, 4.0, 0.25]]);

@@ -1,7 +1,9 @@
-//! Entities that are not tested, and images that change: both are told to whoever follows the scene.
+//! Entities that are not tested, images that change, and what surrounds the scene: all are told to whoever follows it.
 #![allow(clippy::unwrap_used)]
 
-use antumbra_scene::{Drawable, Geometry, Image, ImageKey, Material, Mesh, Sampler, Scene};
+use antumbra_scene::{
+    Drawable, Environment, Geometry, Image, ImageKey, Material, Mesh, Sampler, Scene, SceneError,
+};
 use glam::DAffine3;
 
 fn image(shade: u8) -> Image {
@@ -76,4 +78,31 @@ fn an_image_refuses_pixels_that_do_not_fit_it() {
     assert!(scene.set_image(key, short).is_err());
     assert!(scene.set_image(ImageKey::default(), image(0)).is_err());
     assert_eq!(scene.image(key).unwrap().rgba[0], 1);
+}
+
+#[test]
+fn another_environment_is_reported_once() {
+    let (mut scene, _) = scene();
+    let image = scene.add_image(image(1)).unwrap();
+    assert!(!scene.update().environment);
+    let around = |intensity| Some(Environment { image, intensity });
+    for environment in [around(1.0), around(2.0), None] {
+        scene.set_environment(environment).unwrap();
+        assert_eq!(scene.environment(), environment);
+        let changes = scene.update();
+        assert!(changes.environment && !changes.is_empty());
+        scene.set_environment(environment).unwrap();
+        assert!(scene.update().is_empty(), "the same again is no change");
+    }
+    for intensity in [-1.0, f32::NAN, f32::INFINITY] {
+        let error = scene.set_environment(around(intensity)).unwrap_err();
+        assert!(
+            matches!(error, SceneError::BadEnvironment { .. }),
+            "{error}"
+        );
+    }
+    let mut other = Scene::new();
+    let error = other.set_environment(around(1.0)).unwrap_err();
+    assert!(matches!(error, SceneError::UnknownAsset { .. }), "{error}");
+    assert!(scene.update().is_empty() && other.update().is_empty());
 }

@@ -191,6 +191,8 @@ fn materials_and_images_come_back() {
         Material {
             name: "blend".into(),
             base_colour: [0.1, 0.2, 0.3, 0.4],
+            metallic: 0.875,
+            roughness: 0.1,
             alpha: AlphaMode::Blend,
             ..default.clone()
         },
@@ -550,6 +552,14 @@ fn a_failure_leaves_what_was_there() {
             alpha: AlphaMode::Mask {
                 cutoff: f32::INFINITY,
             },
+            ..default.clone()
+        },
+        Material {
+            metallic: f32::NAN,
+            ..default.clone()
+        },
+        Material {
+            roughness: f32::NEG_INFINITY,
             ..default.clone()
         },
         Material {

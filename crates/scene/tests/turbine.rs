@@ -76,6 +76,40 @@ fn names_and_sizes() {
 }
 
 #[test]
+fn metal_stands_in_a_workshop_with_light_from_above() {
+    let scene = engine(1, 1);
+    let around = scene.environment().unwrap();
+    let image = scene.image(around.image).unwrap();
+    assert_eq!((image.width, image.height), (256, 128));
+    let mean = |rows: std::ops::Range<u32>| {
+        let row = image.width as usize * 4;
+        let bytes = &image.rgba[rows.start as usize * row..rows.end as usize * row];
+        bytes.iter().map(|b| f64::from(*b)).sum::<f64>() / bytes.len() as f64
+    };
+    let [ceiling, walls, floor] = [mean(0..32), mean(32..96), mean(96..128)];
+    assert!(
+        ceiling > walls && walls > floor,
+        "{ceiling} {walls} {floor}"
+    );
+    let panels = image.rgba.chunks_exact(4).filter(|p| p[0] == 255).count();
+    assert!(panels > 500, "{panels} pixels of light panels");
+    let metals = scene.materials().filter(|(_, m)| m.metallic > 0.5).count();
+    assert!(metals > 10 && metals < scene.materials().count());
+    for (_, material) in scene.materials() {
+        let (name, shine) = (&material.name, [material.metallic, material.roughness]);
+        assert!(
+            shine.iter().all(|n| (0.0..=1.0).contains(n)),
+            "{name}: {shine:?}"
+        );
+    }
+    assert_eq!(
+        engine(1, 2).image(around.image),
+        Some(image),
+        "whatever the seed"
+    );
+}
+
+#[test]
 fn one_seed_is_one_engine_and_another_moves_pipes_and_brackets_alone() {
     let everything = |seed| -> Vec<(String, DAffine3, Vec<[f32; 3]>)> {
         let scene = engine(1, seed);

@@ -20,6 +20,7 @@ struct Light {
 }
 
 struct Lights {
+    // What comes from all sides; where the scene has an environment, what that is multiplied with.
     ambient: vec3<f32>,
     count: u32,
     lights: array<Light, 8>,
@@ -30,8 +31,16 @@ override positional_lights: bool = true;
 
 @group(1) @binding(1) var<uniform> lights: Lights;
 
-fn lit(base: vec3<f32>, normal: vec3<f32>, eye: vec3<f32>, relative: vec3<f32>) -> vec3<f32> {
-    var sum = base * lights.ambient;
+// What the lights make of a surface of some diffuse colour: `start` and their light, of which `gloss` is reflected around the mirrored eye.
+fn lit(
+    start: vec3<f32>,
+    base: vec3<f32>,
+    gloss: vec3<f32>,
+    normal: vec3<f32>,
+    eye: vec3<f32>,
+    relative: vec3<f32>,
+) -> vec3<f32> {
+    var sum = start;
     for (var i = 0u; i < min(lights.count, LIGHTS_MOST); i++) {
         let light = lights.lights[i];
         var towards = -light.direction;
@@ -59,8 +68,8 @@ fn lit(base: vec3<f32>, normal: vec3<f32>, eye: vec3<f32>, relative: vec3<f32>) 
         shine *= shine;
         shine *= shine;
         shine *= shine;
-        let gloss = select(0.0, 0.12 * shine, lambert > 0.0);
-        sum += light.colour * strength * (base * lambert + vec3<f32>(gloss));
+        let mirrored = select(0.0, shine, lambert > 0.0);
+        sum += light.colour * strength * (base * lambert + gloss * mirrored);
     }
     return sum;
 }

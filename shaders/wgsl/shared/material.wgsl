@@ -10,6 +10,11 @@ struct Material {
     alpha_cutoff: f32,
     uv_v: vec3<f32>,
     unlit: u32,
+    metallic: f32,
+    roughness: f32,
+    // Which copy of the environment a surface this rough reflects, and its inset.
+    environment_level: f32,
+    environment_inset: f32,
 }
 
 @group(1) @binding(0) var<storage, read> materials: array<Material>;

@@ -26,6 +26,7 @@ mod spinner;
 mod tube;
 mod turned;
 mod vane;
+mod workshop;
 
 use super::BuiltinError;
 use crate::scene::Scene;
@@ -48,7 +49,7 @@ impl Default for TurbineOptions {
     }
 }
 
-/// An aero engine of thousands of parts, four positional lights around it. Parts that repeat share their mesh; triangles are counted
+/// An aero engine of thousands of parts, four positional lights and a workshop around it that its metal reflects. Parts that repeat share their mesh; triangles are counted
 /// as they are placed. Every part is a closed solid of its own, or several in one.
 ///
 /// # Errors

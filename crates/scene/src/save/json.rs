@@ -155,6 +155,7 @@ pub(super) struct Pbr {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) base_color_texture: Option<TextureInfo>,
     pub(super) metallic_factor: f32,
+    pub(super) roughness_factor: f32,
 }
 
 #[derive(Serialize)]

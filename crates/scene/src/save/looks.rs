@@ -46,6 +46,15 @@ impl<'a> Looks<'a> {
                 "its base colour is {colour:?}; give finite numbers"
             )));
         }
+        let shine = [
+            ("metallic", source.metallic),
+            ("roughness", source.roughness),
+        ];
+        if let Some((what, value)) = shine.iter().find(|(_, value)| !value.is_finite()) {
+            return Err(bad(format!(
+                "its {what} is {value}; give a number from 0 to 1"
+            )));
+        }
         let (alpha_mode, alpha_cutoff) = match source.alpha {
             AlphaMode::Opaque => (None, None),
             AlphaMode::Mask { cutoff } if !cutoff.is_finite() => {
@@ -71,7 +80,8 @@ impl<'a> Looks<'a> {
             pbr_metallic_roughness: Pbr {
                 base_color_factor: source.base_colour,
                 base_color_texture: texture,
-                metallic_factor: 0.0,
+                metallic_factor: source.metallic,
+                roughness_factor: source.roughness,
             },
             alpha_mode,
             alpha_cutoff,

@@ -1,6 +1,7 @@
-//! The assets that entities share: meshes, materials, images.
+//! The assets that entities share: meshes, materials, images, and the image around them all.
 
 use super::Scene;
+use crate::environment::Environment;
 use crate::error::SceneError;
 use crate::keys::{ImageKey, MaterialKey, MeshKey};
 use crate::material::{Image, Material};
@@ -98,6 +99,35 @@ impl Scene {
     /// Every image, in arena order.
     pub fn images(&self) -> impl Iterator<Item = (ImageKey, &Image)> {
         self.images.iter()
+    }
+
+    /// Surrounds the scene with an image, or with nothing.
+    ///
+    /// # Errors
+    /// An unknown image; [`SceneError::BadEnvironment`] for an intensity that is below 0 or not finite.
+    pub fn set_environment(&mut self, environment: Option<Environment>) -> Result<(), SceneError> {
+        if let Some(Environment { image, intensity }) = environment {
+            if !self.images.contains_key(image) {
+                return Err(self.unknown_asset("image", &image, "the environment".into()));
+            }
+            if !(intensity.is_finite() && intensity >= 0.0) {
+                return Err(SceneError::BadEnvironment {
+                    scene: self.name.clone(),
+                    intensity: intensity.to_string(),
+                });
+            }
+        }
+        if self.environment != environment {
+            self.environment = environment;
+            self.ledger.surrounded();
+        }
+        Ok(())
+    }
+
+    /// What surrounds the scene.
+    #[must_use]
+    pub fn environment(&self) -> Option<Environment> {
+        self.environment
     }
 
     pub(super) fn unknown_asset(

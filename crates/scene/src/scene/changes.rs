@@ -17,6 +17,8 @@ pub struct Changes {
     pub moved: Vec<EntityKey>,
     /// Images that hold other pixels now.
     pub images: Vec<ImageKey>,
+    /// Whether the scene has another environment, or none any more. One whose image was repainted is the same: see `images`.
+    pub environment: bool,
 }
 
 impl Changes {
@@ -27,6 +29,7 @@ impl Changes {
             && self.removed.is_empty()
             && self.moved.is_empty()
             && self.images.is_empty()
+            && !self.environment
     }
 }
 
@@ -44,12 +47,18 @@ pub(super) struct Ledger {
     touched: Vec<EntityKey>,
     gone: Vec<EntityKey>,
     repainted: Vec<ImageKey>,
+    surrounded: bool,
 }
 
 impl Ledger {
     /// The image got other pixels.
     pub(super) fn repainted(&mut self, image: ImageKey) {
         self.repainted.push(image);
+    }
+
+    /// The environment is another one.
+    pub(super) fn surrounded(&mut self) {
+        self.surrounded = true;
     }
 
     /// The entity's drawable was set or cleared, or it is tested where it was not.
@@ -74,10 +83,12 @@ impl Scene {
             touched,
             gone,
             repainted,
+            surrounded,
         } = &mut self.ledger;
         let mut changes = Changes {
             removed: std::mem::take(gone),
             images: std::mem::take(repainted),
+            environment: std::mem::take(surrounded),
             ..Changes::default()
         };
         // Only who looks as before counts as moved; who looks different is removed and added.

@@ -2,6 +2,8 @@
 
 use super::look::{Look, lamps};
 use super::solid::Solid;
+use super::workshop::workshop;
+use crate::environment::Environment;
 use crate::error::SceneError;
 use crate::keys::{EntityKey, MaterialKey};
 use crate::scene::{Drawable, Scene};
@@ -25,10 +27,15 @@ pub(super) struct Part {
 }
 
 impl Assembly {
-    /// Only the lamps.
+    /// Only the lamps and the workshop.
     pub fn new(name: &str) -> Result<Self, SceneError> {
         let mut scene = Scene::new();
         scene.set_name(name);
+        let image = scene.add_image(workshop())?;
+        scene.set_environment(Some(Environment {
+            image,
+            intensity: 1.5,
+        }))?;
         let engine = scene.spawn(None, DAffine3::IDENTITY)?;
         scene.set_entity_name(engine, "engine")?;
         for (name, place, light) in lamps() {

@@ -70,6 +70,12 @@ impl Materials {
         let pbr = &source.pbr_metallic_roughness;
         let mut material = Material {
             base_colour: pbr.base_color_factor.0,
+            // An image says where the metal is, and is not read: what is painted in part is no metal.
+            metallic: match pbr.metallic_roughness_texture {
+                None => pbr.metallic_factor.0,
+                Some(_) => 0.0,
+            },
+            roughness: pbr.roughness_factor.0,
             alpha: match source.alpha_mode {
                 Checked::Valid(Alpha::Mask) => AlphaMode::Mask {
                     cutoff: source.alpha_cutoff.unwrap_or_default().0,

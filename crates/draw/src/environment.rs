@@ -1,0 +1,238 @@
+//! The environment as the shaded pass reads it: a sphere folded into a square, with smaller copies blurred as rough surfaces blur it.
+//!
+//! The fold is the octahedral map of Praun and Hoppe, *Spherical Parametrization and Remeshing*, 2003: unlike longitudes and latitudes it
+//! needs no angles, and unlike a cube it is one plain texture. All light is linear until it is stored, as its square root.
+
+use std::f32::consts::TAU;
+
+use antumbra_scene::{Image, Scene};
+use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+
+use crate::device::Gpu;
+use crate::pipeline::ENVIRONMENT_GROUP;
+use crate::texture::{halved, to_linear};
+
+/// Texels of the sharpest copy, each way. A texel is 0.7 degrees wide.
+const TEXELS: u32 = 256;
+/// How sharp the copies are: exponents of the cosine lobes that blur them, from a mirror to what a matt surface gathers. For roughness r
+/// they are those of a microfacet lobe of width r squared, seen about the mirrored eye.
+const LOBES: [f32; 6] = [f32::INFINITY, 300.0, 20.0, 5.0, 2.0, 1.0];
+/// Looks into a lobe, for each texel.
+const LOOKS: u32 = 64;
+
+/// The copy that a surface of this roughness (0 to 1) reflects.
+pub fn level(roughness: f32) -> u32 {
+    (roughness * (LOBES.len() - 1) as f32).round() as u32
+}
+
+/// How far the outermost texels' centres lie from a copy's middle, in parts of its width.
+pub fn inset(level: u32) -> f32 {
+    let texels = (TEXELS >> level) as f32;
+    0.5 * (texels - 1.0) / texels
+}
+
+/// A scene's environment, uploaded and bound; `None` where it has none.
+pub fn of(gpu: &Gpu, scene: &Scene) -> Option<wgpu::BindGroup> {
+    let image = scene.image(scene.environment()?.image)?;
+    Some(upload(gpu, &copies(image)))
+}
+
+fn upload(gpu: &Gpu, copies: &[Copy]) -> wgpu::BindGroup {
+    let extent = |texels| wgpu::Extent3d {
+        width: texels,
+        height: texels,
+        depth_or_array_layers: 1,
+    };
+    let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("environment"),
+        size: extent(TEXELS),
+        mip_level_count: LOBES.len() as u32,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: wgpu::TextureFormat::Rgba8Unorm,
+        usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+        view_formats: &[],
+    });
+    for (copy, mip_level) in copies.iter().zip(0..) {
+        let place = wgpu::TexelCopyTextureInfo {
+            mip_level,
+            ..texture.as_image_copy()
+        };
+        let layout = wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(copy.texels * 4),
+            rows_per_image: None,
+        };
+        gpu.queue
+            .write_texture(place, &copy.stored(), layout, extent(copy.texels));
+    }
+    // A surface reflects one copy, so none are mixed.
+    let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("environment"),
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        ..Default::default()
+    });
+    let job = &antumbra_shaders::jobs::shaded::JOB;
+    let layout = gpu
+        .device
+        .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("environment"),
+            entries: &job.layout_entries(ENVIRONMENT_GROUP),
+        });
+    let view = texture.create_view(&Default::default());
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("environment"),
+        layout: &layout,
+        entries: &[
+            wgpu::BindGroupEntry {
+                binding: 0,
+                resource: wgpu::BindingResource::TextureView(&view),
+            },
+            wgpu::BindGroupEntry {
+                binding: 1,
+                resource: wgpu::BindingResource::Sampler(&sampler),
+            },
+        ],
+    })
+}
+
+/// The sphere in linear light, folded into a square of texels whose outermost centres lie on the fold.
+#[derive(Debug, Clone, PartialEq)]
+struct Copy {
+    texels: u32,
+    light: Vec<Vec3>,
+}
+
+impl Copy {
+    /// Asks for the light of every texel's direction.
+    fn of(texels: u32, light: impl Fn(Vec3) -> Vec3 + Sync) -> Self {
+        let last = (texels - 1) as f32;
+        let at = |i: u32| Vec2::new((i % texels) as f32, (i / texels) as f32) / last;
+        let all = (0..texels * texels).into_par_iter();
+        Self {
+            texels,
+            light: all
+                .map(|i| light(unfolded(at(i) * 2.0 - Vec2::ONE)))
+                .collect(),
+        }
+    }
+
+    /// What the shader finds in a direction.
+    fn look(&self, towards: Vec3) -> Vec3 {
+        let last = self.texels - 1;
+        let place = (folded(towards) * 0.5 + Vec2::splat(0.5)) * last as f32;
+        mixed(place, |x, y| {
+            let at = y.min(last) * self.texels + x.min(last);
+            self.light.get(at as usize).copied().unwrap_or_default()
+        })
+    }
+
+    /// The next copy: half as wide, blurred until lobes of one exponent have become lobes of another.
+    fn blurred(&self, from: f32, to: f32) -> Self {
+        // One after the other their widths add up, and a width is about one over the exponent.
+        let exponent = 1.0 / (1.0 / to - 1.0 / from);
+        let looks: Vec<Vec3> = (0..LOOKS)
+            .map(|look| {
+                // A sunflower's seeds: even, and the same in every run.
+                let part = (look as f32 + 0.5) / LOOKS as f32;
+                let cosine = part.powf(1.0 / (exponent + 1.0));
+                let (sin, cos) = (look as f32 * TAU * 0.618_034).sin_cos();
+                let side = (1.0 - cosine * cosine).max(0.0).sqrt();
+                Vec3::new(side * cos, side * sin, cosine)
+            })
+            .collect();
+        Self::of(self.texels / 2, |towards| {
+            let (right, up) = towards.any_orthonormal_pair();
+            let seen = looks.iter().map(|look| {
+                let direction = right * look.x + up * look.y + towards * look.z;
+                self.look(direction)
+            });
+            seen.sum::<Vec3>() / LOOKS as f32
+        })
+    }
+
+    /// As the texture keeps it: square roots.
+    fn stored(&self) -> Vec<u8> {
+        let byte = |light: f32| (light.clamp(0.0, 1.0).sqrt() * 255.0).round() as u8;
+        let texels = self.light.iter();
+        texels
+            .flat_map(|light| [byte(light.x), byte(light.y), byte(light.z), 255])
+            .collect()
+    }
+}
+
+/// All copies of an equirectangular image, the sharpest first.
+fn copies(image: &Image) -> Vec<Copy> {
+    let (mut width, mut height) = (image.width, image.height);
+    let mut pixels = std::borrow::Cow::Borrowed(&image.rgba);
+    // Once its pixels are smaller than texels, more of them would be passed over.
+    while width >= 4 * TEXELS {
+        let (w, h, smaller) = halved(width, height, &pixels);
+        (width, height, pixels) = (w, h, std::borrow::Cow::Owned(smaller));
+    }
+    let linear: Vec<Vec3> = (pixels.chunks_exact(4))
+        .map(|pixel| {
+            Vec3::new(
+                to_linear(pixel[0]),
+                to_linear(pixel[1]),
+                to_linear(pixel[2]),
+            )
+        })
+        .collect();
+    let mut copy = Copy::of(TEXELS, |towards| {
+        let turn = towards.x.atan2(-towards.z) / TAU + 0.5;
+        let down = towards.y.clamp(-1.0, 1.0).acos() / (TAU / 2.0);
+        let place = Vec2::new(turn * width as f32, down * height as f32) - Vec2::splat(0.5);
+        // Shifted by a row and a turn, so that corners are never below 0.
+        mixed(place + Vec2::new(width as f32, 1.0), |x, y| {
+            let y = y.saturating_sub(1).min(height.saturating_sub(1));
+            let at = y as usize * width as usize + (x % width.max(1)) as usize;
+            linear.get(at).copied().unwrap_or_default()
+        })
+    });
+    let mut all = Vec::with_capacity(LOBES.len());
+    for lobes in LOBES.windows(2) {
+        let next = copy.blurred(lobes[0], lobes[1]);
+        all.push(std::mem::replace(&mut copy, next));
+    }
+    all.push(copy);
+    all
+}
+
+/// Bilinear between four neighbours.
+fn mixed(place: Vec2, at: impl Fn(u32, u32) -> Vec3) -> Vec3 {
+    let low = place.floor();
+    let part = place - low;
+    let (x, y) = (low.x as u32, low.y as u32);
+    let upper = at(x, y).lerp(at(x + 1, y), part.x);
+    upper.lerp(at(x, y + 1).lerp(at(x + 1, y + 1), part.x), part.y)
+}
+
+/// Where a direction lies in the square from -1 to 1; as in `shared/environment.wgsl`.
+fn folded(towards: Vec3) -> Vec2 {
+    let flat = Vec2::new(towards.x, towards.z) / towards.abs().element_sum();
+    if towards.y >= 0.0 {
+        flat
+    } else {
+        (Vec2::ONE - Vec2::new(flat.y, flat.x).abs()) * sign(flat)
+    }
+}
+
+/// The direction, of unit length, of a place in the square from -1 to 1.
+fn unfolded(place: Vec2) -> Vec3 {
+    let up = 1.0 - place.abs().element_sum();
+    let flat = if up >= 0.0 {
+        place
+    } else {
+        (Vec2::ONE - Vec2::new(place.y, place.x).abs()) * sign(place)
+    };
+    Vec3::new(flat.x, up, flat.y).normalize()
+}
+
+/// 1 or -1; 1 for 0.
+fn sign(place: Vec2) -> Vec2 {
+    let of = |value: f32| if value >= 0.0 { 1.0 } else { -1.0 };
+    Vec2::new(of(place.x), of(place.y))
+}
