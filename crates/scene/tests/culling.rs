@@ -188,6 +188,21 @@ proptest! {
         }
     }
 
+    /// Even in the window's farthest corner.
+    #[test]
+    fn a_small_box_on_the_near_plane_crosses_it(
+        camera in camera(),
+        clip in prop::array::uniform2(-1.0..1.0_f64),
+        size in 1e-9..1e-3_f64,
+    ) {
+        let near = camera.near();
+        let half = DVec2::new(ASPECT, 1.0) * side_limit(&camera, near);
+        let at = middle(&camera, near) + half * DVec2::from_array(clip);
+        let point = camera.position + camera.right() * at.x + camera.up() * at.y + camera.forward() * near;
+        let bounds = Aabb::from_centre(point, DVec3::splat(size * half.y));
+        prop_assert!(camera.crosses_near(&bounds, ASPECT));
+    }
+
     #[test]
     fn an_off_axis_camera_without_a_shift_is_a_perspective_to_the_bit(
         camera in camera(),
