@@ -9,28 +9,24 @@ use std::collections::BTreeMap;
 use std::path::Path as FilePath;
 use std::sync::Arc;
 
-use antumbra_cull::{Registry, RegistryError, Stage, StageOptions, Strategy, Verdict, ViewSpec};
+use antumbra_cull::{Registry, RegistryError, Stage, StageOptions, Strategy};
 use antumbra_draw::{Gpu, GpuScene};
-use antumbra_scene::Scene;
+use antumbra_scene::{Scene, Stereo};
 use image::RgbaImage;
 
-use crate::MeasureError;
 use crate::path::Path;
-use crate::report::{
-    Adapter, Drawn, ErrorReport, FrameSeries, MeanMax, Noise, PoseRecord, Report, SceneFacts,
-    Spread, StrategyReport, WorstFrame, WorstImages,
-};
-use crate::stats;
+use crate::report::{Adapter, Noise, PoseRecord, Report, SceneFacts};
+use crate::{MeasureError, stats, views};
 
 mod accuracy;
+mod entry;
 mod script;
 mod speed;
 
 pub use accuracy::camera;
-use accuracy::{Accuracy, ViewError};
+use entry::Entries;
 pub use script::Script;
 use script::Set;
-use speed::Speed;
 
 /// One entry of a comparison.
 pub struct Contender {
@@ -76,6 +72,8 @@ impl Contender {
 pub struct CompareOptions {
     /// Width and height of a view in pixels.
     pub size: [u32; 2],
+    /// Two eyes for each pose's camera, drawn in one frame; `None` for the camera alone.
+    pub stereo: Option<Stereo>,
     /// Poses a block; `None` takes a sixth of the path, 20 at most.
     pub block: Option<usize>,
     /// The path is flown again for speed until this many seconds are over, five times at most.
@@ -93,6 +91,7 @@ impl Default for CompareOptions {
     fn default() -> Self {
         Self {
             size: [1280, 1024],
+            stereo: None,
             block: None,
             least_seconds: 2.0,
             flip_poses: 8,
@@ -147,7 +146,8 @@ impl Comparison {
 /// Compares strategies on a scene along a path.
 ///
 /// # Errors
-/// When a strategy cannot be declared or a frame fails; nothing is half done then.
+/// When a strategy cannot be declared or a frame fails, or the path's cameras have no two eyes that were asked for; nothing is
+/// half done then.
 pub fn compare(
     gpu: &Gpu,
     scene: &mut Scene,
@@ -173,7 +173,7 @@ pub fn compare_scripted(
     options: &CompareOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Comparison, MeasureError> {
-    let mut set = Set::new(gpu, scene, script, path)?;
+    let mut set = Set::new(gpu, scene, script, path, options.stereo)?;
     let mut stages = contenders
         .iter()
         .map(|contender| stage(set.scene(), contender, options))
@@ -192,20 +192,12 @@ pub fn compare_scripted(
         )?)?),
         None => None,
     };
-    let mut pictures = BTreeMap::new();
-    let mut strategies = Vec::with_capacity(contenders.len());
-    for (at, contender) in contenders.iter().enumerate() {
-        let report = strategy_report(
-            &stages[at],
-            contender,
-            &accuracy,
-            at,
-            &speed,
-            contenders,
-            &mut pictures,
-        )?;
-        strategies.push(report);
+    let (strategies, pictures) = Entries {
+        accuracy: &accuracy,
+        speed: &speed,
+        contenders,
     }
+    .reports(&stages)?;
     let report = Report {
         antumbra: env!("CARGO_PKG_VERSION").to_owned(),
         command: options.command.clone(),
@@ -219,7 +211,8 @@ pub fn compare_scripted(
             path: path.name().to_owned(),
             entities: scene.drawable_count() as u64,
             triangles: scene.triangle_count(),
-            views: 1,
+            views: views::specs(options.stereo.as_ref(), options.size).len() as u32,
+            stereo: options.stereo.map(Into::into),
             size: options.size,
             frames: path.poses().len() as u64,
         },
@@ -239,7 +232,6 @@ fn stage(
     contender: &Contender,
     options: &CompareOptions,
 ) -> Result<Stage, MeasureError> {
-    let [width, height] = options.size;
     let stage_options = StageOptions {
         timing: true,
         ..StageOptions::default()
@@ -247,7 +239,7 @@ fn stage(
     Ok(Stage::new(
         scene,
         (contender.make)()?,
-        vec![ViewSpec::main(width, height)],
+        views::specs(options.stereo.as_ref(), options.size),
         stage_options,
     )?)
 }
@@ -260,149 +252,12 @@ fn twin(contenders: &[Contender]) -> Option<usize> {
         .or((!contenders.is_empty()).then_some(0))
 }
 
-fn strategy_report(
-    stage: &Stage,
-    contender: &Contender,
-    accuracy: &Accuracy,
-    at: usize,
-    speed: &Speed,
-    contenders: &[Contender],
-    pictures: &mut BTreeMap<String, RgbaImage>,
-) -> Result<StrategyReport, MeasureError> {
-    let strategy = stage.strategy();
-    let (record, run) = (&accuracy.records[at], &speed.runs[at]);
-    let against = |name: &str| -> Result<Option<f64>, MeasureError> {
-        let Some(other) = contenders
-            .iter()
-            .position(|contender| contender.name == name)
-        else {
-            return Ok(None);
-        };
-        let ratios = stats::block_ratios(&run.frame_ms, &speed.runs[other].frame_ms, speed.block)?;
-        Ok(Some(stats::median(&ratios)?))
-    };
-    let settings = strategy
-        .settings()
-        .into_iter()
-        .map(|setting| (setting.key.to_owned(), value(&setting.value)))
-        .collect();
-    let poses = accuracy.owners.len();
-    let mean = |sum: u64| sum as f64 / poses.max(1) as f64;
-    let worst = match &record.worst {
-        Some(worst) => {
-            let base = file_base(
-                if contender.label.is_empty() {
-                    strategy.name()
-                } else {
-                    &contender.label
-                },
-                at,
-            );
-            let images = WorstImages {
-                reference: format!("{base}-reference.png"),
-                strategy: format!("{base}-worst.png"),
-                marked: format!("{base}-marked.png"),
-            };
-            let marked = crate::image_error::mark_wrong(&worst.strategy, &worst.mask)?;
-            pictures.insert(images.reference.clone(), worst.reference.clone());
-            pictures.insert(images.strategy.clone(), worst.strategy.clone());
-            pictures.insert(images.marked.clone(), marked);
-            Some(WorstFrame {
-                frame: worst.frame as u64,
-                view: 0,
-                images,
-            })
-        }
-        None => None,
-    };
-    let views = vec![error_report(&record.view, record.flip)?];
-    let verdicts = Verdict::ALL
-        .iter()
-        .zip(record.tally)
-        .map(|(verdict, sum)| (verdict.word().to_owned(), mean(sum)))
-        .collect();
-    Ok(StrategyReport {
-        name: strategy.name().to_owned(),
-        label: contender.label.clone(),
-        latency: strategy
-            .latency()
-            .map_or_else(|| "none".to_owned(), |latency| latency.to_string()),
-        settings,
-        conservative: strategy.conservative(),
-        frame_ms: Spread {
-            median: stats::median(&run.frame_ms)?,
-            p95: stats::percentile(&run.frame_ms, 95.0)?,
-        },
-        free_running_ms: run.free_running_ms,
-        cull_ms: run.group_median("cull"),
-        draw_ms: run.group_median("draw"),
-        time_vs_none: against("none")?,
-        time_vs_frustum: against("frustum")?,
-        time_vs_ideal: against("ideal")?,
-        drawn: Drawn {
-            entities: mean(record.drawn),
-            triangles: mean(record.triangles),
-        },
-        queries: mean(record.asked),
-        sync_points: record.sync_points,
-        overdrawn_entities: mean(record.overdrawn),
-        error: views[0],
-        views,
-        frames: FrameSeries {
-            frame_ms: run.by_pose(poses)?,
-            wrong_pixels_percent: record.view.wrong_percent.clone(),
-        },
-        passes: run.pass_medians(),
-        verdicts,
-        worst,
-    })
-}
-
-fn error_report(view: &ViewError, flip: MeanMax) -> Result<ErrorReport, MeasureError> {
-    let most = view
-        .false_culls
-        .iter()
-        .enumerate()
-        .max_by(|a, b| a.1.cmp(b.1).then(b.0.cmp(&a.0)));
-    Ok(ErrorReport {
-        wrong_pixels_percent: MeanMax {
-            mean: stats::mean(&view.wrong_percent)?,
-            max: view.wrong_percent.iter().copied().fold(0.0, f64::max),
-        },
-        false_culls: crate::report::FalseCulls {
-            entities: view.false_culls.iter().sum(),
-            worst_frame: most
-                .filter(|(_, culls)| **culls > 0)
-                .map(|(frame, _)| frame as u64),
-            longest_run_frames: stats::longest_run(view.false_culls.iter().map(|culls| *culls > 0)),
-        },
-        flip,
-    })
-}
-
 fn pose_record(pose: &crate::path::Pose) -> PoseRecord {
     PoseRecord {
         position: pose.position.to_array(),
         rotation: pose.rotation.to_array(),
         cut: pose.cut,
     }
-}
-
-/// A setting's value as JSON: a number where it is one.
-fn value(text: &str) -> serde_json::Value {
-    serde_json::from_str(text)
-        .ok()
-        .filter(serde_json::Value::is_number)
-        .unwrap_or_else(|| text.into())
-}
-
-/// A file name's beginning that any file system takes.
-fn file_base(title: &str, at: usize) -> String {
-    let plain: String = title
-        .chars()
-        .map(|c| if c.is_ascii_alphanumeric() { c } else { '-' })
-        .collect();
-    format!("{at}-{plain}")
 }
 
 fn adapter_kind(kind: wgpu::DeviceType) -> &'static str {

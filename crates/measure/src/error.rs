@@ -66,6 +66,9 @@ pub enum MeasureError {
         /// What is wrong, with the number of the pose (the first is 0).
         problem: String,
     },
+    /// Two eyes that cannot be, or a camera that has none.
+    #[error(transparent)]
+    Stereo(#[from] antumbra_scene::StereoError),
     /// A statistic was asked of values that do not have it.
     #[error("cannot take the {statistic}: {problem}")]
     Statistics {

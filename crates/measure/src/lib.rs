@@ -15,6 +15,7 @@ pub mod stats;
 mod store;
 pub mod table;
 pub mod verdict;
+pub mod views;
 mod words;
 
 pub use error::MeasureError;

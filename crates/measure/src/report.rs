@@ -7,6 +7,7 @@
 
 use std::collections::BTreeMap;
 
+use antumbra_scene::Stereo;
 use serde::{Deserialize, Serialize};
 
 mod file;
@@ -68,10 +69,31 @@ pub struct SceneFacts {
     pub triangles: u64,
     /// Views a frame: 1, or 2 for stereo.
     pub views: u32,
+    /// The two eyes of stereo; absent for one view.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stereo: Option<StereoFacts>,
     /// Width and height of one view in pixels.
     pub size: [u32; 2],
     /// Poses of the path; each is one frame.
     pub frames: u64,
+}
+
+/// Two eyes: parallel, their windows coinciding at a distance.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct StereoFacts {
+    /// Metres between the eyes.
+    pub interocular: f64,
+    /// Metres from the eyes to where they see the same rectangle.
+    pub convergence: f64,
+}
+
+impl From<Stereo> for StereoFacts {
+    fn from(stereo: Stereo) -> Self {
+        Self {
+            interocular: stereo.interocular,
+            convergence: stereo.convergence,
+        }
+    }
 }
 
 /// How much two runs of the same strategy differ.
@@ -133,11 +155,14 @@ pub struct StrategyReport {
     pub time_vs_ideal: Option<f64>,
     /// What it drew, mean a frame over all views.
     pub drawn: Drawn,
-    /// Occlusion queries or counts a frame, mean.
+    /// Occlusion queries or counts a frame over all views, mean.
     pub queries: f64,
+    /// The same of each eye, left first; empty for a single view.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub queries_a_view: Vec<f64>,
     /// Points of the plan where a frame waits for its own results.
     pub sync_points: u32,
-    /// Entities drawn that own no pixel of the reference, mean a frame.
+    /// Entities drawn that own no pixel of the reference, mean a frame, summed over all views.
     pub overdrawn_entities: f64,
     /// What it got wrong, all views together.
     pub error: ErrorReport,
@@ -150,7 +175,7 @@ pub struct StrategyReport {
     /// Median times of its passes, in plan order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub passes: Vec<PassTime>,
-    /// Mean number of entities a frame with each verdict, by the verdict's name.
+    /// Mean number of entities a frame with each verdict, summed over all views, by the verdict's name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub verdicts: BTreeMap<String, f64>,
     /// The frame with the most wrong pixels, with its pictures.
@@ -214,9 +239,12 @@ pub struct FrameSeries {
     /// Serialised frame time in milliseconds, the median of the repetitions of that pose.
     #[serde(default)]
     pub frame_ms: Vec<f64>,
-    /// Wrong pixels in percent.
+    /// Wrong pixels in percent of the pixels of all views.
     #[serde(default)]
     pub wrong_pixels_percent: Vec<f64>,
+    /// Wrong pixels in percent of an eye's pixels: a series an eye, left first; empty for a single view.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub wrong_pixels_percent_a_view: Vec<Vec<f64>>,
 }
 
 /// Median times of one pass.
@@ -297,6 +325,8 @@ impl StrategyReport {
 impl FrameSeries {
     /// Whether no series was recorded.
     pub fn is_empty(&self) -> bool {
-        self.frame_ms.is_empty() && self.wrong_pixels_percent.is_empty()
+        self.frame_ms.is_empty()
+            && self.wrong_pixels_percent.is_empty()
+            && self.wrong_pixels_percent_a_view.is_empty()
     }
 }

@@ -3,7 +3,7 @@
 
 use antumbra_measure::path::{MAX_PATH_BYTES, MAX_POSES, Orbit, Path, Pose};
 use antumbra_scene::{Aabb, Projection};
-use glam::{DQuat, DVec3};
+use glam::{DQuat, DVec2, DVec3};
 use proptest::prelude::*;
 
 fn extents() -> impl Strategy<Value = Aabb> {
@@ -164,6 +164,25 @@ fn a_written_file_is_understood() {
 }
 
 #[test]
+fn a_window_off_the_axis_is_read_and_comes_back() {
+    let text = br#"{"projection":{"off_axis":{"fov_y_degrees":90,"near":0.5,"shift":[0.125,-0.1]}},"poses":[{"eye":[0,0,0],"target":[1,0,0]}]}"#;
+    let path = Path::from_json("aside", text).unwrap();
+    let expected = Projection::OffAxis {
+        fov_y: 90f64.to_radians(),
+        near: 0.5,
+        shift: DVec2::new(0.125, -0.1),
+    };
+    assert_eq!(path.projection(), expected);
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("aside");
+    path.save(&file).unwrap();
+    assert_eq!(Path::load(&file).unwrap(), path);
+    let without = br#"{"projection":{"off_axis":{"near":0.5,"shift":[0,0]}},"poses":[{"eye":[0,0,0],"target":[1,0,0]}]}"#;
+    let error = Path::from_json("aside", without).unwrap_err().to_string();
+    assert!(error.contains("fov_y_degrees"), "{error}");
+}
+
+#[test]
 fn every_bad_pose_is_named() {
     let read = |poses: &str| {
         let text = format!(
@@ -213,6 +232,11 @@ fn a_projection_that_cannot_be_drawn_is_refused() {
         cut: false,
     };
     for projection in [
+        Projection::OffAxis {
+            fov_y: 1.0,
+            near: 0.1,
+            shift: DVec2::new(0.0, f64::NAN),
+        },
         Projection::Perspective {
             fov_y: 0.0,
             near: 0.1,

@@ -1,33 +1,14 @@
 //! Cameras: a pose in f64 and a projection. They look down -Z with +Y up; depth is reversed (1 at the near plane) and, in
 //! perspective, without a far plane. What reaches the GPU is relative to the camera, so the view is a rotation alone.
 
+mod projection;
+
+pub use projection::Projection;
+
 use crate::bounds::Aabb;
 use crate::frustum::{Frustum, Plane};
-use glam::camera::rh::proj::directx;
-use glam::{DMat3, DQuat, DVec3, Mat4};
+use glam::{DMat3, DQuat, DVec2, DVec3, Mat4};
 use thiserror::Error;
-
-/// How depth and size on the screen are related.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Projection {
-    /// Far things look small; no far plane.
-    Perspective {
-        /// Full vertical angle of view in radians, between 0 and pi.
-        fov_y: f64,
-        /// Distance of the near plane in metres, above 0.
-        near: f64,
-    },
-    /// Everything keeps its size.
-    Orthographic {
-        /// Full height of what is seen, in metres.
-        height: f64,
-        /// Distance of the near plane along the view in metres; may be negative.
-        near: f64,
-        /// Distance of the far plane along the view in metres, beyond `near`.
-        far: f64,
-    },
-}
 
 /// A pose and a projection.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -157,30 +138,7 @@ impl Camera {
         if (length - 1.0).abs() > 1e-6 {
             return Err(CameraError::Rotation { length });
         }
-        match self.projection {
-            Projection::Perspective { fov_y, near } => {
-                finite("fov_y", &fov_y, fov_y.is_finite())?;
-                finite("near", &near, near.is_finite())?;
-                if fov_y <= 0.0 || fov_y >= std::f64::consts::PI {
-                    return Err(CameraError::FieldOfView { fov_y });
-                }
-                if near <= 0.0 {
-                    return Err(CameraError::Near { near });
-                }
-            }
-            Projection::Orthographic { height, near, far } => {
-                finite("height", &height, height.is_finite())?;
-                finite("near", &near, near.is_finite())?;
-                finite("far", &far, far.is_finite())?;
-                if height <= 0.0 {
-                    return Err(CameraError::Height { height });
-                }
-                if far <= near {
-                    return Err(CameraError::Depth { near, far });
-                }
-            }
-        }
-        Ok(())
+        self.projection.validate()
     }
 
     /// The direction of view.
@@ -205,7 +163,9 @@ impl Camera {
     #[must_use]
     pub fn near(&self) -> f64 {
         match self.projection {
-            Projection::Perspective { near, .. } | Projection::Orthographic { near, .. } => near,
+            Projection::Perspective { near, .. }
+            | Projection::OffAxis { near, .. }
+            | Projection::Orthographic { near, .. } => near,
         }
     }
 
@@ -220,15 +180,7 @@ impl Camera {
     /// `aspect` is width divided by height.
     #[must_use]
     pub fn projection_matrix(&self, aspect: f64) -> Mat4 {
-        match self.projection {
-            Projection::Perspective { fov_y, near } => {
-                directx::perspective_infinite_reverse(fov_y as f32, aspect as f32, near as f32)
-            }
-            Projection::Orthographic { height, near, far } => {
-                let (y, x) = ((height * 0.5) as f32, (height * aspect * 0.5) as f32);
-                directx::orthographic(-x, x, -y, y, far as f32, near as f32)
-            }
-        }
+        self.projection.matrix(aspect)
     }
 
     /// What the camera sees at this aspect (width divided by height), opened by a millionth so that no rounding on the
@@ -267,9 +219,8 @@ impl Camera {
         let near = self.near();
         let margin = reach.max_element() * OPENING + near.abs() * 1e-3 + self.rounding();
         let bounds = bounds.grown(DVec3::splat(margin));
-        if bounds.contains(self.position)
-            && matches!(self.projection, Projection::Perspective { .. })
-        {
+        let parallel = matches!(self.projection, Projection::Orthographic { .. });
+        if bounds.contains(self.position) && !parallel {
             return true;
         }
         let forward = self.forward();
@@ -277,7 +228,7 @@ impl Camera {
         let near_point = self.position + forward * near;
         let mut planes: Vec<Plane> = sides.to_vec();
         planes.push(Plane::through(near_point, -forward));
-        if matches!(self.projection, Projection::Orthographic { .. }) {
+        if parallel {
             // The column before the near plane has no end; only what straddles the plane is cut by it.
             planes.push(Plane::through(near_point, forward));
         }
@@ -294,23 +245,11 @@ impl Camera {
 
     /// The four side planes, their normals inwards.
     fn sides(&self, aspect: f64) -> [Plane; 4] {
-        let (right, up, forward) = (self.right(), self.up(), self.forward());
+        let (right, up) = (self.right(), self.up());
         let slack = self.rounding();
         match self.projection {
-            Projection::Perspective { fov_y, .. } => {
-                let y = (fov_y * 0.5).tan() * (1.0 + OPENING);
-                let x = y * aspect;
-                let side = |normal: DVec3| {
-                    let normal = normal.normalize();
-                    Plane::through(self.position - normal * slack, normal)
-                };
-                [
-                    side(right + forward * x),
-                    side(forward * x - right),
-                    side(up + forward * y),
-                    side(forward * y - up),
-                ]
-            }
+            Projection::Perspective { fov_y, .. } => self.pyramid(fov_y, DVec2::ZERO, aspect),
+            Projection::OffAxis { fov_y, shift, .. } => self.pyramid(fov_y, shift, aspect),
             Projection::Orthographic { height, .. } => {
                 let y = height * 0.5 * (1.0 + OPENING) + slack;
                 let x = height * 0.5 * aspect * (1.0 + OPENING) + slack;
@@ -324,19 +263,44 @@ impl Camera {
         }
     }
 
-    /// The ball around what lies before the near plane and can be seen: around the eye in perspective, around the near
-    /// rectangle otherwise. Centre and radius in metres.
+    /// The sides of what is seen through a window whose middle lies off the axis by these tangents.
+    fn pyramid(&self, fov_y: f64, shift: DVec2, aspect: f64) -> [Plane; 4] {
+        let (right, up, forward) = (self.right(), self.up(), self.forward());
+        let slack = self.rounding();
+        let y = (fov_y * 0.5).tan() * (1.0 + OPENING);
+        // A number on the GPU is off by a part of itself, so a window far off the axis is opened by more.
+        let half = DVec2::new(y * aspect, y) + shift.abs() * OPENING;
+        let (low, high) = (half - shift, half + shift);
+        let side = |normal: DVec3| {
+            let normal = normal.normalize();
+            Plane::through(self.position - normal * slack, normal)
+        };
+        [
+            side(right + forward * low.x),
+            side(forward * high.x - right),
+            side(up + forward * low.y),
+            side(forward * high.y - up),
+        ]
+    }
+
+    /// The ball around what lies before the near plane and can be seen: around the eye in perspective, up to the window's
+    /// farthest corner; around the near rectangle otherwise. Centre and radius in metres.
     fn near_ball(&self, aspect: f64) -> (DVec3, f64) {
-        let diagonal = (1.0 + aspect * aspect).sqrt() * (1.0 + OPENING);
+        let around_eye = |fov_y: f64, shift: DVec2, near: f64| {
+            let half = DVec2::new(aspect, 1.0) * (fov_y * 0.5).tan();
+            let corner = (shift.abs() + half) * (1.0 + OPENING);
+            (self.position, near * (1.0 + corner.length_squared()).sqrt())
+        };
         match self.projection {
-            Projection::Perspective { fov_y, near } => {
-                let corner = (fov_y * 0.5).tan() * diagonal;
-                (self.position, near * (1.0 + corner * corner).sqrt())
+            Projection::Perspective { fov_y, near } => around_eye(fov_y, DVec2::ZERO, near),
+            Projection::OffAxis { fov_y, near, shift } => around_eye(fov_y, shift, near),
+            Projection::Orthographic { height, near, .. } => {
+                let diagonal = (1.0 + aspect * aspect).sqrt() * (1.0 + OPENING);
+                (
+                    self.position + self.forward() * near,
+                    height * 0.5 * diagonal,
+                )
             }
-            Projection::Orthographic { height, near, .. } => (
-                self.position + self.forward() * near,
-                height * 0.5 * diagonal,
-            ),
         }
     }
 

@@ -15,6 +15,7 @@ mod mesh;
 mod save;
 mod scene;
 mod simplify;
+mod stereo;
 
 pub use bounds::{Aabb, BoxArray};
 pub use camera::{Camera, CameraError, Projection};
@@ -29,3 +30,4 @@ pub use mesh::{Geometry, Mesh, Topology};
 pub use save::{SaveError, SaveProblem, save_glb};
 pub use scene::{Changes, Drawable, Scene};
 pub use simplify::{ProxyOptions, proxy};
+pub use stereo::{Stereo, StereoError};

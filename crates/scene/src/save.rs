@@ -51,6 +51,14 @@ pub enum SaveProblem {
         /// What is wrong, and what to do.
         problem: String,
     },
+    /// A camera that glTF has no way to say.
+    #[error("the camera of entity \"{entity}\": {problem}")]
+    BadCamera {
+        /// The entity's name.
+        entity: String,
+        /// What is wrong, and what to do.
+        problem: String,
+    },
     /// An image that cannot be encoded.
     #[error("image \"{image}\": {problem}")]
     BadImage {
@@ -75,7 +83,8 @@ pub enum SaveProblem {
 /// The environment is not written: glTF has no word for it. Geometry without an index is not written either, and an entity that has no other becomes one without a mesh.
 ///
 /// # Errors
-/// [`SaveProblem::TooLarge`] beyond 4 GiB, a number of a material that is not finite, a uv transform that shears, and what the system says.
+/// [`SaveProblem::TooLarge`] beyond 4 GiB, a number of a material that is not finite, a uv transform that shears,
+/// an off-axis camera (glTF has none, and a camera on the axis would see something else), and what the system says.
 pub fn save_glb(scene: &Scene, path: &Path) -> Result<(), SaveError> {
     save(scene, path).map_err(|problem| SaveError {
         file: path.to_owned(),

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_scene::{Aabb, BoxArray, Camera, CameraError, Frustum, Projection};
-use glam::{DQuat, DVec3, Vec3, Vec4};
+use glam::{DQuat, DVec2, DVec3, Vec3, Vec4};
 use proptest::prelude::*;
 
 const ASPECT: f64 = 1.5;
@@ -18,6 +18,13 @@ fn vector(size: f64) -> impl Strategy<Value = DVec3> {
 fn projection() -> impl Strategy<Value = Projection> {
     prop_oneof![
         (0.05..3.0_f64, -4.0..1.0_f64).prop_map(|(fov, near)| perspective(fov, 10_f64.powf(near))),
+        (0.05..3.0_f64, -4.0..1.0_f64, -3.0..3.0_f64, -3.0..3.0_f64).prop_map(
+            |(fov_y, near, right, up)| Projection::OffAxis {
+                fov_y,
+                near: 10_f64.powf(near),
+                shift: DVec2::new(right, up),
+            }
+        ),
         (0.1..50.0_f64, -20.0..20.0_f64, 0.1..50.0_f64).prop_map(|(height, near, depth)| {
             let far = near + depth;
             Projection::Orthographic { height, near, far }
@@ -51,12 +58,30 @@ fn seen_at(camera: &Camera, point: DVec3) -> DVec3 {
     DVec3::new(v.x, v.y, -v.z)
 }
 
+/// Half the height of what is seen this far ahead.
 fn side_limit(camera: &Camera, ahead: f64) -> f64 {
     match camera.projection {
-        Projection::Perspective { fov_y, .. } => ahead * (fov_y * 0.5).tan(),
+        Projection::Perspective { fov_y, .. } | Projection::OffAxis { fov_y, .. } => {
+            ahead * (fov_y * 0.5).tan()
+        }
         Projection::Orthographic { height, .. } => height * 0.5,
-        _ => unreachable!("the crate's two"),
+        _ => unreachable!("the crate's three"),
     }
+}
+
+/// Where the middle of what is seen this far ahead lies off the axis: right, up.
+fn middle(camera: &Camera, ahead: f64) -> DVec2 {
+    match camera.projection {
+        Projection::OffAxis { shift, .. } => shift * ahead,
+        _ => DVec2::ZERO,
+    }
+}
+
+/// Whether a point relative to the camera's axes lies between the sides.
+fn between_sides(camera: &Camera, at: DVec3, ahead: f64) -> bool {
+    let off = (at.truncate() - middle(camera, ahead)).abs();
+    let limit = side_limit(camera, ahead);
+    off.y <= limit && off.x <= limit * ASPECT
 }
 
 fn is_seen(camera: &Camera, point: DVec3) -> bool {
@@ -65,8 +90,7 @@ fn is_seen(camera: &Camera, point: DVec3) -> bool {
         Projection::Orthographic { far, .. } => far,
         _ => f64::INFINITY,
     };
-    let limit = side_limit(camera, at.z);
-    at.z >= camera.near() && at.z <= far && at.y.abs() <= limit && at.x.abs() <= limit * ASPECT
+    at.z >= camera.near() && at.z <= far && between_sides(camera, at, at.z)
 }
 
 fn samples(bounds: &Aabb) -> impl Iterator<Item = DVec3> + '_ {
@@ -109,22 +133,94 @@ proptest! {
         let near = camera.near();
         let within = |point: &DVec3| {
             let at = seen_at(&camera, *point);
-            let limit = side_limit(&camera, at.z.max(0.0));
-            at.y.abs() <= limit && at.x.abs() <= limit * ASPECT
+            between_sides(&camera, at, at.z.max(0.0))
         };
         let before = samples(&bounds).filter(within).any(|p| seen_at(&camera, p).z <= near);
         let behind = samples(&bounds).filter(within).any(|p| seen_at(&camera, p).z >= near);
         if before && behind {
             prop_assert!(camera.crosses_near(&bounds, ASPECT));
         }
-        let (middle, corner) = match camera.projection {
-            Projection::Perspective { .. } => (camera.position, near.hypot(side_limit(&camera, near).hypot(side_limit(&camera, near) * ASPECT))),
-            _ => (camera.position + camera.forward() * near, side_limit(&camera, 0.0) * 1_f64.hypot(ASPECT)),
+        let half = DVec2::new(ASPECT, 1.0) * side_limit(&camera, near);
+        let (centre, corner) = match camera.projection {
+            Projection::Orthographic { .. } => (camera.position + camera.forward() * near, half.length()),
+            _ => (camera.position, near.hypot((middle(&camera, near).abs() + half).length())),
         };
         let reach = (bounds.max - bounds.min).max_element() + bounds.distance(camera.position);
         let slack = near.abs() * 2e-3 + reach * 4e-6 + camera.position.abs().max_element() * 1e-14;
-        if bounds.distance(middle) > corner * 1.001 + slack * 2.0 {
+        if bounds.distance(centre) > corner * 1.001 + slack * 2.0 {
             prop_assert!(!camera.crosses_near(&bounds, ASPECT), "away from what the near plane can cut");
+        }
+    }
+
+    /// The matrix the GPU gets and the planes of the CPU mean the same window.
+    #[test]
+    fn what_projects_into_the_picture_is_inside_the_frustum(
+        camera in camera(),
+        clip in prop::array::uniform2(-0.999..0.999_f64),
+        ahead in 1.001..300.0_f64,
+    ) {
+        let ahead = match camera.projection {
+            Projection::Orthographic { near, far, .. } => near + (far - near) * ahead / 301.0,
+            _ => camera.near() * ahead,
+        };
+        let half = DVec2::new(ASPECT, 1.0) * side_limit(&camera, ahead);
+        let at = middle(&camera, ahead) + half * DVec2::from_array(clip);
+        let relative = camera.right() * at.x + camera.up() * at.y + camera.forward() * ahead;
+        let matrix = camera.projection_matrix(ASPECT) * camera.view_rotation();
+        let projected: Vec4 = matrix * relative.as_vec3().extend(1.0);
+        let projected = projected.truncate() / projected.w;
+        let off = (projected.truncate().as_dvec2() - DVec2::from_array(clip)).abs().max_element();
+        // In f32, and the narrower the window beside what it is shifted by, the fewer places are left.
+        let places = 1.0 + relative.length() / half.y;
+        prop_assert!(off < 2e-6 * places, "{projected} instead of {clip:?}");
+        let slack = DVec3::splat(camera.position.abs().max_element() * 1e-14 + 1e-12);
+        let point = Aabb::from_centre(camera.position + relative, slack);
+        prop_assert!(camera.frustum(ASPECT).intersects(&point));
+        // And on the other side of each edge it is not.
+        for (side, sign) in [(DVec2::X, 1.0), (DVec2::X, -1.0), (DVec2::Y, 1.0), (DVec2::Y, -1.0)] {
+            let at = middle(&camera, ahead) + half * sign * side * 1.01 + half * DVec2::from_array(clip) * (DVec2::ONE - side);
+            let relative = camera.right() * at.x + camera.up() * at.y + camera.forward() * ahead;
+            let beyond = half.min_element() * 0.01 / (1.0 + middle(&camera, 1.0).length() + side_limit(&camera, 1.0) * 2.0);
+            if beyond > slack.x * 100.0 + relative.length() * 1e-5 {
+                let point = Aabb::from_centre(camera.position + relative, slack);
+                prop_assert!(!camera.frustum(ASPECT).intersects(&point), "{side} {sign}");
+            }
+        }
+    }
+
+    /// Even in the window's farthest corner.
+    #[test]
+    fn a_small_box_on_the_near_plane_crosses_it(
+        camera in camera(),
+        clip in prop::array::uniform2(-1.0..1.0_f64),
+        size in 1e-9..1e-3_f64,
+    ) {
+        let near = camera.near();
+        let half = DVec2::new(ASPECT, 1.0) * side_limit(&camera, near);
+        let at = middle(&camera, near) + half * DVec2::from_array(clip);
+        let point = camera.position + camera.right() * at.x + camera.up() * at.y + camera.forward() * near;
+        let bounds = Aabb::from_centre(point, DVec3::splat(size * half.y));
+        prop_assert!(camera.crosses_near(&bounds, ASPECT));
+    }
+
+    #[test]
+    fn an_off_axis_camera_without_a_shift_is_a_perspective_to_the_bit(
+        camera in camera(),
+        fov_y in 0.05..3.0_f64,
+        near in 1e-4..10.0_f64,
+        boxes in prop::collection::vec((vector(1.0), 0.0..100.0_f64, vector(1.0)), 0..20),
+    ) {
+        let on = Camera { projection: perspective(fov_y, near), ..camera };
+        let off = Camera { projection: Projection::OffAxis { fov_y, near, shift: DVec2::ZERO }, ..camera };
+        let bits = |camera: &Camera| camera.projection_matrix(ASPECT).to_cols_array().map(f32::to_bits);
+        prop_assert_eq!(bits(&on), bits(&off));
+        for (a, b) in on.frustum(ASPECT).planes().iter().zip(off.frustum(ASPECT).planes()) {
+            prop_assert_eq!(a.normal.to_array().map(f64::to_bits), b.normal.to_array().map(f64::to_bits));
+            prop_assert_eq!(a, b);
+        }
+        for (direction, far, size) in boxes {
+            let bounds = around(&on, direction, far * near, size);
+            prop_assert_eq!(on.crosses_near(&bounds, ASPECT), off.crosses_near(&bounds, ASPECT));
         }
     }
 
@@ -263,6 +359,11 @@ fn the_matrices_say_what_the_frustum_says() {
     let eye = DVec3::new(1e7, -3.0, 4e6);
     for projection in [
         perspective(1.0, 0.25),
+        Projection::OffAxis {
+            fov_y: 1.0,
+            near: 0.25,
+            shift: DVec2::new(0.3, -0.2),
+        },
         Projection::Orthographic {
             height: 10.0,
             near: 0.5,
@@ -281,7 +382,8 @@ fn the_matrices_say_what_the_frustum_says() {
             let clip: Vec4 = matrix * relative.extend(1.0);
             clip.truncate() / clip.w
         };
-        let near = clip(0.0, 0.0, camera.near());
+        let off = middle(&camera, camera.near());
+        let near = clip(off.x, off.y, camera.near());
         assert!(
             near.abs_diff_eq(Vec3::Z, 1e-5),
             "depth is 1 at the near plane: {near}"
@@ -292,7 +394,8 @@ fn the_matrices_say_what_the_frustum_says() {
         };
         assert!(clip(0.0, 0.0, far).z.abs() < 1e-5, "and 0 far away");
         let up = side_limit(&camera, 2.0);
-        let corner = clip(up * ASPECT, up, 2.0);
+        let off = middle(&camera, 2.0);
+        let corner = clip(off.x + up * ASPECT, off.y + up, 2.0);
         assert!(
             (corner.truncate() - glam::Vec2::ONE).abs().max_element() < 1e-4,
             "{corner}"
@@ -302,10 +405,9 @@ fn the_matrices_say_what_the_frustum_says() {
             "nearer is greater"
         );
         let planes = camera.frustum(ASPECT).planes().to_vec();
-        let count = if matches!(projection, Projection::Perspective { .. }) {
-            5
-        } else {
-            6
+        let count = match projection {
+            Projection::Orthographic { .. } => 6,
+            _ => 5,
         };
         assert_eq!(planes.len(), count);
         for plane in planes {
@@ -336,6 +438,26 @@ fn cameras_that_cannot_look_name_the_number() {
             .to_string()
             .contains("near is inf")
     );
+    let aside = |shift| Projection::OffAxis {
+        fov_y: 1.0,
+        near: 0.1,
+        shift,
+    };
+    for shift in [DVec2::new(f64::NAN, 0.0), DVec2::new(0.0, f64::INFINITY)] {
+        assert!(at(aside(shift)).to_string().contains("shift"), "{shift}");
+    }
+    let closed = Projection::OffAxis {
+        fov_y: 0.0,
+        near: 0.1,
+        shift: DVec2::ZERO,
+    };
+    assert_eq!(at(closed), CameraError::FieldOfView { fov_y: 0.0 });
+    let behind = Projection::OffAxis {
+        fov_y: 1.0,
+        near: -0.1,
+        shift: DVec2::ZERO,
+    };
+    assert_eq!(at(behind), CameraError::Near { near: -0.1 });
     let flat = Projection::Orthographic {
         height: 0.0,
         near: 0.0,

@@ -441,6 +441,29 @@ fn lights_and_cameras_come_back() {
 }
 
 #[test]
+fn a_camera_that_the_format_cannot_say_is_refused_with_its_entity() {
+    let mut scene = Scene::new();
+    let entity = scene.spawn(None, DAffine3::IDENTITY).unwrap();
+    scene.set_entity_name(entity, "left eye").unwrap();
+    let projection = Projection::OffAxis {
+        fov_y: 1.0,
+        near: 0.1,
+        shift: glam::DVec2::X * 0.1,
+    };
+    let camera = Camera::new(projection, DVec3::ZERO, DQuat::IDENTITY).unwrap();
+    scene.set_camera(entity, camera).unwrap();
+    scene.update();
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("eye.glb");
+    let error = save_glb(&scene, &file).unwrap_err().to_string();
+    assert!(
+        error.contains("left eye") && error.contains("off-axis"),
+        "{error}"
+    );
+    assert!(!file.exists());
+}
+
+#[test]
 fn indices_are_as_narrow_as_they_can_be() {
     use gltf::accessor::DataType;
     let widths = [

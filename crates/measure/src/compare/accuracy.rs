@@ -1,4 +1,4 @@
-//! Accuracy: every pose against the reference, all strategies in step.
+//! Accuracy: every pose against the reference, all strategies in step, view by view.
 //!
 //! A strategy's visible set is drawn in the reference's own order, so that what differs are missing
 //! entities, entities drawn coarser, and nothing else; a set that holds every owner of a pixel in full
@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use antumbra_cull::strategies::Frustum;
-use antumbra_cull::{Members, Oracle, Stage, StageOptions, ViewInput, ViewSpec};
+use antumbra_cull::{IdImage, Members, Oracle, Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
 use antumbra_draw::{Detail, GpuScene, read_back};
 use antumbra_scene::Camera;
 use image::RgbaImage;
@@ -23,30 +23,33 @@ use crate::report::MeanMax;
 pub struct Accuracy {
     /// One a contender.
     pub records: Vec<Record>,
-    /// The slots that own a pixel, a pose.
-    pub owners: Vec<Arc<Vec<u32>>>,
+    /// One a pose.
+    pub owners: Vec<Owners>,
 }
 
-/// What one strategy got wrong, and what it drew: sums over all poses.
+/// The slots that own a pixel, a view.
+pub type Owners = Vec<Arc<Vec<u32>>>;
+
+/// What one strategy got wrong, and what it drew: sums over all poses and views.
 #[derive(Default)]
 pub struct Record {
-    pub view: ViewError,
-    pub flip: MeanMax,
+    pub views: Vec<ViewRecord>,
     pub drawn: u64,
     pub triangles: u64,
-    pub asked: u64,
     pub overdrawn: u64,
     pub tally: [u64; 6],
     pub sync_points: u32,
-    pub worst: Option<Worst>,
-    flips: Vec<(f64, f64)>,
 }
 
-/// One view's errors, a pose.
+/// What it got wrong in one view, a value a pose, and what it asked.
 #[derive(Default)]
-pub struct ViewError {
+pub struct ViewRecord {
     pub wrong_percent: Vec<f64>,
     pub false_culls: Vec<u64>,
+    pub asked: u64,
+    pub flip: MeanMax,
+    pub worst: Option<Worst>,
+    flips: Vec<f64>,
 }
 
 /// The frame with the most wrong pixels.
@@ -58,22 +61,30 @@ pub struct Worst {
     pub mask: Vec<bool>,
 }
 
+/// One view of a pose as it should be.
+struct Look {
+    camera: Camera,
+    reference: IdImage,
+    owners: Arc<Vec<u32>>,
+    /// Drawn when the first strategy gets something wrong.
+    colour: Option<RgbaImage>,
+}
+
+/// Where a judgement stands: the pose, and whether its FLIP is wanted.
+#[derive(Clone, Copy)]
+struct At {
+    frame: usize,
+    sampled: bool,
+}
+
 pub fn measure(
     set: &mut Set<'_>,
     stages: &mut [Stage],
     options: &CompareOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Accuracy, MeasureError> {
-    let (path, gpu) = (set.path, set.scene().gpu().clone());
-    let gpu = &gpu;
-    let [width, height] = options.size;
-    let mut oracle = Oracle::new(set.scene(), options.size);
-    let mut painter = Stage::new(
-        set.scene(),
-        Box::new(Frustum),
-        vec![ViewSpec::main(width, height)],
-        StageOptions::default(),
-    )?;
+    let path = set.path;
+    let mut judge = Judge::new(set.scene(), options.size)?;
     let mut records: Vec<Record> = stages.iter().map(|_| Record::default()).collect();
     let mut owners = Vec::with_capacity(path.poses().len());
     let total = path.poses().len() as u64;
@@ -88,70 +99,36 @@ pub fn measure(
             done: frame as u64,
             total,
         });
-        let (scene, camera) = set.at(frame)?;
-        let reference = oracle.look(scene, &camera, Members::Frustum)?;
-        let owning = Arc::new(reference.owners());
-        let mut reference_colour = None;
+        let at = At {
+            frame,
+            sampled: frame.is_multiple_of(every),
+        };
+        let (scene, cameras) = set.at(frame)?;
+        let mut looks = cameras
+            .into_iter()
+            .map(|camera| judge.look(scene, camera))
+            .collect::<Result<Vec<_>, _>>()?;
         for (stage, record) in stages.iter_mut().zip(&mut records) {
-            let input = ViewInput {
-                cut: pose.cut || frame == 0,
-                reference: Some(Arc::clone(&owning)),
-                ..ViewInput::new(camera)
-            };
-            let report = stage.frame(scene, &[input])?;
-            gpu.wait()?;
+            let inputs: Vec<ViewInput<'_>> = looks
+                .iter()
+                .map(|look| ViewInput {
+                    cut: pose.cut || frame == 0,
+                    reference: Some(Arc::clone(&look.owners)),
+                    ..ViewInput::new(look.camera)
+                })
+                .collect();
+            let report = stage.frame(scene, &inputs)?;
+            scene.gpu().wait()?;
             record.sync_points = record.sync_points.max(report.sync_points);
-            let verdicts = stage.verdicts(0, scene)?;
-            let drawn: Vec<u32> = verdicts.drawn().collect();
-            let missing = missing(&owning, &drawn);
-            record.count(scene, &drawn, &verdicts, owning.len() - missing);
-            record.view.false_culls.push(missing as u64);
-            let wrong = match missing {
-                0 if verdicts.levels() == 1 => None,
-                _ => Some(reference.wrong_pixel_mask(&oracle.look(
-                    scene,
-                    &camera,
-                    Members::Drawn(&verdicts),
-                )?)),
-            };
-            let count = wrong.iter().flatten().filter(|wrong| **wrong).count();
-            record
-                .view
-                .wrong_percent
-                .push(100.0 * count as f64 / f64::from(width * height).max(1.0));
-            let sampled = frame % every == 0;
-            let worse = count > record.worst.as_ref().map_or(0, |worst| worst.wrong);
-            if let Some(mask) = wrong.filter(|_| count > 0 && (sampled || worse)) {
-                if reference_colour.is_none() {
-                    painter.frame(scene, &[ViewInput::new(camera)])?;
-                    reference_colour = Some(picture(&painter, gpu, options.size)?);
-                }
-                let Some(reference) = &reference_colour else {
-                    continue;
-                };
-                let strategy = picture(stage, gpu, options.size)?;
-                if sampled {
-                    let error = flip(reference, &strategy)?;
-                    record.flips.push((error.mean, error.max));
-                }
-                if worse {
-                    record.worst = Some(Worst {
-                        frame,
-                        wrong: count,
-                        reference: reference.clone(),
-                        strategy,
-                        mask,
-                    });
-                }
-            } else if sampled {
-                // Every owner drawn: the pictures are the same.
-                record.flips.push((0.0, 0.0));
+            record.views.resize_with(looks.len(), ViewRecord::default);
+            for (view, look) in looks.iter_mut().enumerate() {
+                judge.judge(scene, stage, view, look, at, record)?;
             }
         }
-        owners.push(owning);
+        owners.push(looks.into_iter().map(|look| look.owners).collect());
     }
-    for record in &mut records {
-        record.finish()?;
+    for view in records.iter_mut().flat_map(|record| &mut record.views) {
+        view.finish()?;
     }
     Ok(Accuracy { records, owners })
 }
@@ -166,6 +143,97 @@ pub fn camera(path: &Path, frame: usize) -> Result<Camera, MeasureError> {
     Ok(pose.camera(path.projection()))
 }
 
+/// Draws what should have been drawn, and counts what was not.
+struct Judge {
+    oracle: Oracle,
+    /// Draws the reference's picture, one view at a time.
+    painter: Stage,
+    size: [u32; 2],
+}
+
+impl Judge {
+    fn new(scene: &GpuScene, size: [u32; 2]) -> Result<Self, MeasureError> {
+        let [width, height] = size;
+        let views = vec![ViewSpec::main(width, height)];
+        Ok(Self {
+            oracle: Oracle::new(scene, size),
+            painter: Stage::new(scene, Box::new(Frustum), views, StageOptions::default())?,
+            size,
+        })
+    }
+
+    fn look(&mut self, scene: &GpuScene, camera: Camera) -> Result<Look, MeasureError> {
+        let reference = self.oracle.look(scene, &camera, Members::Frustum)?;
+        Ok(Look {
+            camera,
+            owners: Arc::new(reference.owners()),
+            reference,
+            colour: None,
+        })
+    }
+
+    /// Holds a stage's last frame against the reference, in one of its views.
+    fn judge(
+        &mut self,
+        scene: &GpuScene,
+        stage: &Stage,
+        view: usize,
+        look: &mut Look,
+        At { frame, sampled }: At,
+        record: &mut Record,
+    ) -> Result<(), MeasureError> {
+        let verdicts = stage.verdicts(view, scene)?;
+        let drawn: Vec<u32> = verdicts.drawn().collect();
+        let missing = missing(&look.owners, &drawn);
+        record.count(scene, &drawn, &verdicts, look.owners.len() - missing);
+        let Some(record) = record.views.get_mut(view) else {
+            return Ok(());
+        };
+        record.asked += u64::from(verdicts.asked());
+        record.false_culls.push(missing as u64);
+        let wrong = match missing {
+            0 if verdicts.levels() == 1 => None,
+            _ => {
+                let drawn = Members::Drawn(&verdicts);
+                let seen = self.oracle.look(scene, &look.camera, drawn)?;
+                Some(look.reference.wrong_pixel_mask(&seen))
+            }
+        };
+        let count = wrong.iter().flatten().filter(|wrong| **wrong).count();
+        let [width, height] = self.size;
+        let pixels = f64::from(width * height).max(1.0);
+        record.wrong_percent.push(100.0 * count as f64 / pixels);
+        let worse = count > record.worst.as_ref().map_or(0, |worst| worst.wrong);
+        if let Some(mask) = wrong.filter(|_| count > 0 && (sampled || worse)) {
+            let painted = look.colour.take();
+            let painted = painted.map_or_else(|| self.paint(scene, look.camera), Ok)?;
+            let reference = look.colour.insert(painted);
+            let strategy = picture(stage, view, scene, self.size)?;
+            if sampled {
+                record.flips.push(flip(reference, &strategy)?.mean);
+            }
+            if worse {
+                record.worst = Some(Worst {
+                    frame,
+                    wrong: count,
+                    reference: reference.clone(),
+                    strategy,
+                    mask,
+                });
+            }
+        } else if sampled {
+            // Every owner drawn: the pictures are the same.
+            record.flips.push(0.0);
+        }
+        Ok(())
+    }
+
+    fn paint(&mut self, scene: &GpuScene, camera: Camera) -> Result<RgbaImage, MeasureError> {
+        self.painter.frame(scene, &[ViewInput::new(camera)])?;
+        picture(&self.painter, 0, scene, self.size)
+    }
+}
+
 /// How many owners were not drawn; both lists ascend.
 fn missing(owners: &[u32], drawn: &[u32]) -> usize {
     owners
@@ -176,7 +244,8 @@ fn missing(owners: &[u32], drawn: &[u32]) -> usize {
 
 fn picture(
     stage: &Stage,
-    gpu: &antumbra_draw::Gpu,
+    view: usize,
+    scene: &GpuScene,
     [width, height]: [u32; 2],
 ) -> Result<RgbaImage, MeasureError> {
     let gone = || MeasureError::SizeMismatch {
@@ -184,18 +253,13 @@ fn picture(
         got: "none".to_owned(),
         expected: format!("{width} x {height}"),
     };
-    let texture = stage.colour(0).ok_or_else(gone)?;
-    RgbaImage::from_raw(width, height, read_back::texture(gpu, texture)?).ok_or_else(gone)
+    let texture = stage.colour(view).ok_or_else(gone)?;
+    let texels = read_back::texture(scene.gpu(), texture)?;
+    RgbaImage::from_raw(width, height, texels).ok_or_else(gone)
 }
 
 impl Record {
-    fn count(
-        &mut self,
-        scene: &GpuScene,
-        drawn: &[u32],
-        verdicts: &antumbra_cull::Verdicts,
-        owners_drawn: usize,
-    ) {
+    fn count(&mut self, scene: &GpuScene, drawn: &[u32], verdicts: &Verdicts, owners_drawn: usize) {
         let table = scene.table();
         self.drawn += drawn.len() as u64;
         self.triangles += drawn
@@ -205,17 +269,18 @@ impl Record {
                 u64::from(table.primitives_of(*slot, detail))
             })
             .sum::<u64>();
-        self.asked += u64::from(verdicts.asked());
         self.overdrawn += (drawn.len() - owners_drawn) as u64;
         for (sum, count) in self.tally.iter_mut().zip(verdicts.tally()) {
             *sum += u64::from(count);
         }
     }
+}
 
+impl ViewRecord {
     fn finish(&mut self) -> Result<(), MeasureError> {
         let count = self.flips.len().max(1) as f64;
-        let mean = self.flips.iter().map(|(mean, _)| mean).sum::<f64>() / count;
-        let mut max = self.flips.iter().map(|(mean, _)| *mean).fold(0.0, f64::max);
+        let mean = self.flips.iter().sum::<f64>() / count;
+        let mut max = self.flips.iter().copied().fold(0.0, f64::max);
         if let Some(worst) = &self.worst {
             max = max.max(flip(&worst.reference, &worst.strategy)?.mean);
         }

@@ -1,18 +1,18 @@
 //! What changes between the poses of a comparison: entities that move, slices that are pulled through a volume.
 
 use antumbra_draw::{Gpu, GpuScene};
-use antumbra_scene::{Camera, Scene};
+use antumbra_scene::{Camera, Scene, Stereo};
 
 use super::camera;
-use crate::MeasureError;
 use crate::path::Path;
+use crate::{MeasureError, views};
 
 /// Changes a scene between poses.
 ///
 /// Poses are visited more than once and out of order, so what a script makes of a pose has to follow from the pose alone. Entities may move, get
 /// other meshes, materials and images; which there are has to stay.
 pub trait Script {
-    /// Makes the scene what it is at a pose, seen by a camera.
+    /// Makes the scene what it is at a pose, seen by a camera; in stereo, by the one between the eyes.
     ///
     /// # Errors
     /// What stopped it, for the person who waits.
@@ -32,6 +32,7 @@ pub(super) struct Set<'a> {
     script: &'a mut dyn Script,
     scene: GpuScene,
     pub path: &'a Path,
+    stereo: Option<Stereo>,
 }
 
 impl<'a> Set<'a> {
@@ -41,13 +42,17 @@ impl<'a> Set<'a> {
         host: &'a mut Scene,
         script: &'a mut dyn Script,
         path: &'a Path,
+        stereo: Option<Stereo>,
     ) -> Result<Self, MeasureError> {
-        run(script, host, path, 0)?;
+        let camera = run(script, host, path, 0)?;
+        // Eyes that cannot be are told before anything is drawn.
+        views::cameras(stereo.as_ref(), &camera)?;
         Ok(Self {
             scene: GpuScene::new(gpu, host)?,
             host,
             script,
             path,
+            stereo,
         })
     }
 
@@ -56,11 +61,11 @@ impl<'a> Set<'a> {
         &self.scene
     }
 
-    /// The scene as it is at a pose, and the camera there.
-    pub fn at(&mut self, pose: usize) -> Result<(&GpuScene, Camera), MeasureError> {
+    /// The scene as it is at a pose, and the cameras there, one a view.
+    pub fn at(&mut self, pose: usize) -> Result<(&GpuScene, Vec<Camera>), MeasureError> {
         let camera = run(self.script, self.host, self.path, pose)?;
         self.scene.sync(self.host)?;
-        Ok((&self.scene, camera))
+        Ok((&self.scene, views::cameras(self.stereo.as_ref(), &camera)?))
     }
 }
 

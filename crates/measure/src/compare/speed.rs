@@ -8,6 +8,7 @@ use std::time::Instant;
 use antumbra_cull::{Stage, ViewInput};
 use antumbra_draw::{Gpu, GpuScene};
 
+use super::accuracy::Owners;
 use super::script::Set;
 use super::{CompareOptions, Progress};
 use crate::MeasureError;
@@ -46,7 +47,7 @@ const REPEATS_MOST: usize = 5;
 pub fn measure(
     set: &mut Set<'_>,
     stages: &mut [Stage],
-    owners: &[Arc<Vec<u32>>],
+    owners: &[Owners],
     options: &CompareOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Speed, MeasureError> {
@@ -75,9 +76,9 @@ pub fn measure(
                     warm_up(set, stage, owners)?;
                 }
                 for frame in range.clone() {
-                    let (scene, input) = input(set, frame, owners)?;
+                    let (scene, inputs) = inputs(set, frame, owners)?;
                     let start = Instant::now();
-                    stage.frame(scene, &[input])?;
+                    stage.frame(scene, &inputs)?;
                     scene.gpu().wait()?;
                     run.frame_ms.push(start.elapsed().as_secs_f64() * 1e3);
                     run.take_timings(stage);
@@ -99,14 +100,10 @@ pub fn measure(
 
 /// Brings a strategy to the path's beginning, so that no block pays for a jump that the path does
 /// not make.
-fn warm_up(
-    set: &mut Set<'_>,
-    stage: &mut Stage,
-    owners: &[Arc<Vec<u32>>],
-) -> Result<(), MeasureError> {
+fn warm_up(set: &mut Set<'_>, stage: &mut Stage, owners: &[Owners]) -> Result<(), MeasureError> {
     for cut in [true, false] {
-        let (scene, input) = input(set, 0, owners)?;
-        stage.frame(scene, &[ViewInput { cut, ..input }])?;
+        let (scene, inputs) = inputs(set, 0, owners)?;
+        stage.frame(scene, &with_cut(inputs, cut))?;
         scene.gpu().wait()?;
     }
     Ok(())
@@ -116,7 +113,7 @@ fn warm_up(
 fn free_running(
     set: &mut Set<'_>,
     stages: &mut [Stage],
-    owners: &[Arc<Vec<u32>>],
+    owners: &[Owners],
     runs: &mut [Run],
     blocks: &[std::ops::Range<usize>],
     progress: &mut dyn FnMut(Progress),
@@ -129,12 +126,8 @@ fn free_running(
         for offset in 0..stages.len() {
             let at = (offset + turn) % stages.len();
             let stage = &mut stages[at];
-            let (scene, input_there) = input(set, range.start, owners)?;
-            let first = ViewInput {
-                cut: true,
-                ..input_there
-            };
-            stage.frame(scene, &[first])?;
+            let (scene, first) = inputs(set, range.start, owners)?;
+            stage.frame(scene, &with_cut(first, true))?;
             scene.gpu().wait()?;
             let start = Instant::now();
             let mut in_flight = VecDeque::new();
@@ -142,8 +135,8 @@ fn free_running(
                 if in_flight.len() == 2 {
                     wait_for(set.scene().gpu(), in_flight.pop_front())?;
                 }
-                let (scene, input) = input(set, frame, owners)?;
-                let report = stage.frame(scene, &[input])?;
+                let (scene, inputs) = inputs(set, frame, owners)?;
+                let report = stage.frame(scene, &inputs)?;
                 in_flight.extend(report.submission);
             }
             set.scene().gpu().wait()?;
@@ -172,20 +165,28 @@ fn wait_for(gpu: &Gpu, submission: Option<wgpu::SubmissionIndex>) -> Result<(), 
     Ok(gpu.check()?)
 }
 
-/// The scene at a pose and what a stage is told there.
-fn input<'a>(
+/// The scene at a pose and what a stage is told of each view there.
+fn inputs<'a>(
     set: &'a mut Set<'_>,
     frame: usize,
-    owners: &[Arc<Vec<u32>>],
-) -> Result<(&'a GpuScene, ViewInput<'static>), MeasureError> {
+    owners: &[Owners],
+) -> Result<(&'a GpuScene, Vec<ViewInput<'static>>), MeasureError> {
     let cut = set.path.poses().get(frame).is_some_and(|pose| pose.cut);
-    let (scene, camera) = set.at(frame)?;
-    let input = ViewInput {
+    let (scene, cameras) = set.at(frame)?;
+    let owners = owners.get(frame);
+    let input = |(view, camera)| ViewInput {
         cut,
-        reference: owners.get(frame).map(Arc::clone),
+        reference: owners.and_then(|owners| owners.get(view)).map(Arc::clone),
         ..ViewInput::new(camera)
     };
-    Ok((scene, input))
+    Ok((scene, cameras.into_iter().enumerate().map(input).collect()))
+}
+
+fn with_cut(mut inputs: Vec<ViewInput<'static>>, cut: bool) -> Vec<ViewInput<'static>> {
+    for input in &mut inputs {
+        input.cut = cut;
+    }
+    inputs
 }
 
 impl Run {

@@ -7,13 +7,17 @@
 //!              { "eye": [6, 10, 40], "rotation": [0, 0, 0, 1] } ] }
 //! ```
 //!
+//! The projection is a `perspective`; one through a window off the axis, `{ "off_axis": { "fov_y_degrees": 45, "near": 0.1,
+//! "shift": [0.02, 0] } }` with the tangents (right, up) of the window's middle; or `{ "orthographic": { "height": 20,
+//! "near": 0, "far": 100 } }`.
+//!
 //! A pose looks at a `target` or has a `rotation` (a unit quaternion x, y, z, w), which is how
 //! paths are saved: to the last bit.
 
 use std::fmt;
 
 use antumbra_scene::Projection;
-use glam::{DQuat, DVec3};
+use glam::{DQuat, DVec2, DVec3};
 use serde::de::{self, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -120,6 +124,14 @@ enum ProjectionFile {
         fov_y_radians: Option<f64>,
         near: f64,
     },
+    OffAxis {
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        fov_y_degrees: Option<f64>,
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        fov_y_radians: Option<f64>,
+        near: f64,
+        shift: [f64; 2],
+    },
     Orthographic {
         height: f64,
         near: f64,
@@ -134,16 +146,20 @@ impl ProjectionFile {
                 fov_y_degrees,
                 fov_y_radians,
                 near,
-            } => match (fov_y_degrees, fov_y_radians) {
-                (Some(degrees), None) => Ok(Projection::Perspective {
-                    fov_y: degrees.to_radians(),
-                    near,
-                }),
-                (None, Some(fov_y)) => Ok(Projection::Perspective { fov_y, near }),
-                _ => Err(
-                    "a perspective needs fov_y_degrees or fov_y_radians, one of them".to_owned(),
-                ),
-            },
+            } => Ok(Projection::Perspective {
+                fov_y: fov_y(fov_y_degrees, fov_y_radians)?,
+                near,
+            }),
+            Self::OffAxis {
+                fov_y_degrees,
+                fov_y_radians,
+                near,
+                shift,
+            } => Ok(Projection::OffAxis {
+                fov_y: fov_y(fov_y_degrees, fov_y_radians)?,
+                near,
+                shift: DVec2::from_array(shift),
+            }),
             Self::Orthographic { height, near, far } => {
                 Ok(Projection::Orthographic { height, near, far })
             }
@@ -158,11 +174,26 @@ impl ProjectionFile {
                 fov_y_radians: Some(fov_y),
                 near,
             }),
+            Projection::OffAxis { fov_y, near, shift } => Some(Self::OffAxis {
+                fov_y_degrees: None,
+                fov_y_radians: Some(fov_y),
+                near,
+                shift: shift.to_array(),
+            }),
             Projection::Orthographic { height, near, far } => {
                 Some(Self::Orthographic { height, near, far })
             }
             _ => None,
         }
+    }
+}
+
+/// The angle of view in radians, from whichever way it was written.
+fn fov_y(degrees: Option<f64>, radians: Option<f64>) -> Result<f64, String> {
+    match (degrees, radians) {
+        (Some(degrees), None) => Ok(degrees.to_radians()),
+        (None, Some(radians)) => Ok(radians),
+        _ => Err("a perspective needs fov_y_degrees or fov_y_radians, one of them".to_owned()),
     }
 }
 

@@ -37,6 +37,7 @@ pub fn report() -> Report {
             entities: 20_000,
             triangles: 15_360_000,
             views: 1,
+            stereo: None,
             size: [960, 540],
             frames: FRAMES as u64,
         },
@@ -128,6 +129,7 @@ pub fn strategy(
         frames: FrameSeries {
             frame_ms,
             wrong_pixels_percent: wrong_series,
+            ..FrameSeries::default()
         },
         passes: vec![
             pass("occluder depth", "cull", cull * 0.4),

@@ -58,7 +58,7 @@ pub(super) fn gather(scene: &Scene) -> Result<(Root<'_>, Binary<'_>), SaveProble
     gathering.place_lights(&numbers);
     for (number, entity) in entities.iter().enumerate() {
         if let Some(camera) = scene.camera(*entity) {
-            gathering.place_camera(number, &camera);
+            gathering.place_camera(number, *entity, &camera)?;
         }
     }
     let roots = scene.roots().filter_map(|root| numbers.get(root).copied());
@@ -209,17 +209,26 @@ impl<'a> Gathering<'a> {
         }
     }
 
-    fn place_camera(&mut self, number: usize, camera: &Camera) {
-        let (camera, place) = nodes::camera(camera);
+    fn place_camera(
+        &mut self,
+        number: usize,
+        entity: EntityKey,
+        camera: &Camera,
+    ) -> Result<(), SaveProblem> {
+        let (camera, place) = nodes::camera(camera).ok_or_else(|| SaveProblem::BadCamera {
+            entity: self.scene.entity_name(entity).to_owned(),
+            problem: "glTF has no off-axis projection: save the camera on its axis, and make the eyes when drawing"
+                .to_owned(),
+        })?;
         let index = Some(self.cameras.len() as u32);
         let next = self.nodes.len() as u32;
         let Some(node) = self.nodes.get_mut(number) else {
-            return;
+            return Ok(());
         };
         self.cameras.push(camera);
         if place == DAffine3::IDENTITY {
             node.camera = index;
-            return;
+            return Ok(());
         }
         node.children.push(next);
         self.nodes.push(Node {
@@ -228,6 +237,7 @@ impl<'a> Gathering<'a> {
             camera: index,
             ..Node::default()
         });
+        Ok(())
     }
 
     fn finish(self, roots: Vec<u32>) -> (Root<'a>, Binary<'a>) {

@@ -86,8 +86,8 @@ pub(super) fn light(light: &Light) -> json::Light {
     }
 }
 
-/// A camera, and where it stands relative to its entity.
-pub(super) fn camera(camera: &Camera) -> (json::Camera, DAffine3) {
+/// A camera, and where it stands relative to its entity; `None` for one that glTF has no word for.
+pub(super) fn camera(camera: &Camera) -> Option<(json::Camera, DAffine3)> {
     let mut position = camera.position;
     let seen = match camera.projection {
         Projection::Perspective { fov_y, near } => json::Camera::Perspective {
@@ -96,6 +96,7 @@ pub(super) fn camera(camera: &Camera) -> (json::Camera, DAffine3) {
                 znear: near,
             },
         },
+        Projection::OffAxis { .. } => return None,
         Projection::Orthographic { height, near, far } => {
             // A near plane may not lie behind the eye there, so the eye steps back.
             let back = (-near).max(0.0);
@@ -110,10 +111,8 @@ pub(super) fn camera(camera: &Camera) -> (json::Camera, DAffine3) {
             }
         }
     };
-    (
-        seen,
-        DAffine3::from_rotation_translation(camera.rotation, position),
-    )
+    let place = DAffine3::from_rotation_translation(camera.rotation, position);
+    Some((seen, place))
 }
 
 #[cfg(test)]

@@ -1,0 +1,229 @@
+//! One strategy's entry in the report, out of what was measured of it.
+
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+
+use antumbra_cull::{Stage, Verdict};
+use image::RgbaImage;
+
+use super::Contender;
+use super::accuracy::{Accuracy, Record};
+use super::speed::Speed;
+use crate::MeasureError;
+use crate::report::{
+    Drawn, ErrorReport, FalseCulls, FrameSeries, MeanMax, Spread, StrategyReport, WorstFrame,
+    WorstImages,
+};
+use crate::stats;
+
+/// What was measured of all contenders.
+pub struct Entries<'a> {
+    pub accuracy: &'a Accuracy,
+    pub speed: &'a Speed,
+    pub contenders: &'a [Contender],
+}
+
+/// Pictures by file name.
+type Pictures = BTreeMap<String, RgbaImage>;
+
+impl Entries<'_> {
+    /// An entry a contender, and the pictures they name.
+    pub fn reports(
+        &self,
+        stages: &[Stage],
+    ) -> Result<(Vec<StrategyReport>, Pictures), MeasureError> {
+        let mut pictures = Pictures::new();
+        let reports = self.contenders.iter().zip(stages).enumerate();
+        let reports = reports
+            .map(|(at, (contender, stage))| self.report(at, contender, stage, &mut pictures))
+            .collect::<Result<_, _>>()?;
+        Ok((reports, pictures))
+    }
+
+    fn report(
+        &self,
+        at: usize,
+        contender: &Contender,
+        stage: &Stage,
+        pictures: &mut Pictures,
+    ) -> Result<StrategyReport, MeasureError> {
+        let strategy = stage.strategy();
+        let (record, run) = (&self.accuracy.records[at], &self.speed.runs[at]);
+        let settings = strategy
+            .settings()
+            .into_iter()
+            .map(|setting| (setting.key.to_owned(), value(&setting.value)))
+            .collect();
+        let poses = self.accuracy.owners.len();
+        let mean = |sum: u64| sum as f64 / poses.max(1) as f64;
+        let title = match contender.label.as_str() {
+            "" => strategy.name(),
+            label => label,
+        };
+        let views = record
+            .views
+            .iter()
+            .map(|view| error_report(&view.wrong_percent, &view.false_culls, view.flip))
+            .collect::<Result<Vec<_>, _>>()?;
+        let both = Both::of(record, poses);
+        // What one view would only repeat is left out.
+        let eyes = match record.views.as_slice() {
+            [_] => &[],
+            eyes => eyes,
+        };
+        let verdicts = Verdict::ALL
+            .iter()
+            .zip(record.tally)
+            .map(|(verdict, sum)| (verdict.word().to_owned(), mean(sum)))
+            .collect();
+        Ok(StrategyReport {
+            name: strategy.name().to_owned(),
+            label: contender.label.clone(),
+            latency: strategy
+                .latency()
+                .map_or_else(|| "none".to_owned(), |latency| latency.to_string()),
+            settings,
+            conservative: strategy.conservative(),
+            frame_ms: Spread {
+                median: stats::median(&run.frame_ms)?,
+                p95: stats::percentile(&run.frame_ms, 95.0)?,
+            },
+            free_running_ms: run.free_running_ms,
+            cull_ms: run.group_median("cull"),
+            draw_ms: run.group_median("draw"),
+            time_vs_none: self.against(at, "none")?,
+            time_vs_frustum: self.against(at, "frustum")?,
+            time_vs_ideal: self.against(at, "ideal")?,
+            drawn: Drawn {
+                entities: mean(record.drawn),
+                triangles: mean(record.triangles),
+            },
+            queries: mean(record.views.iter().map(|view| view.asked).sum()),
+            queries_a_view: eyes.iter().map(|view| mean(view.asked)).collect(),
+            sync_points: record.sync_points,
+            overdrawn_entities: mean(record.overdrawn),
+            error: error_report(&both.wrong_percent, &both.false_culls, both.flip)?,
+            views,
+            frames: FrameSeries {
+                frame_ms: run.by_pose(poses)?,
+                wrong_pixels_percent: both.wrong_percent,
+                wrong_pixels_percent_a_view: eyes
+                    .iter()
+                    .map(|view| view.wrong_percent.clone())
+                    .collect(),
+            },
+            passes: run.pass_medians(),
+            verdicts,
+            worst: worst(record, &file_base(title, at), pictures)?,
+        })
+    }
+
+    /// A contender's time over that of a yardstick, where that ran.
+    fn against(&self, at: usize, name: &str) -> Result<Option<f64>, MeasureError> {
+        let mut names = self.contenders.iter().map(|contender| &contender.name);
+        let Some(other) = names.position(|other| other == name) else {
+            return Ok(None);
+        };
+        let (run, other) = (&self.speed.runs[at], &self.speed.runs[other]);
+        let ratios = stats::block_ratios(&run.frame_ms, &other.frame_ms, self.speed.block)?;
+        Ok(Some(stats::median(&ratios)?))
+    }
+}
+
+/// All views of a frame as one picture: their wrong pixels among the pixels of all, their false culls summed.
+struct Both {
+    wrong_percent: Vec<f64>,
+    false_culls: Vec<u64>,
+    flip: MeanMax,
+}
+
+impl Both {
+    fn of(record: &Record, poses: usize) -> Self {
+        let views = &record.views;
+        let count = views.len().max(1) as f64;
+        let wrong = |pose: usize| views.iter().filter_map(move |v| v.wrong_percent.get(pose));
+        let culls = |pose: usize| views.iter().filter_map(move |v| v.false_culls.get(pose));
+        Self {
+            wrong_percent: (0..poses)
+                .map(|pose| wrong(pose).sum::<f64>() / count)
+                .collect(),
+            false_culls: (0..poses).map(|pose| culls(pose).sum()).collect(),
+            flip: MeanMax {
+                mean: views.iter().map(|view| view.flip.mean).sum::<f64>() / count,
+                max: views.iter().map(|view| view.flip.max).fold(0.0, f64::max),
+            },
+        }
+    }
+}
+
+/// The frame and the view with the most wrong pixels, its pictures put among the others.
+fn worst(
+    record: &Record,
+    base: &str,
+    pictures: &mut Pictures,
+) -> Result<Option<WorstFrame>, MeasureError> {
+    let views = record.views.iter().zip(0u32..);
+    let all = views.filter_map(|(record, view)| Some((record.worst.as_ref()?, view)));
+    // Of equals the left eye's.
+    let most = all.max_by_key(|(worst, view)| (worst.wrong, Reverse(*view)));
+    let Some((worst, view)) = most else {
+        return Ok(None);
+    };
+    let images = WorstImages {
+        reference: format!("{base}-reference.png"),
+        strategy: format!("{base}-worst.png"),
+        marked: format!("{base}-marked.png"),
+    };
+    let marked = crate::image_error::mark_wrong(&worst.strategy, &worst.mask)?;
+    pictures.insert(images.reference.clone(), worst.reference.clone());
+    pictures.insert(images.strategy.clone(), worst.strategy.clone());
+    pictures.insert(images.marked.clone(), marked);
+    Ok(Some(WorstFrame {
+        frame: worst.frame as u64,
+        view,
+        images,
+    }))
+}
+
+/// A block from its series, a value a pose.
+fn error_report(
+    wrong_percent: &[f64],
+    false_culls: &[u64],
+    flip: MeanMax,
+) -> Result<ErrorReport, MeasureError> {
+    let most = false_culls
+        .iter()
+        .enumerate()
+        .max_by(|a, b| a.1.cmp(b.1).then(b.0.cmp(&a.0)));
+    Ok(ErrorReport {
+        wrong_pixels_percent: MeanMax {
+            mean: stats::mean(wrong_percent)?,
+            max: wrong_percent.iter().copied().fold(0.0, f64::max),
+        },
+        false_culls: FalseCulls {
+            entities: false_culls.iter().sum(),
+            worst_frame: most
+                .filter(|(_, culls)| **culls > 0)
+                .map(|(frame, _)| frame as u64),
+            longest_run_frames: stats::longest_run(false_culls.iter().map(|culls| *culls > 0)),
+        },
+        flip,
+    })
+}
+
+/// A setting's value as JSON: a number where it is one.
+fn value(text: &str) -> serde_json::Value {
+    serde_json::from_str(text)
+        .ok()
+        .filter(serde_json::Value::is_number)
+        .unwrap_or_else(|| text.into())
+}
+
+/// A file name's beginning that any file system takes.
+fn file_base(title: &str, at: usize) -> String {
+    let plain: String = title
+        .chars()
+        .map(|c| if c.is_ascii_alphanumeric() { c } else { '-' })
+        .collect();
+    format!("{at}-{plain}")
+}
