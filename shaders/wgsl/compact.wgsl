@@ -10,7 +10,8 @@ struct Batch {
     // An entity is kept with more visible samples than `over` and at most `most`.
     over: u32,
     most: u32,
-    padding_a: u32,
+    // Not 0: it is kept with none.
+    hidden: u32,
 }
 
 struct Draw {
@@ -58,7 +59,7 @@ fn compact(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) gro
             let entry = candidates[batch.first + at];
             slot = entry & ~(FORCED | BARRED);
             let samples = counts[slot];
-            let within = samples > batch.over && samples <= batch.most;
+            let within = select(samples > batch.over && samples <= batch.most, samples == 0u, batch.hidden != 0u);
             keep = select(0u, 1u, (entry & FORCED) != 0u || (within && (entry & BARRED) == 0u));
         }
         // Inclusive prefix sum over the workgroup (Hillis and Steele, Data Parallel Algorithms, 1986).

@@ -16,14 +16,7 @@ struct Varying {
     @location(4) @interpolate(flat) material: u32,
 }
 
-@vertex
-fn vertex(
-    @location(0) local: vec3<f32>,
-    @location(1) slot: u32,
-    @location(2) normal: vec4<f32>,
-    @location(3) uv: vec2<f32>,
-    @location(4) colour: vec4<f32>,
-) -> Varying {
+fn surface(local: vec3<f32>, slot: u32, normal: vec4<f32>, uv: vec2<f32>, colour: vec4<f32>) -> Varying {
     let instance = instances[slot];
     var out: Varying;
     out.relative = relative_position(instance, local);
@@ -41,6 +34,17 @@ fn vertex(
     return out;
 }
 
+@vertex
+fn vertex(
+    @location(0) local: vec3<f32>,
+    @location(1) slot: u32,
+    @location(2) normal: vec4<f32>,
+    @location(3) uv: vec2<f32>,
+    @location(4) colour: vec4<f32>,
+) -> Varying {
+    return surface(local, slot, normal, uv, colour);
+}
+
 // How much of a light a surface that is no metal reflects.
 const GLOSS: f32 = 0.12;
 // How much of what it stands in such a surface reflects straight on.
@@ -53,8 +57,7 @@ fn facing(normal: vec3<f32>, eye: vec3<f32>, front: bool) -> vec3<f32> {
     return select(-unit, unit, front);
 }
 
-@fragment
-fn fragment(in: Varying, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
+fn shade(in: Varying, front: bool) -> vec4<f32> {
     let material = materials[in.material];
     let base = base_colour(material, in.uv, in.colour);
     if alpha_mode == ALPHA_MASK && base.a < material.alpha_cutoff {
@@ -72,8 +75,7 @@ fn fragment(in: Varying, @builtin(front_facing) front: bool) -> @location(0) vec
 
 // The same in a scene with an environment: Fresnel reflection (Schlick, An Inexpensive BRDF Model for Physically-based Rendering, 1994),
 // at grazing angles the less the rougher (Lagarde, Adopting a physically based shading model, 2011), and light from all sides.
-@fragment
-fn reflecting_fragment(in: Varying, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
+fn shade_reflecting(in: Varying, front: bool) -> vec4<f32> {
     let material = materials[in.material];
     let base = base_colour(material, in.uv, in.colour);
     if alpha_mode == ALPHA_MASK && base.a < material.alpha_cutoff {
@@ -97,4 +99,56 @@ fn reflecting_fragment(in: Varying, @builtin(front_facing) front: bool) -> @loca
     let gloss = mix(vec3<f32>(GLOSS), base.rgb, material.metallic);
     let start = (diffuse * around + reflected * seen) * lights.ambient;
     return vec4<f32>(lit(start, diffuse, gloss, normal, eye, in.relative), alpha);
+}
+
+@fragment
+fn fragment(in: Varying, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
+    return shade(in, front);
+}
+
+@fragment
+fn reflecting_fragment(in: Varying, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
+    return shade_reflecting(in, front);
+}
+
+// The same with the entity's id beside the colour, as in the entity-id buffer: who owns which pixel, for one geometry pass.
+struct IdentifiedVarying {
+    @invariant @builtin(position) clip: vec4<f32>,
+    @location(0) relative: vec3<f32>,
+    @location(1) normal: vec3<f32>,
+    @location(2) uv: vec2<f32>,
+    @location(3) colour: vec4<f32>,
+    @location(4) @interpolate(flat) material: u32,
+    @location(5) @interpolate(flat) slot: u32,
+}
+
+struct Identified {
+    @location(0) colour: vec4<f32>,
+    @location(1) id: u32,
+}
+
+@vertex
+fn identified_vertex(
+    @location(0) local: vec3<f32>,
+    @location(1) slot: u32,
+    @location(2) normal: vec4<f32>,
+    @location(3) uv: vec2<f32>,
+    @location(4) colour: vec4<f32>,
+) -> IdentifiedVarying {
+    let out = surface(local, slot, normal, uv, colour);
+    return IdentifiedVarying(out.clip, out.relative, out.normal, out.uv, out.colour, out.material, slot);
+}
+
+fn without_slot(in: IdentifiedVarying) -> Varying {
+    return Varying(in.clip, in.relative, in.normal, in.uv, in.colour, in.material);
+}
+
+@fragment
+fn identified_fragment(in: IdentifiedVarying, @builtin(front_facing) front: bool) -> Identified {
+    return Identified(shade(without_slot(in), front), in.slot + 1u);
+}
+
+@fragment
+fn identified_reflecting_fragment(in: IdentifiedVarying, @builtin(front_facing) front: bool) -> Identified {
+    return Identified(shade_reflecting(without_slot(in), front), in.slot + 1u);
 }

@@ -285,6 +285,7 @@ impl<'g> FrameGraph<'g> {
             format: self.shared.colour_format,
             positional_lights: self.shared.topology.positional_lights,
             environment: self.shared.topology.environment,
+            identified: false,
         }
     }
 

@@ -1,8 +1,10 @@
 //! The on-gpu way: a compute node keeps the visible of each batch and writes its indirect draw. Neither stall nor delay.
 
 use antumbra_draw::passes::{self, Indirect};
-use antumbra_draw::{Detail, DrawList, INDIRECT_DRAW_BYTES, SceneTable};
-use antumbra_graph::{Bind, Buffer, BufferDesc, Host};
+use antumbra_draw::{Detail, DrawList, INDIRECT_DRAW_BYTES, PassKind, Run, SceneTable, ViewFrame};
+use antumbra_graph::{
+    Bind, BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext, Texture,
+};
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
 
@@ -25,7 +27,7 @@ struct GpuRun {
     base_vertex: i32,
     over: u32,
     most: u32,
-    padding_a: u32,
+    hidden: u32,
 }
 
 /// Mirrors `Settings` of `compact.wgsl` and `scatter.wgsl`.
@@ -38,7 +40,7 @@ struct GpuSettings {
     padding_c: u32,
 }
 
-assert_layout!(GpuRun, "compact", "Batch", { first, count, index_count, first_index, base_vertex, over, most, padding_a });
+assert_layout!(GpuRun, "compact", "Batch", { first, count, index_count, first_index, base_vertex, over, most, hidden });
 assert_layout!(GpuSettings, "compact", "Settings", { count, padding_a, padding_b, padding_c });
 
 /// Marks a candidate that is drawn whatever its count.
@@ -57,9 +59,31 @@ impl GpuSettings {
     }
 }
 
+/// The visible samples that keep an entity in a run: more than `over`, at most `most`; or, where it is to be hidden, none.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Bounds {
+    pub over: u32,
+    pub most: u32,
+    pub hidden: bool,
+}
+
+impl Bounds {
+    /// Any sample.
+    pub const SEEN: Self = Self {
+        over: 0,
+        most: u32::MAX,
+        hidden: false,
+    };
+    /// No sample.
+    pub const HIDDEN: Self = Self {
+        hidden: true,
+        ..Self::SEEN
+    };
+}
+
 /// Candidates laid out for the compaction.
 #[derive(Debug, Clone, Copy)]
-struct Layout {
+pub(crate) struct Layout {
     list: Host<DrawList>,
     entries: Buffer,
     runs: Buffer,
@@ -68,6 +92,38 @@ struct Layout {
     most: u32,
     /// Bytes of `entries`, and of what is kept of them.
     entry_bytes: u64,
+}
+
+/// What a layout is made of: the list, its entries with their marks, its runs with their bounds.
+pub(crate) struct Laid<'a> {
+    pub list: &'a mut DrawList,
+    entries: Vec<u32>,
+    runs: Vec<GpuRun>,
+}
+
+impl Laid<'_> {
+    /// Once the list is filled: gives each run its bounds, and marks what is drawn whatever its count.
+    pub fn bound(
+        &mut self,
+        table: &SceneTable,
+        bounds: impl Fn(&Run) -> Bounds,
+        forced: impl Fn(u32) -> bool,
+    ) {
+        self.entries.extend_from_slice(self.list.ids());
+        for run in self.list.runs() {
+            self.runs.push(gpu_run(table, run, bounds(run)));
+            let mark = match run.detail {
+                Detail::Level(0) => FORCED,
+                _ => BARRED,
+            };
+            let part = run.first as usize..(run.first + run.count) as usize;
+            for entry in self.entries.get_mut(part).unwrap_or_default() {
+                if forced(*entry) {
+                    *entry |= mark;
+                }
+            }
+        }
+    }
 }
 
 impl FrameGraph<'_> {
@@ -111,7 +167,6 @@ impl FrameGraph<'_> {
         rule: SampleRule,
         transparent: bool,
     ) -> Layout {
-        let inputs = view.inputs();
         // Back to front, neighbours seldom share a batch: as many runs as slots at worst.
         let levels = if rule.coarser > 0 && !transparent {
             SampleRule::LEVELS
@@ -123,8 +178,61 @@ impl FrameGraph<'_> {
         } else {
             self.topology().batches * u32::from(levels)
         };
+        self.lay_out(
+            view,
+            name,
+            (most, u64::from(levels)),
+            |node| {
+                node.read(candidates).read(asked);
+            },
+            move |ctx, table, frame, laid| {
+                let candidates = ctx.get(candidates)?;
+                let unasked = unasked(&candidates, &*ctx.get(asked)?);
+                let members = candidates
+                    .inside()
+                    .iter()
+                    .copied()
+                    .filter(|slot| table.is_transparent(*slot) == transparent);
+                if transparent {
+                    let draw = members.map(|slot| (slot, 0));
+                    back_to_front(laid.list, table, frame, draw);
+                } else if levels > 1 {
+                    // Each level of a batch is a run of its own, with all that may come to it; the counts decide to which.
+                    let every = members.flat_map(|slot| {
+                        let own = table.levels_of(slot).min(levels);
+                        (0..own).map(move |level| (slot, level))
+                    });
+                    laid.list.fill_levels(table, every, levels);
+                } else {
+                    laid.list.fill(table, members, Detail::Level(0));
+                }
+                let forced =
+                    |slot: u32| candidates.is_exempt(slot) || unasked.binary_search(&slot).is_ok();
+                laid.bound(table, |run| earns(table, run, rule, levels), forced);
+                Ok(())
+            },
+        )
+    }
+
+    /// A host node that lays a list out for the compaction: up to `most` runs, and as many entries as slots times `times`.
+    pub(crate) fn lay_out(
+        &mut self,
+        view: &ViewNodes,
+        name: &str,
+        (most, times): (u32, u64),
+        reads: impl FnOnce(&mut HostBuilder<'_>),
+        mut fill: impl FnMut(
+            &HostContext<'_>,
+            &SceneTable,
+            &ViewFrame,
+            &mut Laid<'_>,
+        ) -> Result<(), BodyError>
+        + Send
+        + 'static,
+    ) -> Layout {
+        let inputs = view.inputs();
         let list = self.graph().host::<DrawList>(view.named(name));
-        let entry_bytes = self.slot_bytes() * u64::from(levels);
+        let entry_bytes = self.slot_bytes() * times;
         let entries = self.graph().buffer(
             view.named(&format!("{name}: slots")),
             BufferDesc::new(entry_bytes),
@@ -141,11 +249,8 @@ impl FrameGraph<'_> {
         let mut node = self
             .graph()
             .host_node(view.named(&format!("lay out {name}")));
-        node.group(CULL)
-            .read(inputs.scene)
-            .read(inputs.view)
-            .read(candidates)
-            .read(asked);
+        node.group(CULL).read(inputs.scene).read(inputs.view);
+        reads(&mut node);
         let layout = Layout {
             list: node.write(list),
             entries: node.upload(entries),
@@ -155,45 +260,15 @@ impl FrameGraph<'_> {
             entry_bytes,
         };
         node.run(move |ctx| {
-            let (scene, candidates) = (ctx.get(inputs.scene)?, ctx.get(candidates)?);
-            let table = &scene.table;
-            let unasked = unasked(&candidates, &*ctx.get(asked)?);
-            let members = candidates
-                .inside()
-                .iter()
-                .copied()
-                .filter(|slot| table.is_transparent(*slot) == transparent);
+            let (scene, frame) = (ctx.get(inputs.scene)?, ctx.get(inputs.view)?);
             let mut list = ctx.get_mut(layout.list)?;
-            if transparent {
-                let draw = members.map(|slot| (slot, 0));
-                back_to_front(&mut list, table, &*ctx.get(inputs.view)?, draw);
-            } else if levels > 1 {
-                // Each level of a batch is a run of its own, with all that may come to it; the counts decide to which.
-                let every = members.flat_map(|slot| {
-                    let own = table.levels_of(slot).min(levels);
-                    (0..own).map(move |level| (slot, level))
-                });
-                list.fill_levels(table, every, levels);
-            } else {
-                list.fill(table, members, Detail::Level(0));
-            }
-            let forced =
-                |slot: u32| candidates.is_exempt(slot) || unasked.binary_search(&slot).is_ok();
-            let mut entries: Vec<u32> = list.ids().to_vec();
-            let mut runs: Vec<GpuRun> = Vec::with_capacity(list.runs().len());
-            for run in list.runs() {
-                runs.push(gpu_run(table, run, rule, levels));
-                let mark = match run.detail {
-                    Detail::Level(0) => FORCED,
-                    _ => BARRED,
-                };
-                let part = run.first as usize..(run.first + run.count) as usize;
-                for entry in entries.get_mut(part).unwrap_or_default() {
-                    if forced(*entry) {
-                        *entry |= mark;
-                    }
-                }
-            }
+            let mut laid = Laid {
+                list: &mut list,
+                entries: Vec::new(),
+                runs: Vec::new(),
+            };
+            fill(ctx, &scene.table, &frame, &mut laid)?;
+            let Laid { entries, runs, .. } = laid;
             let settings = GpuSettings::counting(runs.len());
             ctx.upload(layout.entries, 0, bytemuck::cast_slice(&entries))?;
             ctx.upload(layout.runs, 0, bytemuck::cast_slice(&runs))?;
@@ -203,7 +278,8 @@ impl FrameGraph<'_> {
         layout
     }
 
-    fn compact(
+    /// Keeps of a layout what the counts, by slot, say.
+    pub(crate) fn compact(
         &mut self,
         view: &ViewNodes,
         name: &str,
@@ -255,20 +331,40 @@ impl FrameGraph<'_> {
         }
     }
 
-    fn shade_indirect(&mut self, view: &mut ViewNodes, name: &str, what: Indirect) {
-        let kind = self.shaded_kind();
+    /// Shades what was kept.
+    pub(crate) fn shade_indirect(&mut self, view: &mut ViewNodes, name: &str, what: Indirect) {
+        self.shade_kept(view, name, what, self.shaded_kind(), None);
+    }
+
+    /// Shades what was kept, with the entities' ids beside the colour.
+    pub(crate) fn shade_identified(
+        &mut self,
+        view: &mut ViewNodes,
+        name: &str,
+        what: Indirect,
+        ids: Texture,
+    ) -> Texture {
+        let kind = self.shaded_kind().identified();
+        self.shade_kept(view, name, what, kind, Some(ids))
+            .unwrap_or(ids)
+    }
+
+    fn shade_kept(
+        &mut self,
+        view: &mut ViewNodes,
+        name: &str,
+        what: Indirect,
+        kind: PassKind,
+        ids: Option<Texture>,
+    ) -> Option<Texture> {
         let spec = self.pass(view.named(name), DRAW, kind);
-        let (targets, inputs) = (view.targets, view.inputs());
-        let (colour, depth) = passes::shaded_indirect_pass(
-            self.graph(),
-            &spec,
-            inputs,
-            what,
-            targets.colour,
-            targets.depth,
-        );
+        let targets = (view.targets.colour, view.targets.depth);
+        let inputs = view.inputs();
+        let (colour, depth, ids) =
+            passes::shaded_indirect_pass(self.graph(), &spec, inputs, what, targets, ids);
         view.targets.colour = colour;
         view.targets.depth = depth;
+        ids
     }
 
     /// Brings the answers of hardware queries into the order of slots.
@@ -336,18 +432,24 @@ fn unasked(candidates: &Candidates, asked: &Asked) -> Vec<u32> {
         .collect()
 }
 
-/// The visible samples that bring an entity into a run of a list of so many levels: more than the first, at most the second.
-fn earns(table: &SceneTable, run: &antumbra_draw::Run, rule: SampleRule, levels: u8) -> (u32, u32) {
+/// The visible samples that bring an entity into a run of a list of so many levels.
+fn earns(table: &SceneTable, run: &Run, rule: SampleRule, levels: u8) -> Bounds {
     let Detail::Level(level) = run.detail else {
-        return (rule.threshold, u32::MAX);
+        return Bounds {
+            over: rule.threshold,
+            ..Bounds::SEEN
+        };
     };
     let has_coarser = level + 1 < table.batch_levels(run.batch).min(levels);
     let over = if has_coarser { rule.most(level + 1) } else { 0 };
-    (over.max(rule.threshold), rule.most(level))
+    Bounds {
+        over: over.max(rule.threshold),
+        most: rule.most(level),
+        hidden: false,
+    }
 }
 
-fn gpu_run(table: &SceneTable, run: &antumbra_draw::Run, rule: SampleRule, levels: u8) -> GpuRun {
-    let (over, most) = earns(table, run, rule, levels);
+fn gpu_run(table: &SceneTable, run: &Run, bounds: Bounds) -> GpuRun {
     let range = table
         .batches()
         .get(run.batch as usize)
@@ -359,8 +461,8 @@ fn gpu_run(table: &SceneTable, run: &antumbra_draw::Run, rule: SampleRule, level
         index_count: range.index_count,
         first_index: range.first_index,
         base_vertex: range.base_vertex,
-        over,
-        most,
-        padding_a: 0,
+        over: bounds.over,
+        most: bounds.most,
+        hidden: u32::from(bounds.hidden),
     }
 }

@@ -3,9 +3,7 @@
 use thiserror::Error;
 
 use crate::setting::SettingError;
-use crate::strategies::{
-    Coherent, Frustum, Ideal, None, StereoCoherent, StopAndWait, ThreePass,
-};
+use crate::strategies::{Coherent, Frustum, Ideal, None, StereoCoherent, StopAndWait, ThreePass};
 use crate::strategy::Strategy;
 
 type Maker = Box<dyn Fn() -> Box<dyn Strategy> + Send + Sync>;

@@ -120,11 +120,13 @@ fn coherent(name: &str) {
             format!("{strategy}:latency=same-frame"),
             format!("{strategy}:latency=same-frame:together=1"),
             format!("{strategy}:latency=frame-late"),
+            format!("{strategy}:latency=on-gpu"),
         ];
         conform(&gpu, &small(), whole);
         let parts = [
             format!("{strategy}:latency=same-frame:fraction=0.5"),
             format!("{strategy}:latency=frame-late:fraction=0.25:late=2"),
+            format!("{strategy}:latency=on-gpu:fraction=0.5"),
         ];
         let patient = Kit {
             settle: 16,

@@ -45,6 +45,16 @@ pub struct Indirect {
     pub draws: Buffer,
 }
 
+impl Indirect {
+    /// What was chosen from.
+    fn submitted(self) -> Submitted {
+        Submitted {
+            list: self.layout,
+            ids: self.ids,
+        }
+    }
+}
+
 /// What a drawing node is called, summed under, and draws with.
 #[derive(Debug, Clone)]
 pub struct PassSpec {
@@ -101,26 +111,20 @@ pub fn shaded_pass(
     out
 }
 
-/// Shades what a compute node kept of a list.
+/// Shades what a compute node kept of a list. `ids` takes the entities' ids, where the pipelines [identify](PassKind::Shaded) them.
 pub fn shaded_indirect_pass(
     g: &mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
     what: Indirect,
-    colour: Texture,
-    depth: Texture,
-) -> (Texture, Texture) {
-    let mut node = node(
-        g,
-        spec,
-        inputs,
-        Submitted {
-            list: what.layout,
-            ids: what.ids,
-        },
-    );
+    (colour, depth): (Texture, Texture),
+    ids: Option<Texture>,
+) -> (Texture, Texture, Option<Texture>) {
+    let mut node = node(g, spec, inputs, what.submitted());
     node.uniform(inputs.lights).indirect(what.draws);
-    let out = (node.colour(colour), node.depth(depth));
+    let colour = node.colour(colour);
+    let ids = ids.map(|ids| node.colour(ids));
+    let depth = node.depth(depth);
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
         let layout = ctx.get(what.layout)?;
@@ -129,7 +133,7 @@ pub fn shaded_indirect_pass(
         Recorder::new(&scene, &pipelines).indirect(ctx.pass(), &layout, draws);
         Ok(())
     });
-    out
+    (colour, depth, ids)
 }
 
 /// Asks one hardware query a [question](DrawList::questions) of a list, in the list's order, against a depth that stays as it is.
@@ -212,6 +216,45 @@ pub fn count_compare_pass(
             &[Bind::Buffer(0, counted), Bind::Texture(1, depth)],
         )?;
         Recorder::new(&scene, &pipelines).list(ctx.pass(), &list);
+        Ok(())
+    });
+    counted
+}
+
+/// Counts the samples of what a compute node kept of a list, by slot, that lie at or before a depth. With a `scratch` depth it
+/// [compares](count_compare_pass), without one it counts [atomically](count_atomic_pass).
+pub fn count_indirect_pass(
+    g: &mut Graph,
+    spec: &PassSpec,
+    inputs: ViewInputs,
+    what: Indirect,
+    depth: Texture,
+    scratch: Option<Texture>,
+    counts: Buffer,
+) -> Buffer {
+    let mut node = node(g, spec, inputs, what.submitted());
+    node.indirect(what.draws);
+    match scratch {
+        Some(scratch) => {
+            node.sample(depth).depth(scratch);
+        }
+        None => {
+            node.requires(wgpu::Features::SHADER_EARLY_DEPTH_TEST)
+                .depth_read(depth);
+        }
+    }
+    let counted = node.storage_write(counts);
+    let pipelines = Arc::clone(&spec.pipelines);
+    node.run(move |ctx| {
+        let layout = ctx.get(what.layout)?;
+        let draws = ctx.buffer(what.draws)?;
+        let scene = bind(ctx, inputs, &pipelines, what.ids)?;
+        let texture = scratch.map(|_| Bind::Texture(1, depth));
+        let binds: Vec<Bind> = std::iter::once(Bind::Buffer(0, counted))
+            .chain(texture)
+            .collect();
+        group(ctx, &pipelines, 1, &binds)?;
+        Recorder::new(&scene, &pipelines).indirect(ctx.pass(), &layout, draws);
         Ok(())
     });
     counted

@@ -37,6 +37,8 @@ pub enum PassKind {
         positional_lights: bool,
         /// Whether the scene has an environment to reflect.
         environment: bool,
+        /// Whether a second target takes entity ids, of all that is not blended.
+        identified: bool,
     },
     /// Adds the ids of transparent fragments up, by pixel.
     Signature,
@@ -54,6 +56,15 @@ impl PassKind {
         }
     }
 
+    /// The same with entity ids in a second target, where it is shaded.
+    #[must_use]
+    pub fn identified(mut self) -> Self {
+        if let Self::Shaded { identified, .. } = &mut self {
+            *identified = true;
+        }
+        self
+    }
+
     fn reflects(self) -> bool {
         matches!(
             self,
@@ -62,6 +73,27 @@ impl PassKind {
                 ..
             }
         )
+    }
+
+    fn identifies(self) -> bool {
+        matches!(
+            self,
+            Self::Shaded {
+                identified: true,
+                ..
+            }
+        )
+    }
+
+    /// The entry points that a class's pipeline runs.
+    fn entries(self, class: Class) -> (&'static str, &'static str) {
+        match (self.identifies(), self.reflects()) {
+            _ if self.masked(class) => ("masked_vertex", "masked_fragment"),
+            (false, false) => ("vertex", "fragment"),
+            (false, true) => ("vertex", "reflecting_fragment"),
+            (true, false) => ("identified_vertex", "identified_fragment"),
+            (true, true) => ("identified_vertex", "identified_reflecting_fragment"),
+        }
     }
 
     /// Bind groups: the environment's, which is the last, only where there is one.
@@ -151,13 +183,7 @@ fn create(
     layout: &wgpu::PipelineLayout,
 ) -> wgpu::RenderPipeline {
     let blended = class.alpha() == Alpha::Blend;
-    let (vertex, fragment) = if kind.masked(class) {
-        ("masked_vertex", "masked_fragment")
-    } else if kind.reflects() {
-        ("vertex", "reflecting_fragment")
-    } else {
-        ("vertex", "fragment")
-    };
+    let (vertex, fragment) = kind.entries(class);
     let bare = [Some(POSITION_LAYOUT), Some(SLOT_LAYOUT)];
     let full = [
         Some(POSITION_LAYOUT),
@@ -187,7 +213,15 @@ fn create(
         PassKind::Identity => Some(IDENTITY_FORMAT.into()),
         _ => None,
     };
-    let targets = [target];
+    let ids = kind.identifies().then_some(wgpu::ColorTargetState {
+        format: IDENTITY_FORMAT,
+        blend: None,
+        write_mask: match blended {
+            true => wgpu::ColorWrites::empty(),
+            false => wgpu::ColorWrites::ALL,
+        },
+    });
+    let targets: Vec<_> = [target, ids].into_iter().filter(Option::is_some).collect();
     let has_fragment = !matches!(kind, PassKind::Depth | PassKind::Query);
     let writes_depth = matches!(kind, PassKind::Depth | PassKind::Identity)
         || matches!(kind, PassKind::Shaded { .. }) && !blended;
@@ -235,7 +269,7 @@ fn create(
                 module,
                 entry_point: Some(fragment),
                 compilation_options,
-                targets: if targets[0].is_some() { &targets } else { &[] },
+                targets: &targets,
             }),
             multiview_mask: None,
             cache: None,

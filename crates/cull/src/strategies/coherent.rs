@@ -8,9 +8,12 @@ mod fraction;
 mod memory;
 mod nearness;
 mod next_eye;
+mod on_gpu;
 mod one_eye;
 mod settings;
+mod turns;
 
+use antumbra_graph::Buffer;
 use fraction::Share;
 use one_eye::Eye;
 
@@ -55,6 +58,17 @@ impl Coherence {
         }
     }
 
+    /// Refuses what does not go together.
+    fn check(self, strategy: &str) -> Result<(), DeclareError> {
+        if self.latency == Latency::OnGpu && self.late > 0.0 {
+            return Err(DeclareError::Settings {
+                strategy: strategy.to_owned(),
+                conflict: "a fraction that adapts needs answers on the host: set late to 0, or latency to frame-late or same-frame".to_owned(),
+            });
+        }
+        Ok(())
+    }
+
     fn conservative(self) -> bool {
         self.latency != Latency::FrameLate && self.fraction >= 1.0
     }
@@ -72,7 +86,15 @@ pub struct Coherent {
 pub struct StereoCoherent {
     /// Its settings.
     pub coherence: Coherence,
-    first: Option<Eye>,
+    first: Option<First>,
+}
+
+/// What the first eye leaves to the others.
+#[derive(Debug, Clone, Copy)]
+enum First {
+    OnHost(Eye),
+    /// How many pixels each slot owns in it.
+    OnGpu(Buffer),
 }
 
 impl StereoCoherent {
@@ -115,11 +137,17 @@ impl Strategy for Coherent {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
-        let eye = match self.coherence.latency {
-            Latency::FrameLate => one_eye::frame_late(g, view, self.coherence, None),
-            _ => one_eye::same_frame(g, view, self.coherence, true),
-        };
-        Ok(VisibleSet::drawn(eye.verdicts))
+        let how = self.coherence;
+        how.check(self.name())?;
+        Ok(match how.latency {
+            Latency::FrameLate => {
+                VisibleSet::drawn(one_eye::frame_late(g, view, how, None).verdicts)
+            }
+            Latency::SameFrame => {
+                VisibleSet::drawn(one_eye::same_frame(g, view, how, true).verdicts)
+            }
+            Latency::OnGpu => on_gpu::first(g, view, how).set,
+        })
     }
 }
 
@@ -154,23 +182,37 @@ impl Strategy for StereoCoherent {
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
         let how = self.coherence;
-        let verdicts = match (self.first.as_mut(), view.index()) {
-            (Some(first), index) if index > 0 => match how.latency {
-                Latency::FrameLate => {
-                    one_eye::frame_late(g, view, how, Some(first.verdicts)).verdicts
-                }
-                _ => next_eye::same_frame(g, view, how, first, index == 1),
-            },
-            _ => {
-                let eye = match how.latency {
-                    Latency::FrameLate => one_eye::frame_late(g, view, how, None),
-                    // Its answers are the next eye's to collect, where there is one.
-                    _ => one_eye::same_frame(g, view, how, view.is_last()),
-                };
-                self.first = Some(eye);
-                eye.verdicts
+        how.check(self.name())?;
+        let first = self.first.take().filter(|_| view.index() > 0);
+        let (set, first) = match (how.latency, first) {
+            (Latency::OnGpu, Some(First::OnGpu(owned))) => {
+                (on_gpu::next(g, view, how, owned), First::OnGpu(owned))
+            }
+            (Latency::OnGpu, _) => {
+                let eye = on_gpu::first(g, view, how);
+                (eye.set, First::OnGpu(eye.owned))
+            }
+            (Latency::FrameLate, Some(First::OnHost(eye))) => {
+                let own = one_eye::frame_late(g, view, how, Some(eye.verdicts));
+                (VisibleSet::drawn(own.verdicts), First::OnHost(eye))
+            }
+            (Latency::FrameLate, _) => {
+                let eye = one_eye::frame_late(g, view, how, None);
+                (VisibleSet::drawn(eye.verdicts), First::OnHost(eye))
+            }
+            (Latency::SameFrame, Some(First::OnHost(mut eye))) => {
+                // A third view finds in the memory what the second one has collected.
+                let collects = view.index() == 1;
+                let verdicts = next_eye::same_frame(g, view, how, &mut eye, collects);
+                (VisibleSet::drawn(verdicts), First::OnHost(eye))
+            }
+            (Latency::SameFrame, _) => {
+                // Its answers are the next eye's to collect, where there is one.
+                let eye = one_eye::same_frame(g, view, how, view.is_last());
+                (VisibleSet::drawn(eye.verdicts), First::OnHost(eye))
             }
         };
-        Ok(VisibleSet::drawn(verdicts))
+        self.first = Some(first);
+        Ok(set)
     }
 }

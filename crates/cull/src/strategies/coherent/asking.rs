@@ -27,9 +27,7 @@ impl Asking {
         Self {
             list: g.unsubmitted(&named("")),
             asked: g.graph().host::<Asked>(named(": asked")),
-            answers: g
-                .graph()
-                .buffer(named(": answers"), BufferDesc::new(bytes)),
+            answers: g.graph().buffer(named(": answers"), BufferDesc::new(bytes)),
         }
     }
 
@@ -48,9 +46,10 @@ impl Asking {
     /// Declares that a host node waits for the answers.
     pub fn read_back(self, node: &mut HostBuilder<'_>) {
         let asked = self.asked;
-        node.read(asked)
-            .read_back(self.answers)
-            .bytes(move |host| host.get(asked).map_or(0, |asked| u64::from(asked.queries()) * 8));
+        node.read(asked).read_back(self.answers).bytes(move |host| {
+            host.get(asked)
+                .map_or(0, |asked| u64::from(asked.queries()) * 8)
+        });
     }
 
     /// Fills the list with full meshes, in this order, a question each.
@@ -79,7 +78,12 @@ impl Asking {
         slots: &mut [u32],
         (most, settled): (u32, impl Fn(u32) -> bool),
     ) -> Result<u32, BodyError> {
-        let kind = |slot: u32| (table.batch_of(slot), question(table, view, slot) == Detail::Box);
+        let kind = |slot: u32| {
+            (
+                table.batch_of(slot),
+                question(table, view, slot) == Detail::Box,
+            )
+        };
         slots.sort_unstable_by_key(|slot| {
             let (batch, boxed) = kind(*slot);
             (batch, boxed, settled(*slot), *slot)
@@ -92,7 +96,9 @@ impl Asking {
         if most > 1 {
             let joins = |a: &u32, b: &u32| settled(*a) && settled(*b) && kind(*a) == kind(*b);
             let mut end = 0;
-            let ends = slots.chunk_by(joins).flat_map(|alike| alike.chunks(most as usize));
+            let ends = slots
+                .chunk_by(joins)
+                .flat_map(|alike| alike.chunks(most as usize));
             list.join(ends.map(|together| {
                 end += together.len() as u32;
                 end
@@ -124,14 +130,8 @@ impl Asking {
         let spec = g.pass(view.named(name), DRAW, kind);
         let targets = (view.targets.colour, view.targets.depth);
         let inputs = view.inputs();
-        let (colour, depth, answers) = passes::shaded_query_pass(
-            g.graph(),
-            &spec,
-            inputs,
-            self.list,
-            targets,
-            self.answers,
-        );
+        let (colour, depth, answers) =
+            passes::shaded_query_pass(g.graph(), &spec, inputs, self.list, targets, self.answers);
         view.targets.colour = colour;
         view.targets.depth = depth;
         Self { answers, ..self }
@@ -141,8 +141,7 @@ impl Asking {
     pub fn test(self, g: &mut FrameGraph<'_>, view: &ViewNodes, name: &str) -> Self {
         let spec = g.pass(view.named(name), CULL, PassKind::Query);
         let (inputs, depth) = (view.inputs(), view.targets.depth);
-        let answers =
-            passes::query_pass(g.graph(), &spec, inputs, self.list, depth, self.answers);
+        let answers = passes::query_pass(g.graph(), &spec, inputs, self.list, depth, self.answers);
         Self { answers, ..self }
     }
 }

@@ -136,7 +136,10 @@ impl Memory {
             if occupant.born > asked.stamp.epoch || memo.of != Some(occupant.key) {
                 continue;
             }
-            if seen && memo.known == Known::Occluded && last.replace(query.number) != Some(query.number) {
+            if seen
+                && memo.known == Known::Occluded
+                && last.replace(query.number) != Some(query.number)
+            {
                 appeared += 1;
             }
             memo.answered = self.frame;
@@ -208,7 +211,9 @@ impl Memory {
         let lists = memo.inside == frame
             && memo.listed != frame
             && memo.known == Known::Visible
-            && table.occupant(slot).is_some_and(|occupant| Some(occupant.key) == memo.of)
+            && table
+                .occupant(slot)
+                .is_some_and(|occupant| Some(occupant.key) == memo.of)
             && !table.is_transparent(slot)
             && !candidates.is_exempt(slot);
         if lists {
@@ -267,7 +272,9 @@ impl Memory {
 
     /// The frame of a slot's last answer.
     pub fn answered(&self, slot: u32) -> u64 {
-        self.memos.get(slot as usize).map_or(0, |memo| memo.answered)
+        self.memos
+            .get(slot as usize)
+            .map_or(0, |memo| memo.answered)
     }
 
     /// Whether a slot has been occluded for long enough to be asked about together with others.
@@ -286,7 +293,11 @@ impl Memory {
     /// Takes in what the next eye's test of a slot said.
     pub fn was_tested_there(&mut self, slot: u32, seen: bool) {
         if let Some(memo) = self.memos.get_mut(slot as usize) {
-            memo.alone = if seen { ALONE } else { memo.alone.saturating_sub(1) };
+            memo.alone = if seen {
+                ALONE
+            } else {
+                memo.alone.saturating_sub(1)
+            };
         }
     }
 

@@ -74,7 +74,14 @@ pub(super) fn same_frame(
         take_late(ctx, late, table, &frame, &mut memory);
         memory.begin(table, &candidates, true);
         memory.sort(table, &frame, how.resort);
-        Fraction::pick(&mut memory, table, &frame, how.share(), &mut nearness, &mut picked);
+        Fraction::pick(
+            &mut memory,
+            table,
+            &frame,
+            how.share(),
+            &mut nearness,
+            &mut picked,
+        );
         // Against an empty depth buffer nothing is hidden: where nobody is known to be visible, all that is unknown is drawn.
         let begins = memory.visible().is_empty();
         let mut first: Vec<u32> = Vec::new();
@@ -85,7 +92,13 @@ pub(super) fn same_frame(
             by_nearest_corner(&mut first, table, &frame);
             asked.extend_from_slice(&picked);
         } else {
-            asked.extend(memory.unknown().iter().chain(memory.blended()).chain(&picked));
+            asked.extend(
+                memory
+                    .unknown()
+                    .iter()
+                    .chain(memory.blended())
+                    .chain(&picked),
+            );
         }
         let solid = |slot: &u32| !table.is_transparent(*slot);
         let exempt = candidates.exempt().iter().copied().filter(solid);
@@ -121,9 +134,8 @@ pub(super) fn same_frame(
         let answers = (&*asked, CountLayout::ByQuery, ctx.bytes(tests.answers)?);
         let appeared = memory.take(table, frame.cuts, answers, false);
         memory.fraction.learn(appeared);
-        let seen = |slot: &u32| {
-            memory.known(*slot) == Known::Visible && !table.is_transparent(*slot)
-        };
+        let seen =
+            |slot: &u32| memory.known(*slot) == Known::Visible && !table.is_transparent(*slot);
         let mut new: Vec<u32> = asked.slots.iter().copied().filter(seen).collect();
         by_nearest_corner(&mut new, table, &frame);
         found.submit(ctx, table, candidates.stamp(), new.iter().copied())?;
@@ -188,14 +200,24 @@ pub(super) fn frame_late(
         memory.fraction.learn(appeared);
         memory.begin(table, &candidates, false);
         memory.sort(table, &frame, how.resort);
-        Fraction::pick(&mut memory, table, &frame, how.share(), &mut nearness, &mut picked);
+        Fraction::pick(
+            &mut memory,
+            table,
+            &frame,
+            how.share(),
+            &mut nearness,
+            &mut picked,
+        );
         let mut verdicts = ctx.get_mut(verdicts)?;
         judge(&memory, table, &candidates, &mut verdicts);
         let solid = |slot: &u32| !table.is_transparent(*slot);
         let mut new: Vec<u32> = memory.unknown().iter().copied().filter(solid).collect();
         by_nearest_corner(&mut new, table, &frame);
         let exempt = candidates.exempt().iter().copied().filter(solid);
-        let own: Vec<u32> = exempt.chain(new).chain(memory.visible().iter().copied()).collect();
+        let own: Vec<u32> = exempt
+            .chain(new)
+            .chain(memory.visible().iter().copied())
+            .collect();
         let mut asked: Vec<u32> = picked.clone();
         let transparent = |slot: &u32| table.is_transparent(*slot);
         asked.extend(memory.unknown().iter().copied().filter(transparent));
@@ -222,8 +244,7 @@ pub(super) fn frame_late(
         let about_drawn = drawn.submit(ctx, table, candidates.stamp(), own)?;
         let together = (how.together, |slot| memory.settled(slot));
         let what = (&**table, &*frame);
-        let about_rest =
-            tests.submit_tests(ctx, what, candidates.stamp(), &mut asked, together)?;
+        let about_rest = tests.submit_tests(ctx, what, candidates.stamp(), &mut asked, together)?;
         verdicts.add_asked(about_drawn + about_rest);
         submit_blended(ctx, blended, table, &frame, &verdicts)
     });

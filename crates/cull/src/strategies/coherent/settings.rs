@@ -65,9 +65,7 @@ impl Coherence {
                 })?;
             }
             "resort" => {
-                self.resort = parse(key, value, RESORT_RANGE, |part| {
-                    (0.0..=10.0).contains(part)
-                })?;
+                self.resort = parse(key, value, RESORT_RANGE, |part| (0.0..=10.0).contains(part))?;
             }
             "together" => {
                 self.together = parse(key, value, TOGETHER_RANGE, |together| {
