@@ -20,7 +20,9 @@ pub fn run(args: CompareArgs) -> Result<(), Failure> {
     contenders(&args, 0)?;
     let gpu = Gpu::open(&args.view.adapter)?;
     let mut input = Input::open(&args.view, &gpu)?;
-    let contenders = contenders(&args, input.scene.drawable_count())?;
+    // Each eye asks for itself.
+    let occludees = input.scene.drawable_count() * input.views().len();
+    let contenders = contenders(&args, occludees)?;
     let options = CompareOptions {
         size: input.size,
         stereo: input.stereo,
