@@ -5,8 +5,11 @@ use std::str::FromStr;
 
 use antumbra::cull::Latency;
 use antumbra::draw::AdapterChoice;
+use antumbra::measure::stereo_picture::Layout;
 use antumbra::subsurface::{Axis, SampleBox};
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
+
+use crate::eyes::StereoArgs;
 
 /// Compares occlusion culling strategies: what each costs, and what each gets wrong.
 #[derive(Debug, Parser)]
@@ -65,6 +68,9 @@ pub struct ViewArgs {
     /// Width and height of the image in pixels
     #[arg(long, value_name = "WxH")]
     pub size: Option<Size>,
+    /// Two eyes, if any.
+    #[command(flatten)]
+    pub eyes: StereoArgs,
     /// Seed of a flight
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
@@ -100,9 +106,12 @@ pub struct CompareArgs {
 pub struct RenderArgs {
     #[command(flatten)]
     pub view: ViewArgs,
-    /// The image to write, a PNG
+    /// The image to write, a PNG; of separate eyes NAME-left.png and NAME-right.png
     #[arg(short, long)]
     pub output: PathBuf,
+    /// How two eyes' images are put together, for --stereo: side-by-side (where none is named), separate, or red-cyan
+    #[arg(long)]
+    pub layout: Option<Layout>,
     /// The strategy, NAME or NAME:key=value
     #[arg(long, default_value = "frustum")]
     pub strategy: String,

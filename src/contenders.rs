@@ -38,19 +38,19 @@ pub struct Contenders {
     pub notes: Vec<String>,
 }
 
-/// Reads the arguments; all of them are checked before anything is drawn.
+/// Reads the arguments; all of them are checked before anything is drawn. `occludees` are those of a frame, all views together.
 ///
 /// # Errors
 /// [`Failure::Registry`] for a strategy or setting that does not exist, with what exists; [`Failure::Usage`] for a `--set` without a dot.
-pub fn contenders(args: &CompareArgs, entities: usize) -> Result<Contenders, Failure> {
+pub fn contenders(args: &CompareArgs, occludees: usize) -> Result<Contenders, Failure> {
     let registry = Arc::new(Registry::built_in());
     let mut notes = Vec::new();
     let mut specs: Vec<(String, String)> = Vec::new();
     if args.strategies.is_empty() {
         for (label, spec) in STANDARD {
-            if spec == "stop-and-wait" && entities > PATIENCE {
+            if spec == "stop-and-wait" && occludees > PATIENCE {
                 notes.push(format!(
-                    "stop-and-wait is left out: it would wait for {entities} answers a frame, one by one. Ask for it with --strategies"
+                    "stop-and-wait is left out: it would wait for {occludees} answers a frame, one by one. Ask for it with --strategies"
                 ));
             } else {
                 specs.push((label.to_owned(), spec.to_owned()));

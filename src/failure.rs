@@ -6,7 +6,7 @@ use antumbra::cull::{RegistryError, SettingError, StageError};
 use antumbra::draw::{DeviceError, DrawError};
 use antumbra::measure::MeasureError;
 use antumbra::scene::builtin::BuiltinError;
-use antumbra::scene::{LoadError, SaveError};
+use antumbra::scene::{LoadError, SaveError, StereoError};
 use antumbra::subsurface::SubsurfaceError;
 use thiserror::Error;
 
@@ -36,6 +36,9 @@ pub enum Failure {
     /// A scene could not be written.
     #[error(transparent)]
     Save(#[from] SaveError),
+    /// Two eyes that cannot be.
+    #[error(transparent)]
+    Stereo(#[from] StereoError),
     /// The device.
     #[error(transparent)]
     Device(#[from] DeviceError),
@@ -63,6 +66,7 @@ impl Failure {
             Self::Usage(_)
             | Self::Registry(_)
             | Self::Builtin(_)
+            | Self::Stereo(_)
             | Self::Subsurface(SubsurfaceError::Setting { .. })
             | Self::Stage(StageError::Declare(_)) => 2,
             _ => 1,

@@ -3,12 +3,14 @@
 use std::path::Path as FilePath;
 use std::sync::Arc;
 
+use antumbra::cull::ViewSpec;
 use antumbra::draw::Gpu;
 use antumbra::measure::compare::{Script, camera};
 use antumbra::measure::path::{Orbit, Path, Pose};
+use antumbra::measure::views;
 use antumbra::scene::Camera;
 use antumbra::scene::builtin::{self, BuiltinError};
-use antumbra::scene::{Aabb, LoadOptions, Projection, Scene, load};
+use antumbra::scene::{Aabb, LoadOptions, Projection, Scene, Stereo, load};
 use antumbra::subsurface::{
     BrickSource, BuiltIn, BuiltInOptions, Model, SectionPlaces, Sections, VolumeFile,
 };
@@ -27,6 +29,8 @@ pub struct Input {
     pub path: Path,
     /// Width and height of a view in pixels.
     pub size: [u32; 2],
+    /// Two eyes for each pose's camera.
+    pub stereo: Option<Stereo>,
     /// What a built-in scene was made from; `None` for a file.
     pub scene_seed: Option<u64>,
     /// Slices and lenses of a volume.
@@ -67,7 +71,9 @@ impl Input {
         found.add_sections(args)?;
         found.scene.ensure_proxies(&Default::default());
         found.scene.update();
-        let path = path(args, &found, size, frames)?;
+        let bounds = found.bounds();
+        let path = path(args, &found, &bounds, size, frames)?;
+        let stereo = args.eyes.choose(&bounds, &path)?;
         let name = FilePath::new(named)
             .file_name()
             .map_or(named.to_owned(), |name| name.to_string_lossy().into_owned());
@@ -76,6 +82,7 @@ impl Input {
             name,
             path,
             size,
+            stereo,
             scene_seed: found.seed,
             sections: found.sections,
         })
@@ -83,16 +90,21 @@ impl Input {
 }
 
 impl Input {
-    /// The camera at a pose, with the scene turned towards it.
+    /// The views to build a stage with.
+    pub fn views(&self) -> Vec<ViewSpec> {
+        views::specs(self.stereo.as_ref(), self.size)
+    }
+
+    /// The cameras at a pose, one a view, with the scene turned towards them.
     ///
     /// # Errors
     /// For a pose that the path does not have.
-    pub fn look(&mut self, pose: usize) -> Result<Camera, Failure> {
+    pub fn look(&mut self, pose: usize) -> Result<Vec<Camera>, Failure> {
         let camera = camera(&self.path, pose)?;
         if let Some(sections) = &mut self.sections {
             sections.face(&mut self.scene, camera.position)?;
         }
-        Ok(camera)
+        Ok(views::cameras(self.stereo.as_ref(), &camera)?)
     }
 }
 
@@ -209,6 +221,12 @@ impl Found {
 }
 
 impl Found {
+    /// The box around the scene; around nothing, one to look at.
+    fn bounds(&self) -> Aabb {
+        let nothing = Aabb::new(glam::DVec3::NEG_ONE, glam::DVec3::ONE);
+        self.scene.bounds().unwrap_or(nothing)
+    }
+
     /// Adds what the arguments ask for: of the volume they name, or of the model's own.
     fn add_sections(&mut self, args: &ViewArgs) -> Result<(), Failure> {
         let source: Arc<dyn BrickSource> = match (&args.volume, &self.model) {
@@ -259,9 +277,13 @@ fn built_in_names() -> Vec<&'static str> {
         .collect()
 }
 
-fn path(args: &ViewArgs, found: &Found, size: [u32; 2], frames: usize) -> Result<Path, Failure> {
-    let nothing = Aabb::new(glam::DVec3::NEG_ONE, glam::DVec3::ONE);
-    let bounds = found.scene.bounds().unwrap_or(nothing);
+fn path(
+    args: &ViewArgs,
+    found: &Found,
+    bounds: &Aabb,
+    size: [u32; 2],
+    frames: usize,
+) -> Result<Path, Failure> {
     let aspect = f64::from(size[0]) / f64::from(size[1]);
     if let Some(model) = &found.model
         && let Some(path) = own_path(args.path.as_deref(), model, frames)?
@@ -271,8 +293,8 @@ fn path(args: &ViewArgs, found: &Found, size: [u32; 2], frames: usize) -> Result
     match args.path.as_deref() {
         // The grid's own orbit, whole grid or a part of it.
         None | Some("orbit") if found.whole_grid => Ok(Path::orbit(&Orbit::grid(frames))?),
-        None | Some("orbit") => Ok(Path::orbit_around(&bounds, aspect, frames)?),
-        Some("flight") => Ok(Path::flight(&bounds, args.seed, frames)?),
+        None | Some("orbit") => Ok(Path::orbit_around(bounds, aspect, frames)?),
+        Some("flight") => Ok(Path::flight(bounds, args.seed, frames)?),
         Some(file) => Ok(Path::load(file)?),
     }
 }

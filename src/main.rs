@@ -5,6 +5,7 @@
 mod args;
 mod commands;
 mod contenders;
+mod eyes;
 mod failure;
 mod input;
 mod progress;

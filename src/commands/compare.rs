@@ -20,9 +20,12 @@ pub fn run(args: CompareArgs) -> Result<(), Failure> {
     contenders(&args, 0)?;
     let gpu = Gpu::open(&args.view.adapter)?;
     let mut input = Input::open(&args.view, &gpu)?;
-    let contenders = contenders(&args, input.scene.drawable_count())?;
+    // Each eye asks for itself.
+    let occludees = input.scene.drawable_count() * input.views().len();
+    let contenders = contenders(&args, occludees)?;
     let options = CompareOptions {
         size: input.size,
+        stereo: input.stereo,
         command: command_line(),
         scene_name: input.name.clone(),
         ..CompareOptions::default()
@@ -56,11 +59,11 @@ pub fn run(args: CompareArgs) -> Result<(), Failure> {
     if !args.quiet {
         let [scene, adapter] = facts(&comparison.report);
         println!("{scene}\n{adapter}\n");
-        print!(
-            "{}",
-            Table::new(&comparison.report).terminal(wants_colour(&std::io::stdout()))
-        );
-        println!();
+        let colour = wants_colour(&std::io::stdout());
+        println!("{}", Table::new(&comparison.report).terminal(colour));
+        if let Some(eyes) = Table::eyes(&comparison.report) {
+            println!("{}", eyes.terminal(colour));
+        }
         for note in &contenders.notes {
             println!("{note}.");
         }

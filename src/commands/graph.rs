@@ -1,12 +1,11 @@
 //! `antumbra graph`: a strategy's plan as a picture, with the times of one frame.
 
-use std::sync::Arc;
-
-use antumbra::cull::{Members, Oracle, Registry, Stage, StageOptions, ViewInput, ViewSpec};
+use antumbra::cull::{Oracle, Registry, Stage, StageOptions};
 use antumbra::draw::{Gpu, GpuScene};
 use antumbra::graph::Picture;
 
 use crate::args::{Format, GraphArgs};
+use crate::eyes::inputs;
 use crate::failure::Failure;
 use crate::input::Input;
 
@@ -18,36 +17,19 @@ pub fn run(args: GraphArgs) -> Result<(), Failure> {
     let strategy = Registry::built_in().parse(&args.strategy)?;
     let gpu = Gpu::open(&args.view.adapter)?;
     let mut input = Input::open(&args.view, &gpu)?;
-    let camera = input.look(0)?;
+    let cameras = input.look(0)?;
     let scene = GpuScene::new(&gpu, &mut input.scene)?;
-    let [width, height] = input.size;
     let options = StageOptions {
         timing: true,
         ..StageOptions::default()
     };
-    let mut stage = Stage::new(
-        &scene,
-        strategy,
-        vec![ViewSpec::main(width, height)],
-        options,
-    )?;
-    let reference = match stage.strategy().needs_reference() {
-        true => Some(Arc::new(
-            Oracle::new(&scene, input.size)
-                .look(&scene, &camera, Members::Frustum)?
-                .owners(),
-        )),
-        false => None,
-    };
+    let mut stage = Stage::new(&scene, strategy, input.views(), options)?;
+    let needs_reference = stage.strategy().needs_reference();
+    let mut oracle = needs_reference.then(|| Oracle::new(&scene, input.size));
+    let views = inputs(oracle.as_mut(), &scene, &cameras)?;
     // The first frame compiles pipelines, and late answers come a frame later.
     for _ in 0..3 {
-        stage.frame(
-            &scene,
-            &[ViewInput {
-                reference: reference.clone(),
-                ..ViewInput::new(camera)
-            }],
-        )?;
+        stage.frame(&scene, &views)?;
         gpu.wait()?;
     }
     let format = match args.format {

@@ -1,15 +1,16 @@
-//! `antumbra render`: one image, as a strategy draws it.
+//! `antumbra render`: one image, as a strategy draws it; in stereo, both eyes'.
 
-use std::sync::Arc;
+use std::path::{Path, PathBuf};
 
-use antumbra::cull::{
-    Members, Oracle, Registry, Stage, StageError, StageOptions, Verdict, ViewInput, ViewSpec,
-};
+use antumbra::cull::{Members, Oracle, Registry, Stage, StageError, StageOptions, Verdict};
 use antumbra::draw::{Gpu, GpuScene, read_back};
 use antumbra::measure::image_error::save_png;
+use antumbra::measure::stereo_picture::{Part, join};
+use antumbra::scene::Camera;
 use image::{Rgba, RgbaImage};
 
 use crate::args::RenderArgs;
+use crate::eyes::inputs;
 use crate::failure::Failure;
 use crate::input::Input;
 
@@ -17,53 +18,92 @@ use crate::input::Input;
 ///
 /// # Errors
 /// What stopped it; no half-written image stays behind.
-pub fn run(args: RenderArgs) -> Result<(), Failure> {
+pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
+    // Where two pictures are to be laid out there are two.
+    args.view.eyes.stereo |= args.layout.is_some();
     let strategy = Registry::built_in().parse(&args.strategy)?;
     let gpu = Gpu::open(&args.view.adapter)?;
     let mut input = Input::open(&args.view, &gpu)?;
-    let camera = input.look(args.pose as usize)?;
+    let cameras = input.look(args.pose as usize)?;
     let scene = GpuScene::new(&gpu, &mut input.scene)?;
-    let [width, height] = input.size;
-    let mut stage = Stage::new(
-        &scene,
-        strategy,
-        vec![ViewSpec::main(width, height)],
-        StageOptions::default(),
-    )?;
+    let mut stage = Stage::new(&scene, strategy, input.views(), StageOptions::default())?;
     let mut oracle = Oracle::new(&scene, input.size);
-    let reference = Some(Arc::new(
-        oracle.look(&scene, &camera, Members::Frustum)?.owners(),
-    ));
+    let views = inputs(Some(&mut oracle), &scene, &cameras)?;
     // Late answers need frames to arrive.
     for _ in 0..3 {
-        stage.frame(
-            &scene,
-            &[ViewInput {
-                reference: reference.clone(),
-                ..ViewInput::new(camera)
-            }],
-        )?;
+        stage.frame(&scene, &views)?;
         gpu.wait()?;
     }
-    let missing = || StageError::Input("a view without an image".to_owned());
-    let texture = stage.colour(0).ok_or_else(missing)?;
-    let mut image = RgbaImage::from_raw(width, height, read_back::texture(&gpu, texture)?)
-        .ok_or_else(missing)?;
-    if args.show_culled {
-        let verdicts = stage.verdicts(0, &scene)?;
-        let culled = |slot: &u32| {
-            matches!(
-                verdicts.get(*slot),
-                Verdict::Occluded | Verdict::BelowThreshold
-            )
-        };
-        let slots: Vec<u32> = scene.table().live_slots().filter(culled).collect();
-        shine_through(
-            &mut image,
-            &oracle.look(&scene, &camera, Members::Slots(&slots))?.ids,
-        );
+    let mut pictures = Vec::with_capacity(cameras.len());
+    for (view, camera) in cameras.iter().enumerate() {
+        let mut image = picture(&stage, view, &gpu, input.size)?;
+        if args.show_culled {
+            show_culled(&mut image, &stage, view, &scene, camera, &mut oracle)?;
+        }
+        pictures.push(image);
     }
-    save_png(&image, &args.output)?;
+    let mut pictures = pictures.into_iter();
+    let parts = match (pictures.next(), pictures.next()) {
+        (Some(left), Some(right)) => join(left, right, args.layout.unwrap_or_default())?,
+        (Some(picture), None) => vec![Part {
+            suffix: "",
+            picture,
+        }],
+        (None, _) => return Err(missing().into()),
+    };
+    for part in &parts {
+        save_png(&part.picture, &suffixed(&args.output, part.suffix))?;
+    }
+    Ok(())
+}
+
+fn missing() -> StageError {
+    StageError::Input("a view without an image".to_owned())
+}
+
+fn picture(
+    stage: &Stage,
+    view: usize,
+    gpu: &Gpu,
+    [width, height]: [u32; 2],
+) -> Result<RgbaImage, Failure> {
+    let texture = stage.colour(view).ok_or_else(missing)?;
+    let image = RgbaImage::from_raw(width, height, read_back::texture(gpu, texture)?);
+    Ok(image.ok_or_else(missing)?)
+}
+
+/// `NAME.png` and `-left` make `NAME-left.png`.
+fn suffixed(path: &Path, suffix: &str) -> PathBuf {
+    if suffix.is_empty() {
+        return path.to_owned();
+    }
+    let mut name = path.file_stem().unwrap_or_default().to_owned();
+    name.push(suffix);
+    if let Some(ending) = path.extension() {
+        name.push(".");
+        name.push(ending);
+    }
+    path.with_file_name(name)
+}
+
+fn show_culled(
+    image: &mut RgbaImage,
+    stage: &Stage,
+    view: usize,
+    scene: &GpuScene,
+    camera: &Camera,
+    oracle: &mut Oracle,
+) -> Result<(), Failure> {
+    let verdicts = stage.verdicts(view, scene)?;
+    let culled = |slot: &u32| {
+        matches!(
+            verdicts.get(*slot),
+            Verdict::Occluded | Verdict::BelowThreshold
+        )
+    };
+    let slots: Vec<u32> = scene.table().live_slots().filter(culled).collect();
+    let hidden = oracle.look(scene, camera, Members::Slots(&slots))?;
+    shine_through(image, &hidden.ids);
     Ok(())
 }
 

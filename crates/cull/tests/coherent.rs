@@ -101,21 +101,24 @@ fn the_second_eye_asks_less_than_it_would_alone() {
 }
 
 #[test]
-fn asking_together_asks_less_and_draws_what_asking_alone_draws_or_more() {
+fn asking_together_asks_less_and_settles_on_the_same() {
     let scene = block(&gpu());
     let mut alone = stage(&scene, "coherent:latency=same-frame:together=1", &["main"]);
     let mut together = stage(&scene, "coherent:latency=same-frame:together=16", &["main"]);
     let mut asked = [0, 0];
     for step in 0..12 {
-        let camera = camera(f64::from(step) * 0.5);
+        // Moving, then still.
+        let camera = camera(f64::from(step.min(6)) * 0.5);
         let one = &frame(&mut alone, &scene, &[camera])[0];
         let other = &frame(&mut together, &scene, &[camera])[0];
-        if step >= 6 {
-            asked[0] += one.asked();
-            asked[1] += other.asked();
+        if step >= 10 {
+            let hidden = |verdicts: &Verdicts| verdicts.asked() - verdicts.drawn().count() as u32;
+            asked[0] += hidden(one);
+            asked[1] += hidden(other);
+            assert_eq!(one.drawn().count(), other.drawn().count());
         }
     }
-    assert!(asked[1] * 3 < asked[0] * 2, "{asked:?}");
+    assert!(asked[1] * 4 < asked[0], "{asked:?}");
 }
 
 #[test]
@@ -124,10 +127,14 @@ fn eyes_in_one_place_see_the_same() {
     for latency in LATENCIES {
         let text = format!("stereo-coherent:latency={latency}");
         let mut stage = stage(&scene, &text, &["left", "right"]);
-        for step in 0..4 {
-            let cameras = eyes(f64::from(step) * 2.0, 0.0);
+        for step in 0..8 {
+            let cameras = eyes(f64::from(step.min(3)) * 2.0, 0.0);
             assert_eq!(cameras[0], cameras[1]);
             frame(&mut stage, &scene, &cameras);
+            // While the camera moves, late answers may be late for one eye and not for the other.
+            if latency == "frame-late" && step < 7 {
+                continue;
+            }
             let picture =
                 |view| read_back::texture(scene.gpu(), stage.colour(view).unwrap()).unwrap();
             assert!(picture(0) == picture(1), "{latency}, step {step}");

@@ -7,6 +7,8 @@ use unicode_width::UnicodeWidthStr;
 use crate::report::{Report, StrategyReport};
 use crate::words;
 
+mod eyes;
+
 /// A report as rows and columns of text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Table {
@@ -165,7 +167,11 @@ fn speed(time_ratio: Option<f64>) -> Option<String> {
 impl Table {
     /// The table of a report. A column in which nothing was measured is left out.
     pub fn new(report: &Report) -> Self {
-        let used: Vec<&Definition> = COLUMNS
+        Self::of(report, COLUMNS)
+    }
+
+    fn of(report: &Report, columns: &[Definition]) -> Self {
+        let used: Vec<&Definition> = columns
             .iter()
             .filter(|Definition(_, show, _)| {
                 report.strategies.is_empty() || report.strategies.iter().any(|s| show(s).is_some())
@@ -300,7 +306,8 @@ pub fn wants_colour(stream: &impl IsTerminal) -> bool {
     stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
 }
 
-/// What was measured, in two lines: the scene and how it was looked at, the adapter and the noise.
+/// What was measured, in two lines: the scene and how it was looked at, the adapter and the noise. In stereo the first says
+/// how the eyes stand.
 pub fn facts(report: &Report) -> [String; 2] {
     let scene = &report.scene;
     let path = if scene.path.is_empty() {
@@ -309,13 +316,20 @@ pub fn facts(report: &Report) -> [String; 2] {
         format!(" along {}", words::clean(&scene.path))
     };
     let [width, height] = scene.size;
+    let eyes = scene.stereo.map_or_else(String::new, |stereo| {
+        format!(
+            " (eyes {} m apart, converging at {} m)",
+            words::metres(stereo.interocular),
+            words::metres(stereo.convergence)
+        )
+    });
     let noise = match report.noise.frame_time_ratio_p95 {
         Some(ratio) => format!("noise {} %", words::percent((ratio - 1.0) * 100.0)),
         None => "noise not measured".to_owned(),
     };
     [
         format!(
-            "scene {}: {}, {}; {width} x {height} pixels, {}, {}{path}",
+            "scene {}: {}, {}; {width} x {height} pixels, {}{eyes}, {}{path}",
             words::clean(&scene.name),
             words::plural(scene.entities, "entity"),
             words::plural(scene.triangles, "triangle"),

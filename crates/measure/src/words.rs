@@ -111,6 +111,16 @@ pub(crate) fn plural(n: u64, noun: &str) -> String {
     }
 }
 
+/// A length with four significant digits, as short as it goes: `0.064`, `12.35`, `4e-7`.
+pub(crate) fn metres(metres: f64) -> String {
+    let rounded = format!("{metres:.3e}");
+    match (rounded.parse::<f64>(), metres.abs()) {
+        (Ok(rounded), 0.0 | 1e-4..1e9) => rounded.to_string(),
+        (Ok(rounded), _) => format!("{rounded:e}"),
+        (Err(_), _) => rounded,
+    }
+}
+
 /// A round number as short as it goes: `0.5`, `2`, `0.001`.
 pub(crate) fn trimmed(value: f64) -> String {
     let text = format!("{value:.6}");

@@ -128,11 +128,15 @@ fn stereo_reports_name_the_eye() {
     let mut report = synthetic::report();
     report.scene.views = 2;
     report.strategies[4].worst.as_mut().unwrap().view = 1;
-    assert!(
-        page(&report, dir.path())
-            .unwrap()
-            .contains("three-pass: frame 4, right eye")
-    );
+    let mut right = report.strategies[4].error;
+    right.wrong_pixels_percent.max = 0.25;
+    report.strategies[4].views = vec![report.strategies[4].error, right];
+    let html = page(&report, dir.path()).unwrap();
+    // Its own percentage, not that of both eyes together.
+    assert!(html.contains("three-pass: frame 4, right eye, 0.25 % wrong pixels"));
+    assert!(html.contains("Each eye") && html.contains("right, mean %"));
+    report.scene.views = 1;
+    assert!(!page(&report, dir.path()).unwrap().contains("Each eye"));
 }
 
 #[test]

@@ -5,7 +5,7 @@
 #[path = "common/synthetic.rs"]
 mod synthetic;
 
-use antumbra_measure::report::Report;
+use antumbra_measure::report::{Report, StereoFacts};
 use antumbra_measure::table::{Table, facts};
 use antumbra_measure::verdict::{Tone, picks, verdict};
 
@@ -220,5 +220,75 @@ fn picks_name_the_fastest_right_and_the_fastest_hardly_wrong() {
             "Fastest of all, and every pixel right".into(),
             "hi-z".into()
         )]
+    );
+}
+
+#[test]
+fn two_eyes_have_a_table_of_their_own() {
+    let mut report = synthetic::report();
+    assert_eq!(Table::eyes(&report), None, "one view");
+    assert!(!facts(&report)[0].contains("eyes"));
+    report.scene.views = 2;
+    report.scene.stereo = Some(StereoFacts {
+        interocular: 0.064,
+        convergence: 12.345_678,
+    });
+    for (strategy, wrong) in report.strategies.iter_mut().zip([0.0, 0.0, 0.0, 0.5, 0.25]) {
+        let mut right = strategy.error;
+        right.wrong_pixels_percent.mean = wrong;
+        right.false_culls.entities = 7;
+        strategy.views = vec![strategy.error, right];
+        strategy.queries_a_view = vec![120.0, 30.5];
+    }
+    let line = &facts(&report)[0];
+    assert!(
+        line.contains("2 views (eyes 0.064 m apart, converging at 12.35 m)"),
+        "{line}"
+    );
+    let table = Table::eyes(&report).unwrap();
+    let heads: Vec<_> = table.columns.iter().map(|c| (c.title, c.unit)).collect();
+    for column in [
+        ("queries", "left"),
+        ("wrong px", "right, mean %"),
+        ("false culls", "right"),
+    ] {
+        assert!(heads.contains(&column), "{column:?} is not in {heads:?}");
+    }
+    let three = table
+        .rows
+        .iter()
+        .find(|row| row.cells[0].text == "three-pass")
+        .unwrap();
+    let cells: Vec<&str> = three.cells.iter().map(|cell| cell.text.as_str()).collect();
+    assert_eq!(
+        cells,
+        [
+            "three-pass",
+            "120",
+            "30.5",
+            "0.012",
+            "0.25",
+            "0.072",
+            "0.072",
+            "48",
+            "7"
+        ]
+    );
+    let at = heads
+        .iter()
+        .position(|head| *head == ("wrong px", "right, mean %"))
+        .unwrap();
+    assert!(three.cells[at].best, "least of those that compete");
+    // A strategy whose eyes were not measured.
+    let last = table.rows.last().unwrap();
+    assert!(last.cells[1..].iter().all(|cell| cell.text == "-"));
+    let markdown = table.markdown();
+    assert!(
+        markdown.starts_with("| strategy | queries left | queries right |"),
+        "{markdown}"
+    );
+    assert_eq!(
+        table.terminal(false).lines().count(),
+        2 + report.strategies.len()
     );
 }

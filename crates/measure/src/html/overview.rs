@@ -50,10 +50,35 @@ pub(super) fn picks(report: &Report) -> String {
     html + "</section>\n"
 }
 
-/// The table, and under it a sentence a strategy.
+/// The table, in stereo one of the eyes, and under them a sentence a strategy.
 pub(super) fn table(report: &Report) -> String {
-    let table = Table::new(report);
-    let mut html = "<section>\n<h2>All strategies</h2>\n<div class=\"scroll\"><table class=\"compare\">\n<thead><tr>".to_owned();
+    let mut html = "<section>\n<h2>All strategies</h2>\n".to_owned();
+    html += &grid(&Table::new(report));
+    html += "<p class=\"meaning\">Best values are marked; none, frustum and ideal are the yardsticks and do not \
+             compete. Speed vs: how many times as fast (2x takes half the time). Drawn, queries: mean a frame. Wrong px: pixels whose \
+             entity differs from the reference. False culls: seen entities not drawn, summed over all frames.</p>\n";
+    if let Some(eyes) = Table::eyes(report) {
+        html += "<h3>Each eye</h3>\n";
+        html += &grid(&eyes);
+        html += "<p class=\"meaning\">Above, both eyes count together: a frame draws both, wrong pixels are a share of the pixels of \
+                 both. Here each is held against its own reference.</p>\n";
+    }
+    html += "<ul class=\"verdicts\">\n";
+    for strategy in report.strategies.iter().filter(|s| !s.is_yardstick()) {
+        let Verdict { text, tone } = verdict::verdict(report, strategy);
+        html += &format!(
+            "<li class=\"{}\"><b>{}</b>: {}</li>\n",
+            class(tone),
+            escape(strategy.title()),
+            escape(&text)
+        );
+    }
+    html + "</ul>\n</section>\n"
+}
+
+/// A table's cells.
+fn grid(table: &Table) -> String {
+    let mut html = "<div class=\"scroll\"><table class=\"compare\">\n<thead><tr>".to_owned();
     for column in &table.columns {
         html += &format!(
             "<th{}>{}<small>{}</small></th>",
@@ -81,19 +106,7 @@ pub(super) fn table(report: &Report) -> String {
         }
         html += "</tr>\n";
     }
-    html += "</tbody></table></div>\n<p class=\"meaning\">Best values are marked; none, frustum and ideal are the yardsticks and do not \
-             compete. Speed vs: how many times as fast (2x takes half the time). Drawn, queries: mean a frame. Wrong px: pixels whose \
-             entity differs from the reference. False culls: seen entities not drawn, summed over all frames.</p>\n<ul class=\"verdicts\">\n";
-    for strategy in report.strategies.iter().filter(|s| !s.is_yardstick()) {
-        let Verdict { text, tone } = verdict::verdict(report, strategy);
-        html += &format!(
-            "<li class=\"{}\"><b>{}</b>: {}</li>\n",
-            class(tone),
-            escape(strategy.title()),
-            escape(&text)
-        );
-    }
-    html + "</ul>\n</section>\n"
+    html + "</tbody></table></div>\n"
 }
 
 fn class(tone: Tone) -> &'static str {

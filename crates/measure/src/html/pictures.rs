@@ -63,11 +63,15 @@ fn row(report: &Report, strategy: &StrategyReport, worst: &WorstFrame, dir: &Pat
         (_, 1) => ", right eye".to_owned(),
         (_, other) => format!(", view {other}"),
     };
+    let seen = usize::try_from(worst.view).ok();
+    let error = seen
+        .and_then(|view| strategy.views.get(view))
+        .unwrap_or(&strategy.error);
     let mut html = format!(
         "<h3>{}: frame {}{view}, {} % wrong pixels</h3>\n<div class=\"three\">\n",
         escape(strategy.title()),
         worst.frame,
-        words::percent(strategy.error.wrong_pixels_percent.max),
+        words::percent(error.wrong_pixels_percent.max),
     );
     let images = &worst.images;
     for (file, caption) in [

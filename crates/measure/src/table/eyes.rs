@@ -1,0 +1,85 @@
+//! The table of the two eyes: what was asked for each, and what it got wrong.
+
+use super::{Definition, Table, number, text};
+use crate::report::{ErrorReport, Report, StrategyReport};
+use crate::words;
+
+const COLUMNS: &[Definition] = &[
+    text("strategy", "", |s| Some(words::short(s.title(), 40))),
+    number("queries", "left", |s| queries(s, 0), None),
+    number("queries", "right", |s| queries(s, 1), None),
+    number(
+        "wrong px",
+        "left, mean %",
+        |s| shown(mean(s, 0)),
+        Some(|s| mean(s, 0)),
+    ),
+    number(
+        "wrong px",
+        "right, mean %",
+        |s| shown(mean(s, 1)),
+        Some(|s| mean(s, 1)),
+    ),
+    number(
+        "wrong px",
+        "left, max %",
+        |s| shown(max(s, 0)),
+        Some(|s| max(s, 0)),
+    ),
+    number(
+        "wrong px",
+        "right, max %",
+        |s| shown(max(s, 1)),
+        Some(|s| max(s, 1)),
+    ),
+    number(
+        "false culls",
+        "left",
+        |s| culls(s, 0).map(words::count),
+        Some(|s| culls(s, 0)),
+    ),
+    number(
+        "false culls",
+        "right",
+        |s| culls(s, 1).map(words::count),
+        Some(|s| culls(s, 1)),
+    ),
+];
+
+impl Table {
+    /// What each eye's numbers are, left beside right; `None` where no strategy was measured in two. [`Table::new`] has both eyes
+    /// together.
+    pub fn eyes(report: &Report) -> Option<Self> {
+        let measured = report.strategies.iter().any(|s| of(s, 0).is_some());
+        (report.scene.views == 2 && measured).then(|| Self::of(report, COLUMNS))
+    }
+}
+
+/// An eye's block: the first is the left one's.
+fn of(strategy: &StrategyReport, eye: usize) -> Option<&ErrorReport> {
+    match strategy.views.as_slice() {
+        both @ [_, _] => both.get(eye),
+        _ => None,
+    }
+}
+
+fn mean(strategy: &StrategyReport, eye: usize) -> Option<f64> {
+    of(strategy, eye).map(|error| error.wrong_pixels_percent.mean)
+}
+
+fn max(strategy: &StrategyReport, eye: usize) -> Option<f64> {
+    of(strategy, eye).map(|error| error.wrong_pixels_percent.max)
+}
+
+fn culls(strategy: &StrategyReport, eye: usize) -> Option<f64> {
+    of(strategy, eye).map(|error| error.false_culls.entities as f64)
+}
+
+fn queries(strategy: &StrategyReport, eye: usize) -> Option<String> {
+    let asked = strategy.queries_a_view.get(eye);
+    asked.map(|asked| words::count(*asked))
+}
+
+fn shown(percent: Option<f64>) -> Option<String> {
+    percent.map(words::percent)
+}
