@@ -16,7 +16,7 @@ use crate::texture::{halved, to_linear};
 /// Texels of the sharpest copy, each way. A texel is 0.7 degrees wide.
 const TEXELS: u32 = 256;
 /// How sharp the copies are: exponents of the cosine lobes that blur them, from a mirror to what a matt surface gathers. For roughness r
-/// they are those of a microfacet lobe of width r squared, seen about the mirrored eye.
+/// they are about those of a microfacet lobe of width r squared, seen about the mirrored eye.
 const LOBES: [f32; 6] = [f32::INFINITY, 300.0, 20.0, 5.0, 2.0, 1.0];
 /// The roughest copy that others are made of.
 const NARROW: usize = 2;
