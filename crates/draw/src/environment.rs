@@ -16,8 +16,10 @@ use crate::texture::{halved, to_linear};
 /// Texels of the sharpest copy, each way. A texel is 0.7 degrees wide.
 const TEXELS: u32 = 256;
 /// How sharp the copies are: exponents of the cosine lobes that blur them, from a mirror to what a matt surface gathers. For roughness r
-/// they are those of a microfacet lobe of width r squared, seen about the mirrored eye.
+/// they are about those of a microfacet lobe of width r squared, seen about the mirrored eye.
 const LOBES: [f32; 6] = [f32::INFINITY, 300.0, 20.0, 5.0, 2.0, 1.0];
+/// The roughest copy that others are made of.
+const NARROW: usize = 2;
 /// Looks into a lobe, for each texel.
 const LOOKS: u32 = 64;
 
@@ -129,8 +131,8 @@ impl Copy {
         })
     }
 
-    /// The next copy: half as wide, blurred until lobes of one exponent have become lobes of another.
-    fn blurred(&self, from: f32, to: f32) -> Self {
+    /// A copy of some size, blurred until lobes of one exponent have become lobes of another.
+    fn blurred(&self, from: f32, to: f32, texels: u32) -> Self {
         // One after the other their widths add up, and a width is about one over the exponent.
         let exponent = 1.0 / (1.0 / to - 1.0 / from);
         let looks: Vec<Vec3> = (0..LOOKS)
@@ -143,7 +145,7 @@ impl Copy {
                 Vec3::new(side * cos, side * sin, cosine)
             })
             .collect();
-        Self::of(self.texels / 2, |towards| {
+        Self::of(texels, |towards| {
             let (right, up) = towards.any_orthonormal_pair();
             let seen = looks.iter().map(|look| {
                 let direction = right * look.x + up * look.y + towards * look.z;
@@ -181,7 +183,7 @@ fn copies(image: &Image) -> Vec<Copy> {
             )
         })
         .collect();
-    let mut copy = Copy::of(TEXELS, |towards| {
+    let sharp = Copy::of(TEXELS, |towards| {
         let turn = towards.x.atan2(-towards.z) / TAU + 0.5;
         let down = towards.y.clamp(-1.0, 1.0).acos() / (TAU / 2.0);
         let place = Vec2::new(turn * width as f32, down * height as f32) - Vec2::splat(0.5);
@@ -192,12 +194,13 @@ fn copies(image: &Image) -> Vec<Copy> {
             linear.get(at).copied().unwrap_or_default()
         })
     });
-    let mut all = Vec::with_capacity(LOBES.len());
-    for lobes in LOBES.windows(2) {
-        let next = copy.blurred(lobes[0], lobes[1]);
-        all.push(std::mem::replace(&mut copy, next));
+    let mut all = vec![sharp];
+    for (level, to) in LOBES.iter().enumerate().skip(1) {
+        // Widths of wide lobes add up but roughly: the widest are made of what is still narrow, and wide enough for so few looks.
+        let source = (level - 1).min(NARROW);
+        let next = (all.get(source)).map(|copy| copy.blurred(LOBES[source], *to, TEXELS >> level));
+        all.extend(next);
     }
-    all.push(copy);
     all
 }
 
@@ -235,4 +238,119 @@ fn unfolded(place: Vec2) -> Vec3 {
 fn sign(place: Vec2) -> Vec2 {
     let of = |value: f32| if value >= 0.0 { 1.0 } else { -1.0 };
     Vec2::new(of(place.x), of(place.y))
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+
+    use super::*;
+
+    fn directions() -> impl Iterator<Item = Vec3> {
+        (0..500).map(|i| {
+            let up = (i as f32 + 0.5) / 250.0 - 1.0;
+            let (sin, cos) = (i as f32 * 2.4).sin_cos();
+            let side = (1.0 - up * up).sqrt();
+            Vec3::new(side * cos, up, side * sin)
+        })
+    }
+
+    fn image(width: u32, height: u32, at: impl Fn(u32, u32) -> [u8; 3]) -> Image {
+        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+        Image {
+            rgba: pixels
+                .flat_map(|(x, y)| {
+                    let [r, g, b] = at(x, y);
+                    [r, g, b, 255]
+                })
+                .collect(),
+            width,
+            height,
+            ..crate::texture::white()
+        }
+    }
+
+    #[test]
+    fn folding_and_unfolding_are_inverse() {
+        for towards in directions() {
+            let place = folded(towards * 3.0);
+            assert!(place.abs().max_element() <= 1.0);
+            assert!((unfolded(place) - towards).length() < 1e-5, "{towards}");
+        }
+    }
+
+    #[test]
+    fn the_shader_is_told_the_same_numbers() {
+        let text = antumbra_shaders::jobs::shaded::JOB.source.as_ref();
+        let last = LOBES.len() as u32 - 1;
+        assert_eq!((level(0.0), level(1.0)), (0, last));
+        let roughest = format!("ENVIRONMENT_ROUGHEST: f32 = {:?};", last as f32);
+        let its_inset = format!("ENVIRONMENT_ROUGHEST_INSET: f32 = {:?};", inset(last));
+        assert!(
+            text.contains(&roughest) && text.contains(&its_inset),
+            "{its_inset}"
+        );
+    }
+
+    #[test]
+    fn blurring_keeps_light_and_evens_it_out() {
+        let copies = copies(&image(64, 32, |x, y| [(x * 4) as u8, 200, (y * 8) as u8]));
+        let mut spread = f32::INFINITY;
+        for copy in &copies {
+            let lights: Vec<Vec3> = directions().map(|towards| copy.look(towards)).collect();
+            let mean = lights.iter().sum::<Vec3>() / lights.len() as f32;
+            let first: Vec3 = directions().map(|towards| copies[0].look(towards)).sum();
+            let off = mean - first / lights.len() as f32;
+            assert!(
+                off.abs().max_element() < 0.02,
+                "{} texels: {off}",
+                copy.texels
+            );
+            assert!(
+                lights
+                    .iter()
+                    .all(|light| (light.y - to_linear(200)).abs() < 1e-4)
+            );
+            let now: f32 = lights.iter().map(|light| (light.x - mean.x).powi(2)).sum();
+            assert!(now < spread * 1.001, "{} texels", copy.texels);
+            spread = now;
+        }
+    }
+
+    #[test]
+    fn nothing_jumps_at_the_fold_or_where_the_image_ends() {
+        let copies = copies(&image(128, 64, |x, y| {
+            let round = (x as f32 / 128.0 * TAU).cos() * 0.5 + 0.5;
+            [(round * 255.0) as u8, (y * 4) as u8, 0]
+        }));
+        for copy in &copies {
+            for turn in 0..90 {
+                let (sin, cos) = (turn as f32 * TAU / 90.0).sin_cos();
+                // Either side of the horizon, of the lower half's seams, and of the image's ends.
+                let pairs = [
+                    [Vec3::new(sin, 1e-4, cos), Vec3::new(sin, -1e-4, cos)],
+                    [
+                        Vec3::new(1e-4, -1.0 - sin, cos),
+                        Vec3::new(-1e-4, -1.0 - sin, cos),
+                    ],
+                    [Vec3::new(1e-4, sin, 1.0), Vec3::new(-1e-4, sin, 1.0)],
+                ];
+                for [a, b] in pairs {
+                    let step = (copy.look(a) - copy.look(b)).abs().max_element();
+                    assert!(step < 0.01, "{} texels, {a}: {step}", copy.texels);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn large_and_empty_images_are_environments_too() {
+        let large = copies(&image(2048, 8, |_, y| [255 * u8::from(y < 4), 0, 0]));
+        assert!(large[0].look(Vec3::Y).x > 0.99 && large[0].look(Vec3::NEG_Y).x < 0.01);
+        let none = copies(&image(0, 0, |_, _| [255; 3]));
+        assert!(
+            none.iter()
+                .all(|copy| copy.light.iter().all(|light| *light == Vec3::ZERO))
+        );
+    }
 }

@@ -28,8 +28,10 @@ impl From<&Material> for GpuMaterial {
             AlphaMode::Mask { cutoff } => cutoff,
             AlphaMode::Opaque | AlphaMode::Blend => 0.0,
         };
-        // NaN becomes 0 too.
-        let part = |value: f32| value.max(0.0).min(1.0);
+        let part = |value: f32| match value.is_nan() {
+            true => 0.0,
+            false => value.clamp(0.0, 1.0),
+        };
         let roughness = part(material.roughness);
         let level = environment::level(roughness);
         Self {

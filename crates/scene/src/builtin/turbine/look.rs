@@ -38,7 +38,7 @@ impl Look {
     /// Name, colour, and how metallic and how rough it is.
     pub fn material(self) -> Material {
         let (name, [r, g, b], [metallic, roughness]) = match self {
-            Self::FanBlade => ("titanium, polished", [0.52, 0.55, 0.60], [1.0, 0.3]),
+            Self::FanBlade => ("titanium, polished", [0.52, 0.55, 0.60], [1.0, 0.2]),
             Self::Spinner => ("white lacquer", [0.80, 0.80, 0.78], [0.0, 0.4]),
             Self::Composite => ("carbon composite", [0.10, 0.11, 0.13], [0.0, 0.6]),
             Self::OutletVane => ("aluminium", [0.66, 0.68, 0.70], [1.0, 0.5]),
@@ -50,7 +50,7 @@ impl Look {
             Self::Shaft => ("ground steel", [0.55, 0.56, 0.58], [1.0, 0.2]),
             Self::Bearing => ("chrome steel", [0.78, 0.80, 0.82], [1.0, 0.1]),
             Self::Can => ("heat-tinted alloy", [0.50, 0.34, 0.24], [0.9, 0.5]),
-            Self::Nozzle => ("inconel", [0.36, 0.31, 0.28], [1.0, 0.5]),
+            Self::Nozzle => ("inconel", [0.36, 0.31, 0.28], [1.0, 0.4]),
             Self::FrontCasing => ("magnesium casting", [0.40, 0.44, 0.40], [0.3, 0.6]),
             Self::CoreCasing => ("steel casing", [0.42, 0.43, 0.46], [1.0, 0.4]),
             Self::HotCasing => ("heat-tinted steel", [0.44, 0.38, 0.34], [1.0, 0.5]),
