@@ -213,16 +213,21 @@ fn targets(job: &Job, name: &str) -> Vec<Option<wgpu::ColorTargetState>> {
     let Some(result) = &entry.function.result else {
         return Vec::new();
     };
-    assert!(
-        result.binding.is_some(),
-        "{name}: this test knows one bare output, extend it"
-    );
-    let format = match module.types[result.ty].inner.scalar_kind() {
+    let outputs = match &module.types[result.ty].inner {
+        naga::TypeInner::Struct { members, .. } => {
+            members.iter().map(|member| member.ty).collect()
+        }
+        _ => vec![result.ty],
+    };
+    let format = |output| match module.types[output].inner.scalar_kind() {
         Some(naga::ScalarKind::Float) => wgpu::TextureFormat::Rgba8Unorm,
         Some(naga::ScalarKind::Uint) => wgpu::TextureFormat::R32Uint,
         other => panic!("{name}: an output of {other:?}, extend this test"),
     };
-    vec![Some(format.into())]
+    outputs
+        .into_iter()
+        .map(|output| Some(format(output).into()))
+        .collect()
 }
 
 /// A pipeline of a vertex entry point, with the fragment one of the matching name if there is one, from the reflected

@@ -263,9 +263,14 @@ impl Strategy for Moody {
                 node.read(inside);
             },
             move |ctx, _, _, verdicts| {
-                verdicts.add_asked(frames.fetch_add(1, Ordering::Relaxed));
+                let frame = frames.fetch_add(1, Ordering::Relaxed);
+                verdicts.add_asked(frame);
+                let mood = match frame % 2 {
+                    0 => Verdict::Untested,
+                    _ => Verdict::New,
+                };
                 for slot in ctx.get(inside)?.inside() {
-                    verdicts.set(*slot, Verdict::Untested);
+                    verdicts.set(*slot, mood);
                 }
                 Ok(())
             },
