@@ -214,9 +214,7 @@ fn targets(job: &Job, name: &str) -> Vec<Option<wgpu::ColorTargetState>> {
         return Vec::new();
     };
     let outputs = match &module.types[result.ty].inner {
-        naga::TypeInner::Struct { members, .. } => {
-            members.iter().map(|member| member.ty).collect()
-        }
+        naga::TypeInner::Struct { members, .. } => members.iter().map(|member| member.ty).collect(),
         _ => vec![result.ty],
     };
     let format = |output| match module.types[output].inner.scalar_kind() {

@@ -11,6 +11,15 @@ use crate::frame_graph::{CULL, DRAW, FrameGraph};
 use crate::question::question;
 use crate::view_nodes::ViewNodes;
 
+/// What is asked about an entity; in the order of asking.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Test {
+    batch: u32,
+    boxed: bool,
+    settled: bool,
+    slot: u32,
+}
+
 /// A list, and its answers.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Asking {
@@ -68,35 +77,40 @@ impl Asking {
         self.ask(ctx, &mut list, stamp)
     }
 
-    /// Fills the list with the stand-ins of these slots, which are brought into the order of batches. Those that `settled` holds for
-    /// share a question with up to `most` of their batch.
+    /// Fills the list with the stand-ins of these slots, in the order of batches. Those that `settled` holds for share a question with up
+    /// to `most` of their batch.
     pub fn submit_tests(
         &self,
         ctx: &mut HostContext<'_>,
         (table, view): (&SceneTable, &ViewFrame),
         stamp: Stamp,
-        slots: &mut [u32],
+        slots: impl Iterator<Item = u32>,
         (most, settled): (u32, impl Fn(u32) -> bool),
     ) -> Result<u32, BodyError> {
-        let kind = |slot: u32| {
-            (
-                table.batch_of(slot),
-                question(table, view, slot) == Detail::Box,
-            )
-        };
-        slots.sort_unstable_by_key(|slot| {
-            let (batch, boxed) = kind(*slot);
-            (batch, boxed, settled(*slot), *slot)
-        });
+        let mut tests: Vec<Test> = slots
+            .map(|slot| Test {
+                batch: table.batch_of(slot),
+                boxed: question(table, view, slot) == Detail::Box,
+                settled: settled(slot),
+                slot,
+            })
+            .collect();
+        tests.sort_unstable();
         let mut list = ctx.get_mut(self.list.list)?;
         list.clear();
-        for slot in slots.iter() {
-            list.push(table, *slot, question(table, view, *slot));
+        for test in &tests {
+            let detail = match test.boxed {
+                true => Detail::Box,
+                false => Detail::Level(0),
+            };
+            list.push(table, test.slot, detail);
         }
         if most > 1 {
-            let joins = |a: &u32, b: &u32| settled(*a) && settled(*b) && kind(*a) == kind(*b);
+            let joins = |a: &Test, b: &Test| {
+                a.settled && b.settled && (a.batch, a.boxed) == (b.batch, b.boxed)
+            };
             let mut end = 0;
-            let ends = slots
+            let ends = tests
                 .chunk_by(joins)
                 .flat_map(|alike| alike.chunks(most as usize));
             list.join(ends.map(|together| {

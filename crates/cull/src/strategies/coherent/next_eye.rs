@@ -85,13 +85,13 @@ pub(super) fn same_frame(
             list.push(table, slot, Detail::Level(0));
         }
         ctx.upload(seen.ids, 0, bytemuck::cast_slice(list.ids()))?;
-        let mut asked: Vec<u32> = candidates
+        let asked: Vec<u32> = candidates
             .testable()
             .filter(|slot| !verdicts.get(*slot).draws())
             .collect();
         let together = (how.together, |slot| memory.settled_there(slot));
         let what = (&**table, &*frame);
-        tests.submit_tests(ctx, what, candidates.stamp(), &mut asked, together)?;
+        tests.submit_tests(ctx, what, candidates.stamp(), asked.into_iter(), together)?;
         Ok(())
     });
     g.shade_list(view, "shade what the other eye sees", seen);

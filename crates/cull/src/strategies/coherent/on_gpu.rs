@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use antumbra_draw::passes::{self, Indirect};
-use antumbra_draw::{Detail, IDENTITY_FORMAT, PassKind, SceneTable};
+use antumbra_draw::{Detail, IDENTITY_FORMAT, PassKind};
 use antumbra_graph::{Bind, Buffer, Clear, Host, Texture, TextureDesc};
 
 use super::Coherence;
@@ -15,7 +15,7 @@ use super::turns::Turns;
 use crate::candidates::{Asked, Candidates};
 use crate::counting::{ComputePipeline, Counting};
 use crate::frame_graph::{CULL, FrameGraph};
-use crate::on_gpu::{Bounds, Laid, Layout};
+use crate::on_gpu::{Bounds, Layout};
 use crate::order::back_to_front;
 use crate::question::question;
 use crate::samples::{CountLayout, SampleRule};
@@ -129,23 +129,29 @@ fn test(
             let candidates = ctx.get(candidates)?;
             turns.begin(table, &candidates);
             let due = |slot: &u32| turns.is_due(*slot, how.fraction) || table.is_transparent(*slot);
-            let mut slots: Vec<u32> = candidates.testable().filter(due).collect();
-            let boxed = |slot: u32| question(table, frame, slot) == Detail::Box;
-            slots.sort_unstable_by_key(|slot| (table.batch_of(*slot), boxed(*slot), *slot));
-            fill(laid, table, &slots, |slot| question(table, frame, slot));
+            let mut tests: Vec<(u32, bool, u32)> = candidates
+                .testable()
+                .filter(due)
+                .map(|slot| {
+                    let boxed = question(table, frame, slot) == Detail::Box;
+                    (table.batch_of(slot), boxed, slot)
+                })
+                .collect();
+            tests.sort_unstable();
+            laid.list.clear();
+            for (_, boxed, slot) in tests {
+                let detail = match boxed {
+                    true => Detail::Box,
+                    false => Detail::Level(0),
+                };
+                laid.list.push(table, slot, detail);
+            }
+            laid.bound(table, |_| Bounds::HIDDEN, |_| false);
             Ok(())
         },
     );
     let tests = g.compact(view, "last occluded", layout, seen);
     count(g, view, tests)
-}
-
-fn fill(laid: &mut Laid<'_>, table: &SceneTable, slots: &[u32], detail: impl Fn(u32) -> Detail) {
-    laid.list.clear();
-    for slot in slots {
-        laid.list.push(table, *slot, detail(*slot));
-    }
-    laid.bound(table, |_| Bounds::HIDDEN, |_| false);
 }
 
 /// Counts the visible samples of what was kept.

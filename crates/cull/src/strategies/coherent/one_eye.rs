@@ -106,7 +106,7 @@ pub(super) fn same_frame(
         drawn.submit(ctx, table, candidates.stamp(), first)?;
         let together = (how.together, |slot| memory.settled(slot));
         let what = (&**table, &*frame);
-        tests.submit_tests(ctx, what, candidates.stamp(), &mut asked, together)?;
+        tests.submit_tests(ctx, what, candidates.stamp(), asked.into_iter(), together)?;
         Ok(())
     });
     let drawn = drawn.shade(g, view, "shade last visible");
@@ -244,7 +244,8 @@ pub(super) fn frame_late(
         let about_drawn = drawn.submit(ctx, table, candidates.stamp(), own)?;
         let together = (how.together, |slot| memory.settled(slot));
         let what = (&**table, &*frame);
-        let about_rest = tests.submit_tests(ctx, what, candidates.stamp(), &mut asked, together)?;
+        let about_rest =
+            tests.submit_tests(ctx, what, candidates.stamp(), asked.into_iter(), together)?;
         verdicts.add_asked(about_drawn + about_rest);
         submit_blended(ctx, blended, table, &frame, &verdicts)
     });
