@@ -6,14 +6,14 @@ use antumbra_scene::Topology;
 /// Triangles of a box.
 const BOX_TRIANGLES: u32 = 12;
 
-/// From how many pixels on a box's margin, a hundredth of its size a side, is wide against the 1/256 of a pixel that vertices snap to.
-const BOX_PIXELS: f64 = 8.0;
+/// How many pixels a box must be wider than its mesh on every side: twice what snapping to 1/256 of a pixel moves two vertices apart.
+const MARGIN_PIXELS: f64 = 1.0 / 128.0;
 
 /// The detail to ask about a slot with: its box. A mesh that is no dearer than its box stands for itself. So do lines and points, which
-/// cover pixels that their boxes do not, and what is small on the screen, where the box's margin is less than what a rasteriser may snap.
+/// cover pixels that their boxes do not, and what is so small or so thin on the screen that the box's margin is less than a rasteriser may snap.
 pub(crate) fn question(table: &SceneTable, frame: &ViewFrame, slot: u32) -> Detail {
     let boxed = table.class_of(slot).topology() == Topology::Triangles
         && table.primitives_of(slot, Detail::Level(0)) > BOX_TRIANGLES
-        && frame.pixels_across(&table.bounds(slot)) > BOX_PIXELS;
+        && frame.pixels_of(table.box_margin(slot), &table.bounds(slot)) > MARGIN_PIXELS;
     if boxed { Detail::Box } else { Detail::Level(0) }
 }

@@ -74,14 +74,19 @@ impl MeshArenas {
             Some(proxy) => self.append(gpu, proxy)?,
             None => full,
         };
-        let boxed = match mesh.bounds() {
-            Some(bounds) => self.append(gpu, &Geometry::from_box(&widened(&bounds)))?,
-            None => Range::default(),
+        let (boxed, box_margin) = match mesh.bounds() {
+            Some(bounds) => {
+                let margin = box_margin(&bounds);
+                let boxed = Geometry::from_box(&widened(&bounds, margin));
+                (self.append(gpu, &boxed)?, margin)
+            }
+            None => (Range::default(), 0.0),
         };
         Ok(MeshRanges {
             levels,
             proxy,
             boxed,
+            box_margin,
         })
     }
 
@@ -108,16 +113,20 @@ impl MeshArenas {
     }
 }
 
-/// Larger on every side by a hundredth of the largest extent, so that flat boxes get a thickness too, and by what f32 can lose at these
-/// coordinates. A rasteriser snaps each vertex for itself: a box must be wider than its contents by more than that.
-fn widened(bounds: &Aabb) -> Aabb {
+/// How much wider a box is than its contents on every side, in the mesh's own units: a hundredth of half the largest extent, so that flat boxes
+/// get a thickness too, and what f32 can lose at these coordinates.
+fn box_margin(bounds: &Aabb) -> f64 {
     let largest = (bounds.max - bounds.min).max_element() * 0.5;
     let reach = bounds.min.abs().max(bounds.max.abs()).max_element();
-    let by = DVec3::splat(largest * 1e-2 + reach * f64::from(f32::EPSILON) * 8.0);
+    largest * 1e-2 + reach * f64::from(f32::EPSILON) * 8.0
+}
+
+/// A rasteriser snaps each vertex for itself: a box must be wider than its contents by more than that.
+fn widened(bounds: &Aabb, margin: f64) -> Aabb {
     let end = DVec3::splat(f64::from(f32::MAX));
     Aabb {
-        min: (bounds.min - by).max(-end),
-        max: (bounds.max + by).min(end),
+        min: (bounds.min - margin).max(-end),
+        max: (bounds.max + margin).min(end),
     }
 }
 

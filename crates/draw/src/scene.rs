@@ -282,7 +282,7 @@ impl GpuScene {
             table.occupy(
                 slot,
                 *key,
-                bounds,
+                (bounds, &world),
                 Batch {
                     class,
                     texture,
@@ -310,7 +310,7 @@ impl GpuScene {
             }
             let material = self.host_instances[slot as usize].material;
             self.host_instances[slot as usize] = self.instance(scene, *key, &world, material)?;
-            table.move_to(slot, bounds);
+            table.move_to(slot, bounds, &world);
             dirty.push(slot);
         }
         table.sort_batches(&mut self.batch_index);

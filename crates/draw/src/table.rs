@@ -7,7 +7,7 @@ use std::collections::HashMap;
 
 use antumbra_scene::bounds::BoxArray;
 use antumbra_scene::{Aabb, AlphaMode, EntityKey, Topology};
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 use crate::list::Detail;
 
@@ -135,7 +135,7 @@ impl Range {
 }
 
 /// A mesh's geometries in the arenas.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct MeshRanges {
     /// Levels of detail, full first; never empty.
     pub levels: Vec<Range>,
@@ -143,6 +143,8 @@ pub struct MeshRanges {
     pub proxy: Range,
     /// The widened bounding box.
     pub boxed: Range,
+    /// By how much it is wider on every side, in the mesh's own units.
+    pub box_margin: f64,
 }
 
 /// What can be drawn in one instanced draw: same pipeline, same texture, same mesh. Sorts in drawing order.
@@ -172,6 +174,8 @@ pub struct SceneTable {
     boxes: BoxArray,
     batch_of: Vec<u32>,
     untested: Vec<bool>,
+    /// The least that a length in the entity's own space grows by on its way into the world.
+    least_scales: Vec<f32>,
     batches: Vec<Batch>,
     meshes: Vec<MeshRanges>,
     epoch: u64,
@@ -288,6 +292,18 @@ impl SceneTable {
         ranges.map_or(1, |ranges| ranges.levels.len().clamp(1, 255)) as u8
     }
 
+    /// By how many metres, at least, the box of [`Detail::Box`] is wider than the full mesh on every side; 0 where a transform is flat.
+    pub fn box_margin(&self, slot: u32) -> f64 {
+        let at = slot as usize;
+        let mesh = self
+            .batch_of
+            .get(at)
+            .and_then(|batch| self.batches.get(*batch as usize))
+            .and_then(|batch| self.meshes.get(batch.mesh as usize));
+        let scale = self.least_scales.get(at).copied().unwrap_or(0.0);
+        mesh.map_or(0.0, |mesh| mesh.box_margin * f64::from(scale))
+    }
+
     /// Whether a test of its visibility may cull an entity.
     pub fn is_tested(&self, slot: u32) -> bool {
         self.untested
@@ -309,7 +325,7 @@ impl SceneTable {
         &mut self,
         slot: u32,
         key: EntityKey,
-        bounds: Aabb,
+        (bounds, world): (Aabb, &DAffine3),
         batch: Batch,
         tested: bool,
         index: &mut HashMap<Batch, u32>,
@@ -328,11 +344,13 @@ impl SceneTable {
             self.boxes.push(bounds);
             self.batch_of.push(number);
             self.untested.push(!tested);
+            self.least_scales.push(least_scale(world));
         } else {
             self.occupants[at] = occupant;
             self.boxes.set(at, bounds);
             self.batch_of[at] = number;
             self.untested[at] = !tested;
+            self.least_scales[at] = least_scale(world);
         }
         self.live += 1;
         self.count(batch.class, 1);
@@ -351,8 +369,11 @@ impl SceneTable {
         }
     }
 
-    pub(crate) fn move_to(&mut self, slot: u32, bounds: Aabb) {
+    pub(crate) fn move_to(&mut self, slot: u32, bounds: Aabb, world: &DAffine3) {
         self.boxes.set(slot as usize, bounds);
+        if let Some(scale) = self.least_scales.get_mut(slot as usize) {
+            *scale = least_scale(world);
+        }
     }
 
     /// Brings the batches into drawing order and renumbers the slots' batches.
@@ -379,5 +400,63 @@ impl SceneTable {
         if class.alpha() == Alpha::Blend {
             self.transparent = self.transparent.saturating_add_signed(by);
         }
+    }
+}
+
+/// The least that a transform makes of a unit length: exact where its axes stay at right angles, too little by at most the root of three elsewhere.
+fn least_scale(world: &DAffine3) -> f32 {
+    let axes = world.matrix3;
+    let lengths = [axes.x_axis, axes.y_axis, axes.z_axis].map(DVec3::length);
+    let [x, y, z] = lengths;
+    let skew = [
+        axes.x_axis.dot(axes.y_axis) / (x * y),
+        axes.y_axis.dot(axes.z_axis) / (y * z),
+        axes.z_axis.dot(axes.x_axis) / (z * x),
+    ];
+    // NaN, of an axis without length, is none of the former.
+    if skew.iter().all(|cosine| cosine.abs() < 1e-6) {
+        return x.min(y).min(z) as f32 * 0.999_99;
+    }
+    let inverse = axes.inverse();
+    let most = (inverse.x_axis.length_squared()
+        + inverse.y_axis.length_squared()
+        + inverse.z_axis.length_squared())
+    .sqrt();
+    let least = most.recip();
+    if least.is_finite() {
+        least as f32 * 0.999_99
+    } else {
+        0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DQuat;
+
+    #[test]
+    fn the_least_scale_is_what_the_shortest_direction_keeps() {
+        let turned = DQuat::from_rotation_x(0.4) * DQuat::from_rotation_z(1.1);
+        let stretched = DAffine3::from_scale_rotation_translation(
+            DVec3::new(2.0, 0.01, -5.0),
+            turned,
+            DVec3::ONE,
+        );
+        assert!((least_scale(&stretched) - 0.01).abs() < 1e-6);
+        // A stretch after a turn: no axis stays at right angles.
+        let sheared = DAffine3::from_scale(DVec3::new(1.0, 0.1, 1.0)) * stretched;
+        let mut least = f64::INFINITY;
+        for i in 0..200 {
+            for j in 0..100 {
+                let (a, b) = (f64::from(i) * 0.0314, f64::from(j) * 0.0314);
+                let unit = DVec3::new(a.cos() * b.sin(), a.sin() * b.sin(), b.cos());
+                least = least.min(sheared.transform_vector3(unit).length());
+            }
+        }
+        let bound = f64::from(least_scale(&sheared));
+        assert!(bound <= least && bound > least / 1.8, "{bound} of {least}");
+        let flat = DAffine3::from_scale(DVec3::new(1.0, 0.0, 1.0));
+        assert_eq!(least_scale(&flat), 0.0);
     }
 }

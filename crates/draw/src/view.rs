@@ -68,20 +68,16 @@ impl ViewFrame {
         }
     }
 
-    /// How many pixels across a sphere around these bounds is at most, as seen where its near side is; infinite from within.
-    pub fn pixels_across(&self, bounds: &Aabb) -> f64 {
+    /// How many pixels a length, in metres, covers at least wherever it lies in these bounds, seen from the side.
+    pub fn pixels_of(&self, length: f64, bounds: &Aabb) -> f64 {
         let scale = f64::from(self.camera.projection_matrix(self.aspect()).y_axis.y)
+            * 0.5
             * f64::from(self.size[1]);
-        let radius = bounds.half_extents().length();
         match self.camera.projection {
-            Projection::Orthographic { .. } => radius * scale,
+            Projection::Orthographic { .. } => length * scale,
             _ => {
-                let distance = bounds.centre().distance(self.camera.position) - radius;
-                if distance > 0.0 {
-                    radius * scale / distance
-                } else {
-                    f64::INFINITY
-                }
+                let middle = bounds.centre().distance(self.camera.position);
+                length * scale / (middle + bounds.half_extents().length())
             }
         }
     }
