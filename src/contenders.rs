@@ -12,7 +12,7 @@ use crate::failure::Failure;
 const PATIENCE: usize = 500;
 
 /// What is compared when nothing is asked for: label, then the strategy.
-const STANDARD: [(&str, &str); 9] = [
+const STANDARD: [(&str, &str); 11] = [
     ("", "none"),
     ("", "frustum"),
     ("", "ideal"),
@@ -24,9 +24,21 @@ const STANDARD: [(&str, &str); 9] = [
         "three-pass coarser",
         "three-pass:latency=on-gpu:coarser=1000",
     ),
+    ("coherent late", "coherent:latency=frame-late"),
+    ("coherent same", "coherent:latency=same-frame"),
     (
         "three-pass exact",
         "three-pass:latency=same-frame:threshold=0:scale=1:occluders=full:occludees=full",
+    ),
+];
+
+/// What is compared beside it with two eyes.
+const STEREO: [(&str, &str); 3] = [
+    ("stereo late", "stereo-coherent:latency=frame-late"),
+    ("stereo same", "stereo-coherent:latency=same-frame"),
+    (
+        "stereo half",
+        "stereo-coherent:latency=same-frame:fraction=0.5",
     ),
 ];
 
@@ -38,16 +50,22 @@ pub struct Contenders {
     pub notes: Vec<String>,
 }
 
-/// Reads the arguments; all of them are checked before anything is drawn. `occludees` are those of a frame, all views together.
+/// Reads the arguments; all of them are checked before anything is drawn. `occludees` are those of a frame, all views together;
+/// `stereo`: there are two.
 ///
 /// # Errors
 /// [`Failure::Registry`] for a strategy or setting that does not exist, with what exists; [`Failure::Usage`] for a `--set` without a dot.
-pub fn contenders(args: &CompareArgs, occludees: usize) -> Result<Contenders, Failure> {
+pub fn contenders(
+    args: &CompareArgs,
+    occludees: usize,
+    stereo: bool,
+) -> Result<Contenders, Failure> {
     let registry = Arc::new(Registry::built_in());
     let mut notes = Vec::new();
     let mut specs: Vec<(String, String)> = Vec::new();
     if args.strategies.is_empty() {
-        for (label, spec) in STANDARD {
+        let stereo: &[(&str, &str)] = if stereo { &STEREO } else { &[] };
+        for (label, spec) in STANDARD.iter().chain(stereo).copied() {
             if spec == "stop-and-wait" && occludees > PATIENCE {
                 notes.push(format!(
                     "stop-and-wait is left out: it would wait for {occludees} answers a frame, one by one. Ask for it with --strategies"

@@ -34,7 +34,7 @@ struct Settings {
 const FORCED: u32 = 0x80000000u;
 const BARRED: u32 = 0x40000000u;
 
-@group(0) @binding(0) var<uniform> settings: Settings;
+@group(0) @binding(0) var<storage, read> settings: Settings;
 @group(0) @binding(1) var<storage, read> batches: array<Batch>;
 @group(0) @binding(2) var<storage, read> candidates: array<u32>;
 @group(0) @binding(3) var<storage, read> counts: array<u32>;

@@ -8,7 +8,7 @@ struct Settings {
     padding_c: u32,
 }
 
-@group(0) @binding(0) var<uniform> settings: Settings;
+@group(0) @binding(0) var<storage, read> settings: Settings;
 @group(0) @binding(1) var<storage, read> asked: array<u32>;
 // Each answer is a u64: zero, or something else.
 @group(0) @binding(2) var<storage, read> answers: array<vec2<u32>>;

@@ -297,7 +297,9 @@ impl FrameGraph<'_> {
             BufferDesc::new(u64::from(layout.most) * INDIRECT_DRAW_BYTES),
         );
         let mut node = self.graph().compute(view.named(&format!("compact {name}")));
-        node.group(CULL).read(layout.list).uniform(layout.settings);
+        node.group(CULL)
+            .read(layout.list)
+            .storage_read(layout.settings);
         node.storage_read(layout.runs)
             .storage_read(layout.entries)
             .storage_read(counts);
@@ -393,7 +395,7 @@ impl FrameGraph<'_> {
         let mut node = self.graph().compute(view.named("scatter answers"));
         node.group(CULL)
             .read(counts.asked)
-            .uniform(settings)
+            .storage_read(settings)
             .storage_read(asked)
             .storage_read(counts.buffer);
         let by_slot = node.storage_write(by_slot);

@@ -105,7 +105,7 @@ pub fn shaded_pass(
     depth: Texture,
 ) -> (Texture, Texture) {
     let mut node = node(g, spec, inputs, what);
-    node.uniform(inputs.lights);
+    node.storage_read(inputs.lights);
     let out = (node.colour(colour), node.depth(depth));
     draw(&mut node, spec, inputs, what);
     out
@@ -121,7 +121,7 @@ pub fn shaded_indirect_pass(
     ids: Option<Texture>,
 ) -> (Texture, Texture, Option<Texture>) {
     let mut node = node(g, spec, inputs, what.submitted());
-    node.uniform(inputs.lights).indirect(what.draws);
+    node.storage_read(inputs.lights).indirect(what.draws);
     let colour = node.colour(colour);
     let ids = ids.map(|ids| node.colour(ids));
     let depth = node.depth(depth);
@@ -162,7 +162,7 @@ pub fn shaded_query_pass(
     answers: Buffer,
 ) -> (Texture, Texture, Buffer) {
     let mut node = node(g, spec, inputs, what);
-    node.uniform(inputs.lights);
+    node.storage_read(inputs.lights);
     let (colour, depth) = (node.colour(colour), node.depth(depth));
     (colour, depth, ask(&mut node, spec, inputs, what, answers))
 }

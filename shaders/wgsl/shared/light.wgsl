@@ -29,7 +29,8 @@ struct Lights {
 // Whether any light has a place; a constant a pipeline, so that parallel light alone needs no distances.
 override positional_lights: bool = true;
 
-@group(1) @binding(1) var<uniform> lights: Lights;
+// Not a uniform: a driver that compiles uniforms into loops that depend on them (Mesa's lavapipe) does so for every draw, and keeps the memory.
+@group(1) @binding(1) var<storage, read> lights: Lights;
 
 // What the lights make of a surface of some diffuse colour: `start` and their light, of which `gloss` is reflected around the mirrored eye.
 fn lit(

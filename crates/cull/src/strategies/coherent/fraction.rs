@@ -22,8 +22,8 @@ pub(crate) struct Share {
 pub(crate) struct Fraction {
     /// Entities that appear a frame, smoothed.
     appearing: f64,
+    /// How many of the occluded were picked last.
     tested: usize,
-    of: usize,
 }
 
 /// How much a new frame's number weighs against those before.
@@ -85,7 +85,6 @@ impl Fraction {
             picked.sort_unstable();
         }
         memory.fraction.tested = tested;
-        memory.fraction.of = of;
     }
 }
 
