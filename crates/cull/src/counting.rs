@@ -36,6 +36,14 @@ impl Counting {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Queries, Self::Atomics, Self::Compare, Self::Identity];
 
+    /// The faster of the two ways in which fragments count themselves, where the device has it.
+    pub fn by_fragments(gpu: &Gpu) -> Self {
+        match Self::Atomics.lacking(gpu) {
+            None => Self::Atomics,
+            Some(_) => Self::Compare,
+        }
+    }
+
     /// What the device lacks for it, in words.
     pub fn lacking(self, gpu: &Gpu) -> Option<&'static str> {
         let writable = gpu
@@ -300,11 +308,7 @@ impl FrameGraph<'_> {
         let counts = self.sample_counts(view);
         let mut counts = self.histogram(view, ids, size, counts);
         if let Some(others) = proxies.others {
-            let way = if Counting::Atomics.lacking(self.gpu()).is_none() {
-                Counting::Atomics
-            } else {
-                Counting::Compare
-            };
+            let way = Counting::by_fragments(self.gpu());
             counts = self.count_against(view, others, way, depth, size, counts);
         }
         Counts {

@@ -58,6 +58,15 @@ impl Coherence {
         }
     }
 
+    /// The same with all of the occluded tested: an eye after the first needs no fraction (section 3.2).
+    fn whole(self) -> Self {
+        Self {
+            fraction: 1.0,
+            late: 0.0,
+            ..self
+        }
+    }
+
     /// Refuses what does not go together.
     fn check(self, strategy: &str) -> Result<(), DeclareError> {
         if self.latency == Latency::OnGpu && self.late > 0.0 {
@@ -185,15 +194,16 @@ impl Strategy for StereoCoherent {
         how.check(self.name())?;
         let first = self.first.take().filter(|_| view.index() > 0);
         let (set, first) = match (how.latency, first) {
-            (Latency::OnGpu, Some(First::OnGpu(owned))) => {
-                (on_gpu::next(g, view, how, owned), First::OnGpu(owned))
-            }
+            (Latency::OnGpu, Some(First::OnGpu(owned))) => (
+                on_gpu::next(g, view, how.whole(), owned),
+                First::OnGpu(owned),
+            ),
             (Latency::OnGpu, _) => {
                 let eye = on_gpu::first(g, view, how);
                 (eye.set, First::OnGpu(eye.owned))
             }
             (Latency::FrameLate, Some(First::OnHost(eye))) => {
-                let own = one_eye::frame_late(g, view, how, Some(eye.verdicts));
+                let own = one_eye::frame_late(g, view, how.whole(), Some(eye.verdicts));
                 (VisibleSet::drawn(own.verdicts), First::OnHost(eye))
             }
             (Latency::FrameLate, _) => {

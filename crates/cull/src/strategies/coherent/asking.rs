@@ -70,10 +70,7 @@ impl Asking {
         slots: impl Iterator<Item = u32>,
     ) -> Result<u32, BodyError> {
         let mut list = ctx.get_mut(self.list.list)?;
-        list.clear();
-        for slot in slots {
-            list.push(table, slot, Detail::Level(0));
-        }
+        fill(&mut list, table, slots);
         self.ask(ctx, &mut list, stamp)
     }
 
@@ -158,4 +155,25 @@ impl Asking {
         let answers = passes::query_pass(g.graph(), &spec, inputs, self.list, depth, self.answers);
         Self { answers, ..self }
     }
+}
+
+/// Fills a list with full meshes, in this order.
+fn fill(list: &mut DrawList, table: &SceneTable, slots: impl Iterator<Item = u32>) {
+    list.clear();
+    for slot in slots {
+        list.push(table, slot, Detail::Level(0));
+    }
+}
+
+/// Submits full meshes that nothing is asked about, in this order.
+pub(super) fn submit_unasked(
+    ctx: &mut HostContext<'_>,
+    set: Submitted,
+    table: &SceneTable,
+    slots: impl Iterator<Item = u32>,
+) -> Result<(), BodyError> {
+    let mut list = ctx.get_mut(set.list)?;
+    fill(&mut list, table, slots);
+    ctx.upload(set.ids, 0, bytemuck::cast_slice(list.ids()))?;
+    Ok(())
 }

@@ -2,10 +2,10 @@
 //!
 //! Mansa et al. 2007, section 3.2.
 
-use antumbra_draw::Detail;
+use antumbra_graph::Host;
 
 use super::Coherence;
-use super::asking::Asking;
+use super::asking::{Asking, submit_unasked};
 use super::memory::Known;
 use super::one_eye::{Eye, blended_list, submit_blended, written_by};
 use crate::frame_graph::{CULL, FrameGraph};
@@ -22,7 +22,7 @@ pub(super) fn same_frame(
     how: Coherence,
     first: &mut Eye,
     collects: bool,
-) -> antumbra_graph::Host<Verdicts> {
+) -> Host<Verdicts> {
     let inputs = view.inputs();
     let candidates = g.in_frustum(view);
     let seen = g.unsubmitted(&view.named("seen by the other eye"));
@@ -69,7 +69,6 @@ pub(super) fn same_frame(
             verdicts.set(*slot, verdict);
         }
         let solid = |slot: &u32| !table.is_transparent(*slot);
-        let mut draw: Vec<u32> = candidates.exempt().iter().copied().filter(solid).collect();
         let mut lent: Vec<u32> = candidates
             .testable()
             .filter(|slot| memory.known(*slot) == Known::Visible && solid(slot))
@@ -78,20 +77,14 @@ pub(super) fn same_frame(
         for slot in &lent {
             verdicts.set(*slot, Verdict::Visible);
         }
-        draw.extend(lent);
-        let mut list = ctx.get_mut(seen.list)?;
-        list.clear();
-        for slot in draw {
-            list.push(table, slot, Detail::Level(0));
-        }
-        ctx.upload(seen.ids, 0, bytemuck::cast_slice(list.ids()))?;
-        let asked: Vec<u32> = candidates
+        let exempt = candidates.exempt().iter().copied().filter(solid);
+        submit_unasked(ctx, seen, table, exempt.chain(lent))?;
+        let asked = candidates
             .testable()
-            .filter(|slot| !verdicts.get(*slot).draws())
-            .collect();
+            .filter(|slot| !verdicts.get(*slot).draws());
         let together = (how.together, |slot| memory.settled_there(slot));
         let what = (&**table, &*frame);
-        tests.submit_tests(ctx, what, candidates.stamp(), asked.into_iter(), together)?;
+        tests.submit_tests(ctx, what, candidates.stamp(), asked, together)?;
         Ok(())
     });
     g.shade_list(view, "shade what the other eye sees", seen);
@@ -126,12 +119,7 @@ pub(super) fn same_frame(
         verdicts.add_asked(asked.queries());
         new.retain(|slot| !table.is_transparent(*slot));
         by_nearest_corner(&mut new, table, &frame);
-        let mut list = ctx.get_mut(found.list)?;
-        list.clear();
-        for slot in new {
-            list.push(table, slot, Detail::Level(0));
-        }
-        ctx.upload(found.ids, 0, bytemuck::cast_slice(list.ids()))?;
+        submit_unasked(ctx, found, table, new.into_iter())?;
         submit_blended(ctx, blended, table, &frame, &verdicts)
     });
     g.shade_list(view, "shade found visible", found);

@@ -65,12 +65,7 @@ pub(super) fn next(
     let all = solid(g, view, "seen by the other eye", candidates, true);
     let lent = g.compact(view, "seen by the other eye", all, owned);
     g.shade_indirect(view, "shade what the other eye sees", lent);
-    // The paper's right eye tests all that the left one does not see, whatever the fraction.
-    let whole = Coherence {
-        fraction: 1.0,
-        ..how
-    };
-    let found = test(g, view, candidates, whole, owned);
+    let found = test(g, view, candidates, how, owned);
     let rest = solid(g, view, "found visible", candidates, false);
     let new = g.compact(view, "found visible", rest, found);
     g.shade_indirect(view, "shade found visible", new);
@@ -157,7 +152,7 @@ fn test(
 /// Counts the visible samples of what was kept.
 fn count(g: &mut FrameGraph<'_>, view: &ViewNodes, what: Indirect) -> Buffer {
     let (inputs, depth) = (view.inputs(), view.targets.depth);
-    let atomic = Counting::Atomics.lacking(g.gpu()).is_none();
+    let atomic = Counting::by_fragments(g.gpu()) == Counting::Atomics;
     let kind = match atomic {
         true => PassKind::CountAtomic,
         false => PassKind::CountCompare,
