@@ -7,6 +7,7 @@ mod camera;
 mod environment;
 mod error;
 pub mod frustum;
+pub mod hierarchy;
 mod keys;
 mod light;
 mod load;
