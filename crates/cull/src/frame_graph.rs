@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use antumbra_draw::boxes::{BoxPipeline, SubmittedBoxes};
 use antumbra_draw::passes::{self, PassSpec, Submitted};
 use antumbra_draw::{
     DEPTH_FORMAT, DrawList, Gpu, PassKind, PassPipelines, SceneTable, Topology, ViewFrame,
@@ -12,10 +13,13 @@ use antumbra_graph::{
     TextureDesc,
 };
 
+use antumbra_scene::hierarchy::Shape;
+
 use crate::candidates::Candidates;
 use crate::order::back_to_front;
 use crate::samples::outside;
 use crate::strategy::VisibleSet;
+use crate::tree::Tree;
 use crate::verdict::{Verdict, Verdicts};
 use crate::view_nodes::ViewNodes;
 
@@ -36,6 +40,9 @@ pub(crate) struct Shared {
     pub topology: Topology,
     pub colour_format: wgpu::TextureFormat,
     pub pipelines: HashMap<PassKind, Arc<PassPipelines>>,
+    pub boxes: Option<Arc<BoxPipeline>>,
+    /// The trees that are kept, one a shape, for all views.
+    pub trees: HashMap<Shape, Host<Tree>>,
 }
 
 /// Verdicts and the lists that follow from them.
@@ -122,6 +129,40 @@ impl<'g> FrameGraph<'g> {
             .graph
             .buffer(format!("{name}: slots"), BufferDesc::new(self.slot_bytes()));
         Submitted { list, ids }
+    }
+
+    /// What draws boxes that are asked about.
+    pub fn box_pipeline(&mut self) -> Arc<BoxPipeline> {
+        let Shared { gpu, boxes, .. } = &mut *self.shared;
+        Arc::clone(boxes.get_or_insert_with(|| Arc::new(BoxPipeline::new(gpu))))
+    }
+
+    /// A list of up to so many boxes, and the buffer they go to.
+    pub(crate) fn unsubmitted_boxes(&mut self, name: &str, most: u64) -> SubmittedBoxes {
+        let bytes = BufferDesc::new(most * BoxPipeline::BYTES_A_BOX);
+        SubmittedBoxes {
+            list: self.graph.host(name),
+            buffer: self.graph.buffer(format!("{name}: corners"), bytes),
+        }
+    }
+
+    /// A tree of boxes over all that may be culled, kept in step with the scene; one a shape, however many views ask for it.
+    pub fn tree(&mut self, view: &ViewNodes, shape: Shape) -> Host<Tree> {
+        if let Some(kept) = self.shared.trees.get(&shape) {
+            return *kept;
+        }
+        let scene = view.inputs.scene;
+        let tree = self.graph.host::<Tree>(format!("tree of {shape}"));
+        let mut node = self.graph.host_node(format!("follow tree of {shape}"));
+        node.group(CULL).read(scene);
+        let tree = node.updates(tree);
+        node.run(move |ctx| {
+            let scene = ctx.get(scene)?;
+            ctx.get_mut(tree)?.follow(&scene.table, shape)?;
+            Ok(())
+        });
+        self.shared.trees.insert(shape, tree);
+        tree
     }
 
     /// Four bytes a slot.

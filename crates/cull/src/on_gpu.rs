@@ -147,15 +147,14 @@ impl FrameGraph<'_> {
             let blended = self.compact(view, "visible transparent set", blended, by_slot);
             self.shade_indirect(view, "transparent", blended);
         }
-        VisibleSet {
-            verdicts: VerdictSource::Gpu {
-                candidates,
-                asked: counts.asked,
-                counts: by_slot,
-                layout: CountLayout::BySlot,
-                rule,
-            },
+        VerdictSource::Gpu {
+            candidates,
+            asked: counts.asked,
+            counts: by_slot,
+            layout: CountLayout::BySlot,
+            rule,
         }
+        .into()
     }
 
     /// Lays the full meshes of the candidates out: the list, and for the GPU its entries and runs.

@@ -3,7 +3,10 @@
 use thiserror::Error;
 
 use crate::setting::SettingError;
-use crate::strategies::{Coherent, Frustum, Ideal, None, StereoCoherent, StopAndWait, ThreePass};
+use crate::strategies::{
+    Coherent, Frustum, Ideal, None, OccupancyMapSingle, OccupancyMaps, StereoCoherent, StopAndWait,
+    ThreePass,
+};
 use crate::strategy::Strategy;
 
 type Maker = Box<dyn Fn() -> Box<dyn Strategy> + Send + Sync>;
@@ -59,6 +62,8 @@ impl Registry {
         registry.register(|| Box::new(ThreePass::default()));
         registry.register(|| Box::new(Coherent::default()));
         registry.register(|| Box::new(StereoCoherent::default()));
+        registry.register(|| Box::new(OccupancyMaps::default()));
+        registry.register(|| Box::new(OccupancyMapSingle::default()));
         registry
     }
 

@@ -20,6 +20,7 @@ use thiserror::Error;
 use crate::candidates::Asked;
 use crate::frame_graph::{CULL, FrameGraph, Shared};
 use crate::samples::Samples;
+use crate::sketch::Sketch;
 use crate::strategy::{DeclareError, Strategy, VerdictSource};
 use crate::verdict::Verdicts;
 use crate::view_nodes::{Targets, ViewNodes};
@@ -167,6 +168,7 @@ struct BuiltView {
     imported: Option<Targets>,
     targets: Targets,
     verdicts: VerdictSource,
+    sketch: Option<Host<Sketch>>,
 }
 
 impl std::fmt::Debug for Stage {
@@ -334,6 +336,11 @@ impl Stage {
             .texture(self.built.views.get(view)?.targets.colour)
     }
 
+    /// How a view's visible set of the last frame was found, where its strategy was told to leave a sketch.
+    pub fn sketch(&self, view: usize) -> Option<&Sketch> {
+        self.built.plan.get(self.built.views.get(view)?.sketch?)
+    }
+
     /// A view's verdicts of the last frame. Where they only exist on the GPU they are fetched, and waited for: this is for measuring.
     ///
     /// # Errors
@@ -380,6 +387,8 @@ fn build(
         topology: topology.clone(),
         colour_format: options.colour_format,
         pipelines,
+        boxes: None,
+        trees: HashMap::new(),
     };
     let mut views = Vec::with_capacity(specs.len());
     for (index, spec) in specs.iter().enumerate() {
@@ -403,6 +412,9 @@ fn build(
         if imported.is_none() {
             graph.output(nodes.targets.colour);
         }
+        if let Some(sketch) = set.sketch {
+            graph.output(sketch);
+        }
         match set.verdicts {
             VerdictSource::Host(verdicts) => graph.output(verdicts),
             VerdictSource::Gpu {
@@ -422,6 +434,7 @@ fn build(
             imported,
             targets: nodes.targets,
             verdicts: set.verdicts,
+            sketch: set.sketch,
         });
     }
     let compile = CompileOptions {

@@ -6,6 +6,7 @@ use thiserror::Error;
 use crate::candidates::Candidates;
 use crate::frame_graph::FrameGraph;
 use crate::setting::{Setting, SettingError};
+use crate::sketch::Sketch;
 use crate::verdict::Verdicts;
 use crate::view_nodes::ViewNodes;
 
@@ -110,6 +111,7 @@ pub enum DeclareError {
 #[derive(Debug, Clone, Copy)]
 pub struct VisibleSet {
     pub(crate) verdicts: VerdictSource,
+    pub(crate) sketch: Option<Host<Sketch>>,
 }
 
 /// Where a view's verdicts can be read.
@@ -127,11 +129,25 @@ pub(crate) enum VerdictSource {
     },
 }
 
+impl From<VerdictSource> for VisibleSet {
+    fn from(verdicts: VerdictSource) -> Self {
+        Self {
+            verdicts,
+            sketch: None,
+        }
+    }
+}
+
 impl VisibleSet {
     /// A set whose shaded passes the strategy has added itself (to [`ViewNodes::targets`]), with the verdicts that say what was drawn.
     pub fn drawn(verdicts: Host<Verdicts>) -> Self {
-        Self {
-            verdicts: VerdictSource::Host(verdicts),
-        }
+        VerdictSource::Host(verdicts).into()
+    }
+
+    /// The same with a sketch of how it was found ([`Stage::sketch`](crate::Stage::sketch)).
+    #[must_use]
+    pub fn sketched(mut self, sketch: Host<Sketch>) -> Self {
+        self.sketch = Some(sketch);
+        self
     }
 }

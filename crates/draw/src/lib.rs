@@ -6,14 +6,17 @@
 //! - [`DrawList`] says what to draw; [`PassPipelines`] and [`Recorder`] draw it.
 
 mod arena;
+pub mod boxes;
 mod device;
 mod environment;
 mod error;
+mod groups;
 mod instance;
 mod light;
 mod list;
 mod material;
 mod mesh;
+mod oriented;
 pub mod passes;
 mod pipeline;
 pub mod read_back;
@@ -25,9 +28,11 @@ mod view;
 
 pub use device::{AdapterChoice, DeviceError, Gpu, WANTED_FEATURES, adapters, title};
 pub use error::DrawError;
+pub use groups::Groups;
 pub use instance::Instance;
 pub use light::{GpuLights, LIGHTS_MOST, SceneLights};
 pub use list::{Detail, DrawList, Run};
+pub use oriented::OrientedBox;
 pub use pipeline::{DEPTH_FORMAT, IDENTITY_FORMAT, PassKind, PassPipelines};
 pub use record::{INDIRECT_DRAW_BYTES, Recorder, begin};
 pub use scene::{GpuScene, SceneFrame, Topology};

@@ -74,7 +74,8 @@ impl MeshArenas {
             Some(proxy) => self.append(gpu, proxy)?,
             None => full,
         };
-        let (boxed, box_margin) = match mesh.bounds() {
+        let bounds = mesh.bounds();
+        let (boxed, box_margin) = match bounds {
             Some(bounds) => {
                 let margin = box_margin(&bounds);
                 let boxed = Geometry::from_box(&widened(&bounds, margin));
@@ -87,6 +88,7 @@ impl MeshArenas {
             proxy,
             boxed,
             box_margin,
+            bounds: bounds.unwrap_or(Aabb::EMPTY),
         })
     }
 

@@ -6,7 +6,8 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use antumbra_scene::{EntityKey, Environment, ImageKey, MaterialKey, MeshKey, Scene};
+use antumbra_scene::hierarchy::NONE;
+use antumbra_scene::{Changes, EntityKey, Environment, ImageKey, MaterialKey, MeshKey, Scene};
 use slotmap::SecondaryMap;
 
 use crate::arena::Arena;
@@ -85,6 +86,9 @@ pub struct GpuScene {
     texture_index: SecondaryMap<ImageKey, u32>,
     batch_index: HashMap<Batch, u32>,
     slot_of: SecondaryMap<EntityKey, u32>,
+    group_of: SecondaryMap<EntityKey, u32>,
+    /// How many groups there may be before those of entities that are gone are cleared away.
+    most_groups: usize,
     free: Vec<u32>,
     classes: u128,
 }
@@ -119,11 +123,17 @@ impl GpuScene {
             texture_index: SecondaryMap::new(),
             batch_index: HashMap::new(),
             slot_of: SecondaryMap::new(),
+            group_of: SecondaryMap::new(),
+            most_groups: usize::MAX,
             free: Vec::new(),
             classes: 0,
         };
-        let all: Vec<EntityKey> = scene.drawables().map(|(key, _)| key).collect();
-        this.apply(scene, &[], &all, &[])?;
+        let all = Changes {
+            added: scene.drawables().map(|(key, _)| key).collect(),
+            ..Changes::default()
+        };
+        this.apply(scene, &all)?;
+        this.most_groups = most_groups(&this.table);
         Ok(this)
     }
 
@@ -138,7 +148,7 @@ impl GpuScene {
         if changes.environment || scene.environment().is_some_and(repainted) {
             self.environment = environment::of(&self.gpu, scene);
         }
-        self.apply(scene, &changes.removed, &changes.added, &changes.moved)
+        self.apply(scene, &changes)
     }
 
     /// The handles that a frame's passes use.
@@ -184,23 +194,85 @@ impl GpuScene {
         &self.gpu
     }
 
-    fn apply(
-        &mut self,
-        scene: &Scene,
-        removed: &[EntityKey],
-        added: &[EntityKey],
-        moved: &[EntityKey],
-    ) -> Result<(), DrawError> {
+    fn apply(&mut self, scene: &Scene, changes: &Changes) -> Result<(), DrawError> {
         // A light has no bounds and few exist: they are gathered anew each time.
         self.lights = Arc::new(SceneLights::gather(scene));
-        if removed.is_empty() && added.is_empty() && moved.is_empty() {
+        let Changes {
+            removed,
+            added,
+            moved,
+            rehung,
+            ..
+        } = changes;
+        if [removed, added, moved, rehung]
+            .iter()
+            .all(|keys| keys.is_empty())
+        {
             return Ok(());
         }
-        let mut table = std::mem::take(&mut self.table);
-        let outcome = self.change(Arc::make_mut(&mut table), scene, removed, added, moved);
-        self.table = table;
+        let mut shared = std::mem::take(&mut self.table);
+        let table = Arc::make_mut(&mut shared);
+        table.forget_changes();
+        self.rehang(table, scene, rehung);
+        let outcome = self.change(table, scene, removed, added, moved);
+        self.clear_groups(table, scene);
+        self.table = shared;
         let dirty = outcome?;
         self.upload(dirty)
+    }
+
+    /// Follows entities to other parents.
+    fn rehang(&mut self, table: &mut SceneTable, scene: &Scene, rehung: &[EntityKey]) {
+        for key in rehung {
+            let known = (self.group_of.get(*key).copied(), self.slot(*key));
+            let around = match known {
+                (None, None) => continue,
+                _ => self.group(table, scene, scene.parent(*key)),
+            };
+            if let Some(group) = known.0 {
+                table.groups_mut().move_group(group, around);
+            }
+            if let Some(slot) = known.1 {
+                table.groups_mut().move_slot(slot, around);
+            }
+        }
+    }
+
+    /// The group of what hangs below `parent`.
+    fn group(&mut self, table: &mut SceneTable, scene: &Scene, parent: Option<EntityKey>) -> u32 {
+        let mut unknown = Vec::new();
+        let mut group = NONE;
+        let mut above = parent;
+        while let Some(key) = above {
+            if let Some(known) = self.group_of.get(key) {
+                group = *known;
+                break;
+            }
+            unknown.push(key);
+            above = scene.parent(key);
+        }
+        for key in unknown.into_iter().rev() {
+            group = table.groups_mut().add(group);
+            self.group_of.insert(key, group);
+        }
+        group
+    }
+
+    /// Numbers the groups anew once most are those of entities that are gone.
+    fn clear_groups(&mut self, table: &mut SceneTable, scene: &Scene) {
+        if table.groups().around().len() <= self.most_groups {
+            return;
+        }
+        table.groups_mut().clear();
+        self.group_of.clear();
+        let occupants: Vec<(u32, EntityKey)> = (table.live_slots())
+            .filter_map(|slot| Some((slot, table.occupant(slot)?.key)))
+            .collect();
+        for (slot, key) in occupants {
+            let group = self.group(table, scene, scene.parent(key));
+            table.groups_mut().place(slot, group);
+        }
+        self.most_groups = most_groups(table);
     }
 
     fn change(
@@ -279,6 +351,8 @@ impl GpuScene {
             } else {
                 self.host_instances[slot as usize] = instance;
             }
+            let group = self.group(table, scene, scene.parent(*key));
+            table.groups_mut().place(slot, group);
             table.occupy(
                 slot,
                 *key,
@@ -402,4 +476,9 @@ impl GpuScene {
         }
         Ok(())
     }
+}
+
+/// Twice as many as there are now, and some.
+fn most_groups(table: &SceneTable) -> usize {
+    table.groups().around().len() * 2 + 1024
 }

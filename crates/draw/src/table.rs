@@ -9,7 +9,9 @@ use antumbra_scene::bounds::BoxArray;
 use antumbra_scene::{Aabb, AlphaMode, EntityKey, Topology};
 use glam::{DAffine3, DVec3};
 
+use crate::groups::Groups;
 use crate::list::Detail;
+use crate::oriented::OrientedBox;
 
 /// What decides a pipeline: topology, winding, sidedness, image, alpha. Fewer than [`Class::COUNT`] exist.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -145,6 +147,8 @@ pub struct MeshRanges {
     pub boxed: Range,
     /// By how much it is wider on every side, in the mesh's own units.
     pub box_margin: f64,
+    /// The bounding box itself, in the mesh's own space.
+    pub bounds: Aabb,
 }
 
 /// What can be drawn in one instanced draw: same pipeline, same texture, same mesh. Sorts in drawing order.
@@ -176,6 +180,11 @@ pub struct SceneTable {
     untested: Vec<bool>,
     /// The least that a length in the entity's own space grows by on its way into the world.
     least_scales: Vec<f32>,
+    oriented: Vec<OrientedBox>,
+    groups: Groups,
+    /// Slots that somebody came into, left, or moved in since `changed_since`.
+    changed: Vec<u32>,
+    changed_since: u64,
     batches: Vec<Batch>,
     meshes: Vec<MeshRanges>,
     epoch: u64,
@@ -304,11 +313,37 @@ impl SceneTable {
         mesh.map_or(0.0, |mesh| mesh.box_margin * f64::from(scale))
     }
 
+    /// The box of a live slot's entity along its own axes; of one that does not exist, a point.
+    pub fn oriented(&self, slot: u32) -> OrientedBox {
+        let known = self.oriented.get(slot as usize).copied();
+        known.unwrap_or_else(|| OrientedBox::aligned(&self.bounds(slot)))
+    }
+
+    /// The scene's tree: what lies in which group.
+    pub fn groups(&self) -> &Groups {
+        &self.groups
+    }
+
+    /// The slots that entities came into, left, or moved in since an epoch, some perhaps twice; `None` where that is too long ago.
+    pub fn changed_since(&self, epoch: u64) -> Option<&[u32]> {
+        (epoch >= self.changed_since).then_some(&self.changed)
+    }
+
     /// Whether a test of its visibility may cull an entity.
     pub fn is_tested(&self, slot: u32) -> bool {
         self.untested
             .get(slot as usize)
             .is_none_or(|untested| !untested)
+    }
+
+    pub(crate) fn groups_mut(&mut self) -> &mut Groups {
+        &mut self.groups
+    }
+
+    /// From now on changes are remembered; those before are not.
+    pub(crate) fn forget_changes(&mut self) {
+        self.changed.clear();
+        self.changed_since = self.epoch;
     }
 
     pub(crate) fn next_epoch(&mut self) {
@@ -339,18 +374,22 @@ impl SceneTable {
             self.batches.len() as u32 - 1
         });
         let at = slot as usize;
+        self.changed.push(slot);
+        let oriented = self.orient(batch.mesh, bounds, world);
         if at == self.occupants.len() {
             self.occupants.push(occupant);
             self.boxes.push(bounds);
             self.batch_of.push(number);
             self.untested.push(!tested);
             self.least_scales.push(least_scale(world));
+            self.oriented.push(oriented);
         } else {
             self.occupants[at] = occupant;
             self.boxes.set(at, bounds);
             self.batch_of[at] = number;
             self.untested[at] = !tested;
             self.least_scales[at] = least_scale(world);
+            self.oriented[at] = oriented;
         }
         self.live += 1;
         self.count(batch.class, 1);
@@ -362,6 +401,7 @@ impl SceneTable {
         };
         if place.take().is_some() {
             self.live -= 1;
+            self.changed.push(slot);
             self.count(
                 self.batches[self.batch_of[slot as usize] as usize].class,
                 -1,
@@ -371,8 +411,21 @@ impl SceneTable {
 
     pub(crate) fn move_to(&mut self, slot: u32, bounds: Aabb, world: &DAffine3) {
         self.boxes.set(slot as usize, bounds);
+        self.changed.push(slot);
+        let mesh = self.batches[self.batch_of(slot) as usize].mesh;
+        let oriented = self.orient(mesh, bounds, world);
+        if let Some(place) = self.oriented.get_mut(slot as usize) {
+            *place = oriented;
+        }
         if let Some(scale) = self.least_scales.get_mut(slot as usize) {
             *scale = least_scale(world);
+        }
+    }
+
+    fn orient(&self, mesh: u32, bounds: Aabb, world: &DAffine3) -> OrientedBox {
+        match self.meshes.get(mesh as usize) {
+            Some(mesh) if !mesh.bounds.is_empty() => OrientedBox::new(&mesh.bounds, world, &bounds),
+            _ => OrientedBox::aligned(&bounds),
         }
     }
 

@@ -149,11 +149,12 @@ impl<'a> Recorder<'a, '_> {
         result
     }
 
-    /// Submits what is recorded, with copies of what the host nodes read back, and waits for it.
+    /// Submits what is recorded, with copies of what the host nodes read back, and waits for it; or goes on, where they read nothing this time.
     fn sync(&mut self, passes: &[usize], turn: u32) -> Result<(), ExecuteError> {
         let lost = |pass: usize| ExecuteError::DeviceLost {
             what: format!("waiting at the sync point of `{}`", self.passes[pass].name),
         };
+        let mut wanted = 0;
         for &pass in passes {
             let view = self.view(pass, turn);
             for used in &view.pass.uses {
@@ -166,6 +167,7 @@ impl<'a> Recorder<'a, '_> {
                     .map_or(u64::MAX, |bytes| bytes(&HostReader { view }));
                 let size = self.frame.buffer_size(used.raw);
                 let bytes = bytes.saturating_add(3).min(size) & !3;
+                wanted += bytes;
                 let staging = self
                     .staging
                     .iter_mut()
@@ -174,6 +176,10 @@ impl<'a> Recorder<'a, '_> {
                     staging.request(self.target.encoder(), source, bytes);
                 }
             }
+        }
+        if wanted == 0 {
+            // Nothing was asked, so there is nothing to wait for.
+            return Ok(());
         }
         let Target::Own(encoder) = &mut self.target else {
             // `compile` refuses sync points in embedded plans.

@@ -277,6 +277,7 @@ impl Scene {
             }
         }
         self.ask(entity, MOVE | ATTACH);
+        self.ledger.rehung(entity);
         Ok(())
     }
 

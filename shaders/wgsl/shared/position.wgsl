@@ -1,6 +1,6 @@
-//!import view
+//!import clip
 //!import instance
-// The one position function. Every pass that shares a depth buffer must go through `clip_position`, to the letter:
+// Where an instance's vertices are. Every pass that shares a depth buffer must go through this and `clip_position`, to the letter:
 // different expressions for the same point differ in the last bit, and then equal depths are not equal.
 
 // From a mesh's own space to world space relative to the eye.
@@ -13,16 +13,4 @@ fn relative_position(instance: Instance, local: vec3<f32>) -> vec3<f32> {
     let high = vec3<f32>(instance.row_x.w, instance.row_y.w, instance.row_z.w) - view.eye_high;
     let low = instance.origin_low - view.eye_low;
     return turned + (high + low);
-}
-
-// Rasterisers snap vertices to 1/256 of a pixel. One that finds depth's slope from what was before the snap (llvmpipe does) may be off by
-// metres in a sliver seen on edge, and show what lies far behind: so they come snapped.
-const SUBPIXELS: f32 = 256.0;
-
-fn clip_position(relative: vec3<f32>) -> vec4<f32> {
-    let clip = view.clip_from_relative * vec4<f32>(relative, 1.0);
-    let grid = vec2<f32>(view.pixels_wide, view.pixels_high) * (0.5 * SUBPIXELS);
-    let on_screen = clip.w > 0.0 && all(abs(clip.xy) < vec2<f32>(2.0 * clip.w));
-    let snapped = round(clip.xy / clip.w * grid) / grid * clip.w;
-    return vec4<f32>(select(clip.xy, snapped, on_screen), clip.zw);
 }

@@ -61,26 +61,41 @@ impl Hierarchy {
 
     /// Fits the dirty boxes and those above them, the last ones first: no node comes before its parent.
     fn fit(&mut self) {
+        if self.dirty.len() > self.nodes.len() / 8 {
+            self.dirty.clear();
+            for number in (0..self.loose_from).rev() {
+                if !self.nodes[number as usize].is_leaf() {
+                    self.fit_node(number);
+                }
+            }
+            return;
+        }
         let mut dirty: std::collections::BinaryHeap<u32> =
             self.dirty.drain(..).filter(|node| *node != NONE).collect();
         while let Some(number) = dirty.pop() {
             while dirty.peek() == Some(&number) {
                 dirty.pop();
             }
-            let node = self.nodes[number as usize];
-            let children = &self.nodes[node.first_child as usize..][..node.children as usize];
-            let around = children
-                .iter()
-                .fold(Aabb::EMPTY, |all, child| all.union(&child.bounds));
-            if around == node.bounds {
-                continue;
-            }
-            self.area += area(&around) - area(&node.bounds);
-            self.nodes[number as usize].bounds = around;
-            if node.parent != NONE {
-                dirty.push(node.parent);
+            let parent = self.nodes[number as usize].parent;
+            if self.fit_node(number) && parent != NONE {
+                dirty.push(parent);
             }
         }
+    }
+
+    /// Fits an inner node's box around its children's; whether it is another one now.
+    fn fit_node(&mut self, number: u32) -> bool {
+        let node = self.nodes[number as usize];
+        let children = &self.nodes[node.first_child as usize..][..node.children as usize];
+        let around = children
+            .iter()
+            .fold(Aabb::EMPTY, |all, child| all.union(&child.bounds));
+        if around == node.bounds {
+            return false;
+        }
+        self.area += area(&around) - area(&node.bounds);
+        self.nodes[number as usize].bounds = around;
+        true
     }
 }
 

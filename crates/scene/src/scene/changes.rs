@@ -15,6 +15,8 @@ pub struct Changes {
     pub removed: Vec<EntityKey>,
     /// Were drawable and stay so, but stand elsewhere.
     pub moved: Vec<EntityKey>,
+    /// Hang below another parent, or below none; drawable or not.
+    pub rehung: Vec<EntityKey>,
     /// Images that hold other pixels now.
     pub images: Vec<ImageKey>,
     /// Whether the scene has another environment, or none any more. One whose image was repainted is the same: see `images`.
@@ -28,6 +30,7 @@ impl Changes {
         self.added.is_empty()
             && self.removed.is_empty()
             && self.moved.is_empty()
+            && self.rehung.is_empty()
             && self.images.is_empty()
             && !self.environment
     }
@@ -46,11 +49,17 @@ pub(super) struct Ledger {
     reported: SecondaryMap<EntityKey, Shown>,
     touched: Vec<EntityKey>,
     gone: Vec<EntityKey>,
+    rehung: Vec<EntityKey>,
     repainted: Vec<ImageKey>,
     surrounded: bool,
 }
 
 impl Ledger {
+    /// The entity hangs below another parent.
+    pub(super) fn rehung(&mut self, entity: EntityKey) {
+        self.rehung.push(entity);
+    }
+
     /// The image got other pixels.
     pub(super) fn repainted(&mut self, image: ImageKey) {
         self.repainted.push(image);
@@ -82,11 +91,13 @@ impl Scene {
             reported,
             touched,
             gone,
+            rehung,
             repainted,
             surrounded,
         } = &mut self.ledger;
         let mut changes = Changes {
             removed: std::mem::take(gone),
+            rehung: std::mem::take(rehung),
             images: std::mem::take(repainted),
             environment: std::mem::take(surrounded),
             ..Changes::default()
@@ -135,6 +146,11 @@ impl Scene {
                 reported.insert(entity, now);
             }
         }
+        changes
+            .rehung
+            .retain(|entity| self.links.get(*entity).is_some());
+        changes.rehung.sort_unstable();
+        changes.rehung.dedup();
         changes.removed.sort_unstable();
         changes.images.sort_unstable();
         changes.images.dedup();

@@ -217,15 +217,14 @@ fn verdicts(
         };
         Ok(())
     });
-    VisibleSet {
-        verdicts: VerdictSource::Gpu {
-            candidates,
-            asked,
-            counts: join(g, view, seen, found),
-            layout: CountLayout::BySlot,
-            rule: SampleRule::from(0),
-        },
+    VerdictSource::Gpu {
+        candidates,
+        asked,
+        counts: join(g, view, seen, found),
+        layout: CountLayout::BySlot,
+        rule: SampleRule::from(0),
     }
+    .into()
 }
 
 /// The larger of two counts a slot.

@@ -1,0 +1,178 @@
+//! Hierarchical culling with occupancy maps: what reaches a part of the screen that nothing was drawn to is visible without a query, and what has to be
+//! asked about is asked about in batches that do not cover each other.
+//!
+//! Staneker, Bartz, Strasser, *Efficient Multiple Occlusion Queries for Scene Graph Systems*, 2004: `occupancy-map` is its multiple queries,
+//! `occupancy-map-single` the authors' scheme before it, a query at a time.
+
+mod settings;
+
+use antumbra_scene::hierarchy::Shape;
+
+use super::traversal::{Asking, How, Order, Remember, same_frame};
+use crate::frame_graph::FrameGraph;
+use crate::setting::{Latency, Setting, SettingError};
+use crate::strategy::{DeclareError, Strategy, VisibleSet};
+use crate::view_nodes::ViewNodes;
+
+/// What both strategies can be told.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Occupancy {
+    /// Where the tree's inner nodes come from.
+    pub tree: Shape,
+    /// Pixels along a side of a block of the map: 1 to 256.
+    pub block: u32,
+    /// Triangles below a node that is not opened: opening it would cost more queries than it can save.
+    pub grain: u32,
+    /// Pixels in width and height below which a sub-tree is dropped, aggressive; 0: none is.
+    pub small: f32,
+    /// Frames for which what was found visible is drawn without another query, while the camera is slow.
+    pub visible_for: u32,
+    /// Frames for which what was found occluded is left out without another query, while the camera is slow: aggressive.
+    pub occluded_for: u32,
+    /// What counts as slow: the way the eye has come since the answer, as a part of its distance to the node.
+    pub slow: f64,
+    /// Whether the entities of a batch are drawn near ones first, not by pipeline, texture and mesh.
+    pub by_depth: bool,
+    /// Whether a sketch of the walk is left for whoever debugs it.
+    pub sketch: bool,
+}
+
+impl Default for Occupancy {
+    fn default() -> Self {
+        Self {
+            tree: Shape::Divided,
+            block: 4,
+            grain: 200,
+            small: 0.0,
+            visible_for: 0,
+            occluded_for: 0,
+            slow: 0.01,
+            by_depth: false,
+            sketch: false,
+        }
+    }
+}
+
+impl Occupancy {
+    fn how(&self, asking: Asking) -> How {
+        How {
+            asking,
+            map: true,
+            block: self.block,
+            grain: self.grain,
+            small: self.small,
+            remember: Remember {
+                visible: self.visible_for,
+                occluded: self.occluded_for,
+                slow: self.slow,
+            },
+            order: match self.by_depth {
+                true => Order::Depth,
+                false => Order::State,
+            },
+            sketch: self.sketch,
+        }
+    }
+
+    fn conservative(&self) -> bool {
+        self.small <= 0.0 && self.occluded_for == 0
+    }
+}
+
+/// The strategy `occupancy-map`: multiple queries.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct OccupancyMaps {
+    /// Its settings.
+    pub occupancy: Occupancy,
+    /// When the answers are used: [`Latency::SameFrame`] or [`Latency::FrameLate`].
+    pub latency: Latency,
+}
+
+/// The strategy `occupancy-map-single`: a query at a time.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct OccupancyMapSingle {
+    /// Its settings.
+    pub occupancy: Occupancy,
+}
+
+impl Strategy for OccupancyMaps {
+    fn name(&self) -> &str {
+        "occupancy-map"
+    }
+
+    fn summary(&self) -> &str {
+        "walks the tree front to back; what reaches free screen is drawn, the rest asked about in batches (Staneker et al. 2004)"
+    }
+
+    fn conservative(&self) -> bool {
+        self.latency == Latency::SameFrame && self.occupancy.conservative()
+    }
+
+    fn latency(&self) -> Option<Latency> {
+        Some(self.latency)
+    }
+
+    fn settings(&self) -> Vec<Setting> {
+        let mut settings = vec![settings::latency(self.latency)];
+        settings.extend(self.occupancy.settings());
+        settings
+    }
+
+    fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
+        if key == "latency" {
+            self.latency = settings::parse_latency(value)?;
+            return Ok(());
+        }
+        match self.occupancy.set(key, value)? {
+            true => Ok(()),
+            false => Err(settings::unknown(self, key)),
+        }
+    }
+
+    fn declare(
+        &mut self,
+        g: &mut FrameGraph<'_>,
+        view: &mut ViewNodes,
+    ) -> Result<VisibleSet, DeclareError> {
+        let how = self.occupancy.how(Asking::Batches);
+        Ok(same_frame(g, view, self.occupancy.tree, how))
+    }
+}
+
+impl Strategy for OccupancyMapSingle {
+    fn name(&self) -> &str {
+        "occupancy-map-single"
+    }
+
+    fn summary(&self) -> &str {
+        "as occupancy-map, a query at a time, each waited for (Staneker et al. 2003)"
+    }
+
+    fn conservative(&self) -> bool {
+        self.occupancy.conservative()
+    }
+
+    fn latency(&self) -> Option<Latency> {
+        Some(Latency::SameFrame)
+    }
+
+    fn settings(&self) -> Vec<Setting> {
+        self.occupancy.settings()
+    }
+
+    fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
+        match self.occupancy.set(key, value)? {
+            true => Ok(()),
+            false => Err(settings::unknown(self, key)),
+        }
+    }
+
+    fn declare(
+        &mut self,
+        g: &mut FrameGraph<'_>,
+        view: &mut ViewNodes,
+    ) -> Result<VisibleSet, DeclareError> {
+        let how = self.occupancy.how(Asking::Single);
+        Ok(same_frame(g, view, self.occupancy.tree, how))
+    }
+}

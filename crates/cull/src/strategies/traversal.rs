@@ -1,0 +1,13 @@
+//! The walk down a tree of boxes, front to back, that hierarchical strategies share: what is free in the occupancy map is drawn or opened at
+//! once, what is not waits for a query.
+//!
+//! Staneker, Bartz, Strasser, *Efficient Multiple Occlusion Queries for Scene Graph Systems*, 2004, section 4.2.
+
+mod memory;
+mod same_frame;
+mod sight;
+mod walk;
+
+pub(super) use memory::Remember;
+pub(super) use same_frame::same_frame;
+pub(super) use walk::{Asking, How, Order};

@@ -1,0 +1,321 @@
+//! A walk in one frame: who is met, what is drawn at once, and who is asked about together.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use antumbra_draw::boxes::GpuBox;
+
+use super::memory::{Memory, Remember};
+use super::sight::Sight;
+use crate::occupancy::{BlockRect, OccupancyMap, Place};
+use crate::sketch::{Sketch, Sketched};
+use crate::verdict::{Verdict, Verdicts};
+
+/// In what portions a walk asks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Asking {
+    /// In batches whose boxes each reach a block of the screen that no other of the batch lies on; when there were enough of these, about
+    /// all who wait at once.
+    Batches,
+    /// A node at a time.
+    Single,
+}
+
+/// In what order a batch's entities are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Order {
+    /// By pipeline, texture and mesh, as few draws as there can be.
+    State,
+    /// As they were found, near ones first.
+    Depth,
+}
+
+/// How a walk goes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct How {
+    pub asking: Asking,
+    /// Whether what reaches a free block of the map is visible without a query.
+    pub map: bool,
+    /// Pixels along a side of a block.
+    pub block: u32,
+    /// Triangles below a node that is not opened.
+    pub grain: u32,
+    /// Pixels in width and height below which a sub-tree is dropped; 0: none is.
+    pub small: f32,
+    pub remember: Remember,
+    pub order: Order,
+    /// Whether it leaves a sketch.
+    pub sketch: bool,
+}
+
+/// A node that waits for an answer.
+#[derive(Debug, Clone, Copy)]
+struct Waiting {
+    nearness: f32,
+    node: u32,
+    rect: BlockRect,
+    whole: bool,
+}
+
+/// A walk; kept from frame to frame.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Walk {
+    /// Nodes to be met: nearness above, number below.
+    queue: BinaryHeap<Reverse<u64>>,
+    waiting: Vec<Waiting>,
+    asked: Vec<Waiting>,
+    spare: Vec<Waiting>,
+    /// Blocks that something drawn may lie on.
+    drawn_on: OccupancyMap,
+    /// Blocks that a box of the present batch lies on.
+    asked_on: OccupancyMap,
+    /// Slots to be drawn next.
+    pub found: Vec<u32>,
+    memory: Memory,
+    batches: u32,
+    most_organised: Option<u32>,
+    pub sketch: Sketch,
+}
+
+/// Organised batches of the first frame; after that 7/10 of the last frame's batches.
+const FIRST_ORGANISED: u32 = 8;
+
+impl Walk {
+    /// Begins a frame at the roots.
+    pub fn begin(&mut self, sight: &Sight<'_>, how: &How, cuts: u64, verdicts: &mut Verdicts) {
+        let last = std::mem::take(&mut self.batches);
+        self.most_organised = Some(match self.most_organised {
+            Some(_) => last * 7 / 10,
+            None => FIRST_ORGANISED,
+        });
+        self.queue.clear();
+        self.waiting.clear();
+        self.asked.clear();
+        self.found.clear();
+        let [wide, high] = sight.screen.blocks();
+        self.drawn_on.reset(wide, high);
+        self.asked_on.reset(wide, high);
+        self.memory
+            .begin(sight.tree, sight.table, cuts, &sight.screen);
+        self.sketch.begin(how.sketch, how.block);
+        for slot in sight.tree.untested() {
+            let bounds = sight.table.bounds(*slot);
+            let rect = match sight.screen.place(&bounds) {
+                Place::Outside => continue,
+                Place::Near => sight.screen.everywhere(),
+                Place::OnScreen { pixels, .. } => sight.screen.blocks_of(&pixels),
+            };
+            self.draw_slot(sight, *slot, Verdict::Untested, verdicts);
+            self.drawn_on.take(rect);
+        }
+        for root in sight.tree.hierarchy().roots() {
+            self.push(sight, root);
+        }
+    }
+
+    /// Goes on until there is something to ask, and says what: a box a question. None: the walk is over.
+    pub fn advance(
+        &mut self,
+        sight: &Sight<'_>,
+        how: &How,
+        verdicts: &mut Verdicts,
+        boxes: &mut Vec<GpuBox>,
+    ) {
+        boxes.clear();
+        self.asked.clear();
+        self.meet_all(sight, how, verdicts);
+        if self.batches == 0 {
+            self.sketch.map(&self.drawn_on);
+        }
+        if how.asking == Asking::Single {
+            self.asked.append(&mut self.waiting);
+        } else {
+            self.gather();
+        }
+        self.batches += u32::from(!self.asked.is_empty());
+        let mut asked = std::mem::take(&mut self.asked);
+        asked.retain(|waiting| match sight.question(waiting.node) {
+            Some(question) => {
+                boxes.push(question);
+                true
+            }
+            None => {
+                self.seen(sight, waiting, Verdict::Untested, verdicts);
+                false
+            }
+        });
+        self.asked = asked;
+        verdicts.add_asked(boxes.len() as u32);
+    }
+
+    /// Takes the answers, in the order of the questions: whether any sample was visible.
+    pub fn answer(
+        &mut self,
+        sight: &Sight<'_>,
+        how: &How,
+        verdicts: &mut Verdicts,
+        answers: impl Iterator<Item = bool>,
+    ) {
+        let mut asked = std::mem::take(&mut self.asked);
+        for (waiting, visible) in asked.drain(..).zip(answers) {
+            self.memory.note(waiting.node, visible, how.remember);
+            if let Some(node) = sight.node(waiting.node) {
+                let seen = if visible {
+                    Sketched::Seen
+                } else {
+                    Sketched::Hidden
+                };
+                self.sketch
+                    .node(&sight.screen, &node.bounds, self.batches, seen);
+            }
+            match visible {
+                true => self.seen(sight, &waiting, Verdict::Visible, verdicts),
+                false => mark(sight, &waiting, Verdict::Occluded, verdicts),
+            }
+        }
+        self.asked = asked;
+    }
+
+    /// Whether nothing is left to be asked.
+    pub fn is_over(&self) -> bool {
+        self.asked.is_empty()
+            && self.waiting.is_empty()
+            && self.queue.is_empty()
+            && self.found.is_empty()
+    }
+
+    /// Meets all who are queued; one at a time until one has to wait where each is asked about alone.
+    fn meet_all(&mut self, sight: &Sight<'_>, how: &How, verdicts: &mut Verdicts) {
+        while let Some(Reverse(entry)) = self.queue.pop() {
+            let nearness = f32::from_bits((entry >> 32) as u32);
+            self.meet(sight, how, entry as u32, nearness, verdicts);
+            if how.asking == Asking::Single && !self.waiting.is_empty() {
+                break;
+            }
+        }
+    }
+
+    fn meet(
+        &mut self,
+        sight: &Sight<'_>,
+        how: &How,
+        number: u32,
+        nearness: f32,
+        verdicts: &mut Verdicts,
+    ) {
+        let Some(node) = sight.node(number) else {
+            return;
+        };
+        let (pixels, whole) = match sight.screen.place(&node.bounds) {
+            Place::Outside => return,
+            Place::Near => {
+                let waiting = Waiting {
+                    nearness,
+                    node: number,
+                    rect: sight.screen.everywhere(),
+                    whole: false,
+                };
+                self.seen(sight, &waiting, Verdict::Untested, verdicts);
+                return;
+            }
+            Place::OnScreen { pixels, whole } => (pixels, whole),
+        };
+        let waiting = Waiting {
+            nearness,
+            node: number,
+            rect: sight.screen.blocks_of(&pixels),
+            whole,
+        };
+        if how.small > 0.0 && (pixels.greatest - pixels.least).max_element() < how.small {
+            mark(sight, &waiting, Verdict::BelowThreshold, verdicts);
+            return;
+        }
+        let remembered = self.memory.valid(number, nearness, how.remember);
+        if remembered == Some(false) {
+            mark(sight, &waiting, Verdict::Occluded, verdicts);
+        } else if remembered.is_some() || how.map && self.drawn_on.has_free(waiting.rect) {
+            self.sketch
+                .node(&sight.screen, &node.bounds, 0, Sketched::Free);
+            self.seen(sight, &waiting, Verdict::Visible, verdicts);
+        } else {
+            self.waiting.push(waiting);
+        }
+    }
+
+    /// Draws a unit, opens what is none.
+    fn seen(
+        &mut self,
+        sight: &Sight<'_>,
+        what: &Waiting,
+        verdict: Verdict,
+        verdicts: &mut Verdicts,
+    ) {
+        let Some(node) = sight.node(what.node) else {
+            return;
+        };
+        if !sight.is_unit(what.node, node) {
+            for child in node.children() {
+                self.push(sight, child);
+            }
+            return;
+        }
+        let before = self.found.len();
+        for slot in sight.slots(what.node, what.whole || node.is_leaf()) {
+            self.draw_slot(sight, slot, verdict, verdicts);
+        }
+        if self.found.len() > before {
+            self.drawn_on.take(what.rect);
+        }
+    }
+
+    fn draw_slot(
+        &mut self,
+        sight: &Sight<'_>,
+        slot: u32,
+        verdict: Verdict,
+        verdicts: &mut Verdicts,
+    ) {
+        verdicts.set(slot, verdict);
+        // What is blended hides nothing and is drawn when all that is solid has been.
+        if !sight.table.is_transparent(slot) {
+            self.found.push(slot);
+        }
+    }
+
+    fn push(&mut self, sight: &Sight<'_>, number: u32) {
+        if let Some(node) = sight.node(number) {
+            // The bits of floats that are not negative sort as the floats do.
+            let nearness = sight.screen.nearness(&node.bounds).to_bits();
+            self.queue
+                .push(Reverse(u64::from(nearness) << 32 | u64::from(number)));
+        }
+    }
+
+    /// Who of the waiting is asked about next.
+    fn gather(&mut self) {
+        if self.batches >= self.most_organised.unwrap_or(0) {
+            self.asked.append(&mut self.waiting);
+            return;
+        }
+        self.waiting
+            .sort_unstable_by(|a, b| a.nearness.total_cmp(&b.nearness).then(a.node.cmp(&b.node)));
+        self.asked_on.clear();
+        self.spare.clear();
+        for waiting in self.waiting.drain(..) {
+            if self.asked_on.has_free(waiting.rect) {
+                self.asked_on.take(waiting.rect);
+                self.asked.push(waiting);
+            } else {
+                self.spare.push(waiting);
+            }
+        }
+        std::mem::swap(&mut self.waiting, &mut self.spare);
+    }
+}
+
+/// Gives all in the frustum at and below a node a verdict.
+fn mark(sight: &Sight<'_>, what: &Waiting, verdict: Verdict, verdicts: &mut Verdicts) {
+    for slot in sight.slots(what.node, what.whole) {
+        verdicts.set(slot, verdict);
+    }
+}

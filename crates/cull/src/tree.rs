@@ -1,0 +1,114 @@
+//! The tree of boxes that hierarchical strategies walk, kept in step with the scene's table.
+
+use antumbra_draw::{Detail, SceneTable};
+use antumbra_scene::Aabb;
+use antumbra_scene::hierarchy::{Hierarchy, HierarchyError, Shape};
+
+/// A hierarchy over all slots that a test may cull, with what each node weighs.
+#[derive(Debug, Clone, Default)]
+pub struct Tree {
+    hierarchy: Hierarchy,
+    /// Triangles at and below each node.
+    weights: Vec<u32>,
+    /// Slots of entities that no test may cull, ascending.
+    untested: Vec<u32>,
+    made_for: Option<(u64, u64)>,
+    generation: u64,
+    leaves: Vec<(u32, u32)>,
+}
+
+impl Tree {
+    /// The boxes.
+    pub fn hierarchy(&self) -> &Hierarchy {
+        &self.hierarchy
+    }
+
+    /// Slots of entities that no test may cull, ascending: they are in no node.
+    pub fn untested(&self) -> &[u32] {
+        &self.untested
+    }
+
+    /// Triangles at and below a node when the tree was made; lines and points count as triangles.
+    pub fn weight(&self, node: u32) -> u32 {
+        self.weights.get(node as usize).copied().unwrap_or(0)
+    }
+
+    /// Counts how often the tree was made anew: what is remembered by node is worth nothing after that.
+    pub fn generation(&self) -> u64 {
+        self.generation
+    }
+
+    /// Brings it in step with the table: fits what moved, takes in who came and lets go who left, and is made anew where that is better.
+    ///
+    /// # Errors
+    /// [`HierarchyError`] where the table's groups are no tree.
+    pub fn follow(&mut self, table: &SceneTable, shape: Shape) -> Result<(), HierarchyError> {
+        let now = (table.epoch(), table.groups().version());
+        match self.made_for {
+            Some(before) if before == now => return Ok(()),
+            Some((epoch, version)) if version == now.1 => {
+                match table.changed_since(epoch) {
+                    Some(changed) => self.refit(table, changed.iter().copied()),
+                    None => self.refit(table, 0..table.slots()),
+                }
+                if self.hierarchy.is_worn() {
+                    self.make(table, shape)?;
+                }
+            }
+            _ => self.make(table, shape)?,
+        }
+        self.made_for = Some(now);
+        Ok(())
+    }
+
+    fn make(&mut self, table: &SceneTable, shape: Shape) -> Result<(), HierarchyError> {
+        let tested = table.live_slots().filter(|slot| table.is_tested(*slot));
+        let branches = table.groups().branches(tested, &mut self.leaves);
+        self.hierarchy = Hierarchy::new(branches, shape, |slot| bounds(table, slot))?;
+        self.untested.clear();
+        let untested = table.live_slots().filter(|slot| !table.is_tested(*slot));
+        self.untested.extend(untested);
+        self.weights.clear();
+        self.weigh(table);
+        self.generation += 1;
+        Ok(())
+    }
+
+    /// Weighs the nodes that have come.
+    fn weigh(&mut self, table: &SceneTable) {
+        let nodes = self.hierarchy.nodes();
+        let first = self.weights.len();
+        self.weights.resize(nodes.len(), 0);
+        for (number, node) in nodes.iter().enumerate().skip(first).rev() {
+            if let Some(slot) = self.hierarchy.leaf(number as u32) {
+                self.weights[number] = table.primitives_of(slot, Detail::Level(0)).max(1);
+            }
+            let own = self.weights[number];
+            if let Some(above) = self.weights.get_mut(node.parent as usize) {
+                *above = above.saturating_add(own);
+            }
+        }
+    }
+
+    fn refit(&mut self, table: &SceneTable, slots: impl Iterator<Item = u32> + Clone) {
+        let untested = |slot: &u32| table.occupant(*slot).is_some() && !table.is_tested(*slot);
+        let before = self.untested.len();
+        self.untested.extend(slots.clone().filter(untested));
+        if before > 0 || self.untested.len() > before {
+            self.untested.retain(untested);
+            self.untested.sort_unstable();
+            self.untested.dedup();
+        }
+        let tested = |slot: u32| table.occupant(slot).is_some() && table.is_tested(slot);
+        self.hierarchy.refit(slots.map(|slot| match tested(slot) {
+            true => (slot, bounds(table, slot)),
+            false => (slot, Aabb::EMPTY),
+        }));
+        self.weigh(table);
+    }
+}
+
+/// A leaf's box: along the world's axes, around the one that is asked about.
+fn bounds(table: &SceneTable, slot: u32) -> Aabb {
+    table.oriented(slot).bounds()
+}

@@ -1,0 +1,197 @@
+//! Boxes that are asked about: a pass of hardware queries over boxes that need be nobody's mesh, such as those around whole sub-trees.
+//!
+//! A rasteriser snaps vertices, and f32 rounds them; so that no sample of what a box holds is outside its picture, each box is widened by a
+//! share of a pixel as seen from the eye, and no more than that.
+
+use antumbra_graph::{Bind, Buffer, Graph, Host, Texture};
+use antumbra_scene::{Aabb, Projection};
+use bytemuck::{Pod, Zeroable};
+use glam::{DVec3, Vec3};
+
+use crate::device::Gpu;
+use crate::oriented::OrientedBox;
+use crate::passes::ViewInputs;
+use crate::pipeline::DEPTH_FORMAT;
+use crate::view::ViewFrame;
+use antumbra_shaders::jobs::boxes::JOB;
+use std::sync::Arc;
+
+/// A box as the GPU draws it: middle and half edges, relative to the eye.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+pub struct GpuBox {
+    centre: [f32; 3],
+    half: [[f32; 3]; 3],
+}
+
+/// How the boxes of one view are widened.
+#[derive(Debug, Clone, Copy)]
+pub struct Widening {
+    eye: DVec3,
+    /// Metres at a distance of a metre, or anywhere where all keeps its size.
+    share: f64,
+    parallel: bool,
+}
+
+/// By how many pixels a box is wider than what it holds: eight times what snapping to 1/256 of a pixel moves two vertices apart.
+const TRIANGLE_PIXELS: f64 = 1.0 / 16.0;
+/// Lines and points cover pixels that they do not touch.
+const LINE_PIXELS: f64 = 1.5;
+/// What f32 may be off, as a share of the distance.
+const ROUNDING: f64 = 1e-6;
+
+impl Widening {
+    /// For boxes seen by this view. `thin`: some of them hold lines or points.
+    pub fn new(view: &ViewFrame, thin: bool) -> Self {
+        let pixels = if thin { LINE_PIXELS } else { TRIANGLE_PIXELS };
+        let a_metre = f64::from(view.camera.projection_matrix(view.aspect()).y_axis.y)
+            * 0.5
+            * f64::from(view.size[1]);
+        Self {
+            eye: view.camera.position,
+            share: pixels / a_metre + ROUNDING,
+            parallel: matches!(view.camera.projection, Projection::Orthographic { .. }),
+        }
+    }
+
+    /// By how many metres a box is widened that reaches so far from the eye.
+    pub fn margin(&self, reach: f64) -> f64 {
+        match self.parallel {
+            true => self.share + reach * ROUNDING,
+            false => reach * self.share,
+        }
+    }
+
+    /// The widened box; `None` where f32 cannot hold it.
+    pub fn oriented(&self, what: &OrientedBox) -> Option<GpuBox> {
+        let centre = what.centre - self.eye;
+        let reach = centre.length() + f64::from(what.half.length());
+        let half = what.half + Vec3::splat(self.margin(reach) as f32);
+        let [x, y, z] = [0, 1, 2].map(|i| what.axes[i] * half[i]);
+        // A strip shows its front outside only where the axes are right-handed; a box is its own mirror image.
+        let z = if x.cross(y).dot(z) < 0.0 { -z } else { z };
+        let made = GpuBox {
+            centre: centre.as_vec3().to_array(),
+            half: [x, y, z].map(|axis| axis.to_array()),
+        };
+        let fits = bytemuck::cast_slice::<GpuBox, f32>(std::slice::from_ref(&made))
+            .iter()
+            .all(|number| number.is_finite());
+        fits.then_some(made)
+    }
+
+    /// The same for a box along the world's axes.
+    pub fn aligned(&self, bounds: &Aabb) -> Option<GpuBox> {
+        self.oriented(&OrientedBox::aligned(bounds))
+    }
+}
+
+/// Boxes that are on the GPU, in the order of the queries.
+#[derive(Debug, Clone, Copy)]
+pub struct SubmittedBoxes {
+    /// The boxes.
+    pub list: Host<Vec<GpuBox>>,
+    /// The same, for the GPU.
+    pub buffer: Buffer,
+}
+
+/// What draws boxes.
+#[derive(Debug)]
+pub struct BoxPipeline {
+    pipeline: wgpu::RenderPipeline,
+    layout: wgpu::BindGroupLayout,
+}
+
+impl BoxPipeline {
+    /// Bytes a box takes in [`SubmittedBoxes::buffer`].
+    pub const BYTES_A_BOX: u64 = size_of::<GpuBox>() as u64;
+
+    /// Makes it.
+    pub fn new(gpu: &Gpu) -> Self {
+        let device = &gpu.device;
+        let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("boxes"),
+            entries: &JOB.layout_entries(0),
+        });
+        let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some("boxes"),
+            bind_group_layouts: &[Some(&layout)],
+            immediate_size: 0,
+        });
+        let attributes = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3, 3 => Float32x3];
+        let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some("boxes"),
+            layout: Some(&pipeline_layout),
+            vertex: wgpu::VertexState {
+                module: &antumbra_shaders::module(device, &JOB),
+                entry_point: Some("vertex"),
+                compilation_options: Default::default(),
+                buffers: &[Some(wgpu::VertexBufferLayout {
+                    array_stride: Self::BYTES_A_BOX,
+                    step_mode: wgpu::VertexStepMode::Instance,
+                    attributes: &attributes,
+                })],
+            },
+            primitive: wgpu::PrimitiveState {
+                topology: wgpu::PrimitiveTopology::TriangleStrip,
+                cull_mode: Some(wgpu::Face::Back),
+                ..Default::default()
+            },
+            depth_stencil: Some(wgpu::DepthStencilState {
+                format: DEPTH_FORMAT,
+                depth_write_enabled: Some(false),
+                // Reversed depth; a tie counts as visible.
+                depth_compare: Some(wgpu::CompareFunction::GreaterEqual),
+                stencil: Default::default(),
+                bias: Default::default(),
+            }),
+            multisample: Default::default(),
+            fragment: None,
+            multiview_mask: None,
+            cache: None,
+        });
+        Self { pipeline, layout }
+    }
+}
+
+/// Asks one hardware query a box, in order, against a depth that stays as it is. The answers are u64: zero, or something else. The eye must not
+/// be in a box, nor the near plane cut one: of such a box the front faces are not there to be seen.
+pub fn box_query_pass(
+    g: &mut Graph,
+    (name, group): (String, &'static str),
+    pipeline: &Arc<BoxPipeline>,
+    inputs: ViewInputs,
+    boxes: SubmittedBoxes,
+    depth: Texture,
+    answers: Buffer,
+) -> Buffer {
+    let mut node = g.raster(name);
+    node.group(group)
+        .read(boxes.list)
+        .vertex(boxes.buffer)
+        .uniform(inputs.uniform)
+        .depth_read(depth)
+        // A value that cannot be read is the body's to complain of.
+        .only_if(move |host| host.get(boxes.list).map_or(true, |list| !list.is_empty()));
+    let answers = node.queries(answers, move |host| {
+        host.get(boxes.list).map_or(0, |list| list.len() as u32)
+    });
+    let pipeline = Arc::clone(pipeline);
+    node.run(move |ctx| {
+        let group = ctx.bind_group(0, &pipeline.layout, &[Bind::Buffer(0, inputs.uniform)])?;
+        let buffer = ctx.buffer(boxes.buffer)?;
+        let range = ctx.query_range();
+        let pass = ctx.pass();
+        pass.set_pipeline(&pipeline.pipeline);
+        pass.set_bind_group(0, &group, &[]);
+        pass.set_vertex_buffer(0, buffer.slice(..));
+        for number in range {
+            ctx.query(number, |pass| pass.draw(0..CORNERS, number..number + 1))?;
+        }
+        Ok(())
+    });
+    answers
+}
+
+/// Corners of a box's strip of triangles.
+const CORNERS: u32 = 14;

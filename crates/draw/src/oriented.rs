@@ -1,0 +1,109 @@
+//! The box of an entity in its own space, turned and stretched into the world: tighter than its box in the world's axes.
+
+use antumbra_scene::Aabb;
+use glam::{DAffine3, DMat3, DVec3, Vec3};
+
+/// A box along axes of its own, at right angles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OrientedBox {
+    /// Its middle, in metres.
+    pub centre: DVec3,
+    /// Unit vectors along its edges.
+    pub axes: [Vec3; 3],
+    /// Half its size along each axis in metres, with what f32 can lose of the mesh's coordinates.
+    pub half: Vec3,
+}
+
+impl OrientedBox {
+    /// A box along the world's axes.
+    pub fn aligned(bounds: &Aabb) -> Self {
+        Self {
+            centre: bounds.centre(),
+            axes: Vec3::AXES,
+            half: bounds.half_extents().as_vec3(),
+        }
+    }
+
+    /// The box around it along the world's axes.
+    pub fn bounds(&self) -> Aabb {
+        let edges = [0, 1, 2].map(|i| (self.axes[i].abs() * self.half[i]).as_dvec3());
+        Aabb::from_centre(self.centre, edges[0] + edges[1] + edges[2])
+    }
+
+    /// The box around what lies in `local` once it is in the `world`; `bounds` is the one along the world's axes, for transforms that turn no
+    /// box into a box.
+    pub(crate) fn new(local: &Aabb, world: &DAffine3, bounds: &Aabb) -> Self {
+        let DMat3 {
+            x_axis,
+            y_axis,
+            z_axis,
+        } = world.matrix3;
+        let columns = [x_axis, y_axis, z_axis];
+        let lengths = DVec3::from_array(columns.map(DVec3::length));
+        let reach = local.min.abs().max(local.max.abs()).max_element();
+        let lost = reach * lengths.max_element() * f64::from(f32::EPSILON) * 8.0;
+        let units = [0, 1, 2].map(|i| columns[i] / lengths[i]);
+        let cosines = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| units[i].dot(units[j]).abs());
+        // NaN, of an axis without length, is not below anything.
+        if !cosines.iter().all(|cosine| *cosine < 1e-6) {
+            return Self::aligned(&bounds.grown(DVec3::splat(lost)));
+        }
+        // What the angles may be off, and the rounding to f32.
+        let half = local.half_extents() * lengths;
+        let slack = lost + half.max_element() * 4e-6;
+        Self {
+            centre: world.transform_point3(local.centre()),
+            axes: units.map(DVec3::as_vec3),
+            half: (half + slack).as_vec3(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DQuat;
+
+    /// How far outside the box a point is, as a multiple of its half size.
+    fn outside(oriented: &OrientedBox, point: DVec3) -> f64 {
+        let from = point - oriented.centre;
+        let along =
+            |i: usize| oriented.axes[i].as_dvec3().dot(from).abs() / f64::from(oriented.half[i]);
+        (0..3).map(along).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn it_holds_its_mesh_and_little_more() {
+        let local = Aabb::new(DVec3::new(3.0, -1.0, 0.0), DVec3::new(5.0, 1.0, 0.25));
+        let turned = DQuat::from_rotation_x(0.4) * DQuat::from_rotation_z(1.1);
+        let stretch = DVec3::new(2.0, 0.5, -3.0);
+        let placed = DAffine3::from_scale_rotation_translation(stretch, turned, DVec3::splat(1e6));
+        let sheared = DAffine3::from_scale(DVec3::new(1.0, 0.1, 1.0)) * placed;
+        let flat = DAffine3::from_scale(DVec3::new(1.0, 0.0, 1.0));
+        for (world, tight) in [
+            (placed, true),
+            (sheared, false),
+            (flat, false),
+            (DAffine3::IDENTITY, true),
+        ] {
+            let bounds = local.transformed(&world);
+            let oriented = OrientedBox::new(&local, &world, &bounds);
+            let worst = local
+                .corners()
+                .map(|corner| outside(&oriented, world.transform_point3(corner)));
+            let worst = worst.into_iter().fold(0.0, f64::max);
+            assert!(worst <= 1.0, "{world}: {worst}");
+            if tight {
+                assert!(worst > 0.999, "{world}: {worst}");
+                let size = oriented.half.as_dvec3() * 2.0
+                    / (local.max - local.min)
+                    / world.matrix3.determinant().abs().cbrt();
+                assert!((size.element_product() - 1.0).abs() < 1e-4, "{size}");
+            }
+        }
+        // A flat mesh keeps a thickness, however little.
+        let sheet = Aabb::new(DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0));
+        let oriented = OrientedBox::new(&sheet, &placed, &sheet.transformed(&placed));
+        assert!(oriented.half.z > 0.0 && oriented.half.z < 1e-4);
+    }
+}
