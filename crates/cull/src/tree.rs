@@ -48,8 +48,8 @@ impl Tree {
             Some(before) if before == now => return Ok(()),
             Some((epoch, version)) if version == now.1 => {
                 match table.changed_since(epoch) {
-                    Some(changed) => self.refit(table, changed.iter().copied()),
-                    None => self.refit(table, 0..table.slots()),
+                    Some(changed) => self.refit(table, epoch, changed.iter().copied()),
+                    None => self.refit(table, epoch, 0..table.slots()),
                 }
                 if self.hierarchy.is_worn() {
                     self.make(table, shape)?;
@@ -90,7 +90,7 @@ impl Tree {
         }
     }
 
-    fn refit(&mut self, table: &SceneTable, slots: impl Iterator<Item = u32> + Clone) {
+    fn refit(&mut self, table: &SceneTable, since: u64, slots: impl Iterator<Item = u32> + Clone) {
         let untested = |slot: &u32| table.occupant(*slot).is_some() && !table.is_tested(*slot);
         let before = self.untested.len();
         self.untested.extend(slots.clone().filter(untested));
@@ -99,6 +99,10 @@ impl Tree {
             self.untested.sort_unstable();
             self.untested.dedup();
         }
+        // Who came into a slot since is somebody else than who was there: out, and in again as a node that nothing is known of.
+        let came = |slot: &u32| table.occupant(*slot).is_some_and(|one| one.born > since);
+        let leave = slots.clone().filter(came).map(|slot| (slot, Aabb::EMPTY));
+        self.hierarchy.refit(leave);
         let tested = |slot: u32| table.occupant(slot).is_some() && table.is_tested(slot);
         self.hierarchy.refit(slots.map(|slot| match tested(slot) {
             true => (slot, bounds(table, slot)),

@@ -136,6 +136,49 @@ fn coherent(name: &str) {
     }
 }
 
+/// Walks of the tree, in batches and one by one, waiting and late, over every kind of tree; and with memory, which takes longer to settle.
+fn walks(name: &str) {
+    let gpu = gpu(name);
+    let whole = [
+        "occupancy-map:latency=same-frame",
+        "occupancy-map:latency=same-frame:tree=boxes:grain=0:block=1:order=depth",
+        "occupancy-map:latency=same-frame:tree=groups:visible-for=5",
+        "occupancy-map:latency=frame-late",
+        "occupancy-map:latency=frame-late:grain=0:visible-for=0",
+    ];
+    conform(&gpu, &small(), named(&whole));
+    let aggressive = [
+        "occupancy-map:latency=same-frame:occluded-for=3:slow=1",
+        "occupancy-map:latency=same-frame:small=2",
+        "occupancy-map:latency=frame-late:occluded-for=3:visible-for=3",
+    ];
+    let patient = Kit {
+        settle: 16,
+        ..small()
+    };
+    conform(&gpu, &patient, named(&aggressive));
+    let fewer = Kit {
+        many: 300,
+        ..small()
+    };
+    let single = [
+        "occupancy-map-single",
+        "stop-and-wait:tree=divided",
+        "stop-and-wait:tree=boxes",
+    ];
+    conform(&gpu, &fewer, named(&single));
+}
+
+#[test]
+fn walks_conform_on_vulkan() {
+    walks("vulkan");
+}
+
+#[test]
+fn walks_conform_on_gl() {
+    walks("gl");
+}
+
 #[test]
 fn coherent_strategies_conform_on_vulkan() {
     coherent("vulkan");

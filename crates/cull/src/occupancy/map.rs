@@ -23,6 +23,14 @@ pub struct BlockRect {
     pub bottom: u32,
 }
 
+impl BlockRect {
+    /// How many blocks it holds.
+    pub fn blocks(&self) -> u64 {
+        let side = |from: u32, to: u32| (u64::from(to) + 1).saturating_sub(u64::from(from));
+        side(self.left, self.right) * side(self.top, self.bottom)
+    }
+}
+
 impl OccupancyMap {
     /// A free map of so many blocks.
     pub fn new(wide: u32, high: u32) -> Self {

@@ -121,6 +121,38 @@ impl Screen {
         Place::OnScreen { pixels, whole }
     }
 
+    /// The pixels under what of a box lies before the near plane: none of one behind it.
+    pub fn clipped(&self, bounds: &Aabb) -> PixelRect {
+        let corners = bounds.corners().map(|corner| corner - self.eye);
+        let depths = corners.map(|corner| self.forward.dot(corner));
+        let mut points = Vec::with_capacity(16);
+        for (at, (corner, depth)) in corners.iter().zip(depths).enumerate() {
+            if depth >= self.near {
+                points.push(*corner);
+            }
+            for other in [at ^ 1, at ^ 2, at ^ 4]
+                .into_iter()
+                .filter(|other| *other > at)
+            {
+                let (to, beyond) = (corners[other], depths[other]);
+                if (depth < self.near) != (beyond < self.near) {
+                    points.push(corner.lerp(to, (self.near - depth) / (beyond - depth)));
+                }
+            }
+        }
+        let on_screen = points.iter().map(|point| {
+            let clip = self.clip_from_relative * point.as_vec3().extend(1.0);
+            clip.xy() / clip.w
+        });
+        let (mut least, mut greatest) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+        for point in on_screen {
+            // A number that is none leaves the ends where they are.
+            least = point.min(least);
+            greatest = point.max(greatest);
+        }
+        self.rect(least, greatest)
+    }
+
     /// The pixels under a box in front of the near plane.
     fn pixels(&self, centre: glam::Vec3, half: glam::Vec3) -> PixelRect {
         let matrix = &self.clip_from_relative;
@@ -139,6 +171,11 @@ impl Screen {
                 greatest = greatest.max(on_screen);
             }
         }
+        self.rect(least, greatest)
+    }
+
+    /// Pixels from clip space.
+    fn rect(&self, least: Vec2, greatest: Vec2) -> PixelRect {
         // Upwards in clip space is downwards in pixels.
         let scale = self.size * 0.5;
         let (low, high) = (least * scale, greatest * scale);

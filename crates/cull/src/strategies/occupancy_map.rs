@@ -8,7 +8,7 @@ mod settings;
 
 use antumbra_scene::hierarchy::Shape;
 
-use super::traversal::{Asking, How, Order, Remember, same_frame};
+use super::traversal::{Asking, How, Order, Remember, frame_late, same_frame};
 use crate::frame_graph::FrameGraph;
 use crate::setting::{Latency, Setting, SettingError};
 use crate::strategy::{DeclareError, Strategy, VisibleSet};
@@ -135,7 +135,11 @@ impl Strategy for OccupancyMaps {
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
         let how = self.occupancy.how(Asking::Batches);
-        Ok(same_frame(g, view, self.occupancy.tree, how))
+        let shape = self.occupancy.tree;
+        Ok(match self.latency {
+            Latency::FrameLate => frame_late(g, view, shape, how),
+            _ => same_frame(g, view, shape, how),
+        })
     }
 }
 

@@ -10,28 +10,53 @@ use antumbra_graph::{BufferDesc, Host};
 
 use crate::candidates::Candidates;
 use crate::frame_graph::{CULL, DRAW, FrameGraph};
-use crate::order::{back_to_front, by_nearest_corner};
+use crate::order::by_nearest_corner;
 use crate::question::question;
 use crate::samples::outside;
 use crate::setting::{Latency, Setting, SettingError, parse};
 use crate::strategy::{DeclareError, Strategy, VisibleSet};
 use crate::verdict::{Verdict, Verdicts};
 use crate::view_nodes::ViewNodes;
+use antumbra_scene::hierarchy::Shape;
+
+use super::traversal::{Asking, How, Order, Remember, same_frame, submit_transparent};
 
 /// The strategy `stop-and-wait`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StopAndWait {
     /// Entities asked about between two waits: 1 is the classic. Entities of one batch are not tested against each other.
     pub batch: u32,
+    /// A tree to be walked, a query a node; none: a query an entity.
+    pub tree: Option<Shape>,
 }
 
 impl Default for StopAndWait {
     fn default() -> Self {
-        Self { batch: 1 }
+        Self {
+            batch: 1,
+            tree: None,
+        }
     }
 }
 
 const BATCH_RANGE: &str = "a whole number from 1 to 4096";
+const TREE_RANGE: &str = "none, groups, boxes or divided";
+
+/// How a tree is walked: no map, no memory, a query for every node in the frustum.
+const A_QUERY_A_NODE: How = How {
+    asking: Asking::Single,
+    map: false,
+    block: 64,
+    grain: 0,
+    small: 0.0,
+    remember: Remember {
+        visible: 0,
+        occluded: 0,
+        slow: 0.0,
+    },
+    order: Order::State,
+    sketch: false,
+};
 
 /// Where the traversal stands.
 #[derive(Debug, Default)]
@@ -62,25 +87,40 @@ impl Strategy for StopAndWait {
     }
 
     fn settings(&self) -> Vec<Setting> {
-        let value = self.batch.to_string();
-        vec![Setting {
-            key: "batch",
-            value,
-            range: BATCH_RANGE,
-            meaning: "entities asked about between two waits",
-        }]
+        let tree = self.tree.map(|shape| shape.to_string());
+        vec![
+            Setting {
+                key: "batch",
+                value: self.batch.to_string(),
+                range: BATCH_RANGE,
+                meaning: "entities asked about between two waits",
+            },
+            Setting {
+                key: "tree",
+                value: tree.unwrap_or_else(|| "none".to_owned()),
+                range: TREE_RANGE,
+                meaning: "a tree to be walked, a query a node: the scene's groups, boxes over boxes, or groups with the wide ones divided",
+            },
+        ]
     }
 
     fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
-        if key != "batch" {
-            let (strategy, key) = (self.name().to_owned(), key.to_owned());
-            return Err(SettingError::Unknown {
-                strategy,
-                key,
-                known: vec!["batch"],
-            });
+        match key {
+            "batch" => {
+                self.batch = parse(key, value, BATCH_RANGE, |batch| (1..=4096).contains(batch))?;
+            }
+            "tree" if value == "none" => self.tree = None,
+            "tree" => self.tree = Some(parse(key, value, TREE_RANGE, |_| true)?),
+            _ => {
+                let known = self.settings().iter().map(|setting| setting.key).collect();
+                let (strategy, key) = (self.name().to_owned(), key.to_owned());
+                return Err(SettingError::Unknown {
+                    strategy,
+                    key,
+                    known,
+                });
+            }
         }
-        self.batch = parse(key, value, BATCH_RANGE, |batch| (1..=4096).contains(batch))?;
         Ok(())
     }
 
@@ -89,6 +129,17 @@ impl Strategy for StopAndWait {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
+        if let Some(shape) = self.tree {
+            if self.batch != 1 {
+                return Err(DeclareError::Settings {
+                    strategy: self.name().to_owned(),
+                    conflict:
+                        "a walk asks about one node at a time: set batch to 1, or tree to none"
+                            .to_owned(),
+                });
+            }
+            return Ok(same_frame(g, view, shape, A_QUERY_A_NODE));
+        }
         let candidates = g.in_frustum(view);
         let (walk, verdicts) = begin(g, view, candidates);
         let kind = g.shaded_kind();
@@ -246,44 +297,4 @@ fn turn(
     });
     *ends = (walk, verdicts);
     done
-}
-
-/// Transparent entities hide nothing, so they wait until all that is solid is drawn.
-fn submit_transparent(
-    g: &mut FrameGraph<'_>,
-    view: &ViewNodes,
-    verdicts: Host<Verdicts>,
-    list: Submitted,
-) -> Submitted {
-    let inputs = view.inputs();
-    let mut node = g.graph().host_node(view.named("order the transparent"));
-    node.group(CULL)
-        .read(inputs.scene)
-        .read(inputs.view)
-        .read(verdicts);
-    let list = Submitted {
-        list: node.write(list.list),
-        ids: node.upload(list.ids),
-    };
-    node.run(move |ctx| {
-        let (scene, frame, verdicts) = (
-            ctx.get(inputs.scene)?,
-            ctx.get(inputs.view)?,
-            ctx.get(verdicts)?,
-        );
-        let table = &scene.table;
-        let mut transparent = ctx.get_mut(list.list)?;
-        back_to_front(
-            &mut transparent,
-            table,
-            &frame,
-            verdicts
-                .drawn()
-                .filter(|slot| table.is_transparent(*slot))
-                .map(|slot| (slot, 0)),
-        );
-        ctx.upload(list.ids, 0, bytemuck::cast_slice(transparent.ids()))?;
-        Ok(())
-    });
-    list
 }

@@ -3,11 +3,14 @@
 //!
 //! Staneker, Bartz, Strasser, *Efficient Multiple Occlusion Queries for Scene Graph Systems*, 2004, section 4.2.
 
+mod frame_late;
+mod late_walk;
 mod memory;
 mod same_frame;
 mod sight;
 mod walk;
 
+pub(super) use frame_late::frame_late;
 pub(super) use memory::Remember;
-pub(super) use same_frame::same_frame;
+pub(super) use same_frame::{same_frame, submit_transparent};
 pub(super) use walk::{Asking, How, Order};

@@ -194,7 +194,7 @@ pub(super) fn fill(list: &mut DrawList, table: &SceneTable, found: &mut [u32], o
 }
 
 /// Transparent entities hide nothing, so they wait until all that is solid is drawn.
-pub(super) fn submit_transparent(
+pub(crate) fn submit_transparent(
     g: &mut FrameGraph<'_>,
     view: &ViewNodes,
     verdicts: Host<Verdicts>,

@@ -1,12 +1,25 @@
 //! What a walk looks at in one frame: the scene's table, the tree over it, and the screen.
 
+use std::cmp::Reverse;
+
 use antumbra_draw::boxes::GpuBox;
 use antumbra_draw::{Class, SceneTable, ViewFrame};
 use antumbra_scene::Topology;
 use antumbra_scene::hierarchy::HierarchyNode;
 
-use crate::occupancy::Screen;
+use crate::occupancy::{BlockRect, Place, Screen};
 use crate::tree::Tree;
+use crate::verdict::{Verdict, Verdicts};
+
+/// A node that was met on the screen.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Met {
+    pub node: u32,
+    /// The blocks under its box.
+    pub rect: BlockRect,
+    /// Whether all of it is in the frustum.
+    pub whole: bool,
+}
 
 /// One frame's scene as a walk sees it.
 pub(crate) struct Sight<'a> {
@@ -48,7 +61,64 @@ impl<'a> Sight<'a> {
     /// The slots at and below a node that lie in the frustum.
     pub fn slots(&self, number: u32, whole: bool) -> impl Iterator<Item = u32> + '_ {
         let slots = self.tree.hierarchy().leaves_below(number);
-        slots.filter(move |slot| whole || self.screen.sees(&self.table.bounds(*slot)))
+        let one = self.node(number).is_some_and(HierarchyNode::is_leaf);
+        slots.filter(move |slot| one || whole || self.screen.sees(&self.table.bounds(*slot)))
+    }
+
+    /// A node's entry in a queue, nearest first: nearness above, number below.
+    pub fn queued(&self, number: u32) -> Option<Reverse<u64>> {
+        let node = self.node(number)?;
+        // The bits of floats that are not negative sort as the floats do.
+        let nearness = self.screen.nearness(&node.bounds).to_bits();
+        Some(Reverse(u64::from(nearness) << 32 | u64::from(number)))
+    }
+
+    /// The slots in the frustum that no test may cull, with the blocks they lie on.
+    pub fn untested(&self) -> impl Iterator<Item = (u32, BlockRect)> + '_ {
+        self.tree.untested().iter().filter_map(|slot| {
+            let bounds = self.table.bounds(*slot);
+            let pixels = match self.screen.place(&bounds) {
+                Place::Outside => return None,
+                Place::Near => self.screen.clipped(&bounds),
+                Place::OnScreen { pixels, .. } => pixels,
+            };
+            Some((*slot, self.screen.blocks_of(&pixels)))
+        })
+    }
+
+    /// A node that may not be asked about, being too near.
+    pub fn near(&self, number: u32, node: &HierarchyNode) -> Met {
+        Met {
+            node: number,
+            rect: self.screen.blocks_of(&self.screen.clipped(&node.bounds)),
+            whole: false,
+        }
+    }
+
+    /// Gives all in the frustum at and below a node a verdict.
+    pub fn mark(&self, met: &Met, verdict: Verdict, verdicts: &mut Verdicts) {
+        for slot in self.slots(met.node, met.whole) {
+            verdicts.set(slot, verdict);
+        }
+    }
+
+    /// Finds all in the frustum at and below a node to be drawn; whether any of it can hide others.
+    pub fn draw(
+        &self,
+        met: &Met,
+        verdict: Verdict,
+        verdicts: &mut Verdicts,
+        found: &mut Vec<u32>,
+    ) -> bool {
+        let before = found.len();
+        for slot in self.slots(met.node, met.whole) {
+            verdicts.set(slot, verdict);
+            // What is blended hides nothing and is drawn when all that is solid has been.
+            if !self.table.is_transparent(slot) {
+                found.push(slot);
+            }
+        }
+        found.len() > before
     }
 
     /// The box to ask about a node with; `None` where the GPU cannot hold it.

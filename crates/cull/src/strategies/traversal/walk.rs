@@ -6,8 +6,8 @@ use std::collections::BinaryHeap;
 use antumbra_draw::boxes::GpuBox;
 
 use super::memory::{Memory, Remember};
-use super::sight::Sight;
-use crate::occupancy::{BlockRect, OccupancyMap, Place};
+use super::sight::{Met, Sight};
+use crate::occupancy::{OccupancyMap, Place};
 use crate::sketch::{Sketch, Sketched};
 use crate::verdict::{Verdict, Verdicts};
 
@@ -52,9 +52,7 @@ pub(crate) struct How {
 #[derive(Debug, Clone, Copy)]
 struct Waiting {
     nearness: f32,
-    node: u32,
-    rect: BlockRect,
-    whole: bool,
+    met: Met,
 }
 
 /// A walk; kept from frame to frame.
@@ -98,18 +96,13 @@ impl Walk {
         self.memory
             .begin(sight.tree, sight.table, cuts, &sight.screen);
         self.sketch.begin(how.sketch, how.block);
-        for slot in sight.tree.untested() {
-            let bounds = sight.table.bounds(*slot);
-            let rect = match sight.screen.place(&bounds) {
-                Place::Outside => continue,
-                Place::Near => sight.screen.everywhere(),
-                Place::OnScreen { pixels, .. } => sight.screen.blocks_of(&pixels),
-            };
-            self.draw_slot(sight, *slot, Verdict::Untested, verdicts);
+        for (slot, rect) in sight.untested() {
+            verdicts.set(slot, Verdict::Untested);
+            self.found.push(slot);
             self.drawn_on.take(rect);
         }
         for root in sight.tree.hierarchy().roots() {
-            self.push(sight, root);
+            self.queue.extend(sight.queued(root));
         }
     }
 
@@ -134,13 +127,13 @@ impl Walk {
         }
         self.batches += u32::from(!self.asked.is_empty());
         let mut asked = std::mem::take(&mut self.asked);
-        asked.retain(|waiting| match sight.question(waiting.node) {
+        asked.retain(|waiting| match sight.question(waiting.met.node) {
             Some(question) => {
                 boxes.push(question);
                 true
             }
             None => {
-                self.seen(sight, waiting, Verdict::Untested, verdicts);
+                self.seen(sight, &waiting.met, Verdict::Untested, verdicts);
                 false
             }
         });
@@ -158,8 +151,9 @@ impl Walk {
     ) {
         let mut asked = std::mem::take(&mut self.asked);
         for (waiting, visible) in asked.drain(..).zip(answers) {
-            self.memory.note(waiting.node, visible, how.remember);
-            if let Some(node) = sight.node(waiting.node) {
+            let met = &waiting.met;
+            self.memory.note(met.node, visible, how.remember);
+            if let Some(node) = sight.node(met.node) {
                 let seen = if visible {
                     Sketched::Seen
                 } else {
@@ -169,8 +163,8 @@ impl Walk {
                     .node(&sight.screen, &node.bounds, self.batches, seen);
             }
             match visible {
-                true => self.seen(sight, &waiting, Verdict::Visible, verdicts),
-                false => mark(sight, &waiting, Verdict::Occluded, verdicts),
+                true => self.seen(sight, met, Verdict::Visible, verdicts),
+                false => sight.mark(met, Verdict::Occluded, verdicts),
             }
         }
         self.asked = asked;
@@ -209,85 +203,46 @@ impl Walk {
         let (pixels, whole) = match sight.screen.place(&node.bounds) {
             Place::Outside => return,
             Place::Near => {
-                let waiting = Waiting {
-                    nearness,
-                    node: number,
-                    rect: sight.screen.everywhere(),
-                    whole: false,
-                };
-                self.seen(sight, &waiting, Verdict::Untested, verdicts);
+                let met = sight.near(number, node);
+                self.seen(sight, &met, Verdict::Untested, verdicts);
                 return;
             }
             Place::OnScreen { pixels, whole } => (pixels, whole),
         };
-        let waiting = Waiting {
-            nearness,
+        let met = Met {
             node: number,
             rect: sight.screen.blocks_of(&pixels),
             whole,
         };
         if how.small > 0.0 && (pixels.greatest - pixels.least).max_element() < how.small {
-            mark(sight, &waiting, Verdict::BelowThreshold, verdicts);
+            sight.mark(&met, Verdict::BelowThreshold, verdicts);
             return;
         }
         let remembered = self.memory.valid(number, nearness, how.remember);
         if remembered == Some(false) {
-            mark(sight, &waiting, Verdict::Occluded, verdicts);
-        } else if remembered.is_some() || how.map && self.drawn_on.has_free(waiting.rect) {
+            sight.mark(&met, Verdict::Occluded, verdicts);
+        } else if remembered.is_some() || how.map && self.drawn_on.has_free(met.rect) {
             self.sketch
                 .node(&sight.screen, &node.bounds, 0, Sketched::Free);
-            self.seen(sight, &waiting, Verdict::Visible, verdicts);
+            self.seen(sight, &met, Verdict::Visible, verdicts);
         } else {
-            self.waiting.push(waiting);
+            self.waiting.push(Waiting { nearness, met });
         }
     }
 
     /// Draws a unit, opens what is none.
-    fn seen(
-        &mut self,
-        sight: &Sight<'_>,
-        what: &Waiting,
-        verdict: Verdict,
-        verdicts: &mut Verdicts,
-    ) {
-        let Some(node) = sight.node(what.node) else {
-            return;
-        };
-        if !sight.is_unit(what.node, node) {
-            for child in node.children() {
-                self.push(sight, child);
+    fn seen(&mut self, sight: &Sight<'_>, met: &Met, verdict: Verdict, verdicts: &mut Verdicts) {
+        match sight.node(met.node) {
+            Some(node) if !sight.is_unit(met.node, node) => {
+                for child in node.children() {
+                    self.queue.extend(sight.queued(child));
+                }
             }
-            return;
-        }
-        let before = self.found.len();
-        for slot in sight.slots(what.node, what.whole || node.is_leaf()) {
-            self.draw_slot(sight, slot, verdict, verdicts);
-        }
-        if self.found.len() > before {
-            self.drawn_on.take(what.rect);
-        }
-    }
-
-    fn draw_slot(
-        &mut self,
-        sight: &Sight<'_>,
-        slot: u32,
-        verdict: Verdict,
-        verdicts: &mut Verdicts,
-    ) {
-        verdicts.set(slot, verdict);
-        // What is blended hides nothing and is drawn when all that is solid has been.
-        if !sight.table.is_transparent(slot) {
-            self.found.push(slot);
-        }
-    }
-
-    fn push(&mut self, sight: &Sight<'_>, number: u32) {
-        if let Some(node) = sight.node(number) {
-            // The bits of floats that are not negative sort as the floats do.
-            let nearness = sight.screen.nearness(&node.bounds).to_bits();
-            self.queue
-                .push(Reverse(u64::from(nearness) << 32 | u64::from(number)));
+            _ => {
+                if sight.draw(met, verdict, verdicts, &mut self.found) {
+                    self.drawn_on.take(met.rect);
+                }
+            }
         }
     }
 
@@ -297,25 +252,21 @@ impl Walk {
             self.asked.append(&mut self.waiting);
             return;
         }
-        self.waiting
-            .sort_unstable_by(|a, b| a.nearness.total_cmp(&b.nearness).then(a.node.cmp(&b.node)));
+        self.waiting.sort_unstable_by(|a, b| {
+            a.nearness
+                .total_cmp(&b.nearness)
+                .then(a.met.node.cmp(&b.met.node))
+        });
         self.asked_on.clear();
         self.spare.clear();
         for waiting in self.waiting.drain(..) {
-            if self.asked_on.has_free(waiting.rect) {
-                self.asked_on.take(waiting.rect);
+            if self.asked_on.has_free(waiting.met.rect) {
+                self.asked_on.take(waiting.met.rect);
                 self.asked.push(waiting);
             } else {
                 self.spare.push(waiting);
             }
         }
         std::mem::swap(&mut self.waiting, &mut self.spare);
-    }
-}
-
-/// Gives all in the frustum at and below a node a verdict.
-fn mark(sight: &Sight<'_>, what: &Waiting, verdict: Verdict, verdicts: &mut Verdicts) {
-    for slot in sight.slots(what.node, what.whole) {
-        verdicts.set(slot, verdict);
     }
 }

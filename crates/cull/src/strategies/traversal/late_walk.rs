@@ -1,0 +1,291 @@
+//! A walk that waits for nothing: it goes by the answers of earlier frames, draws what it knows nothing of, and asks for the next ones.
+//!
+//! What the paper leaves to future work (section 6.1: coherence in time), in the way of Bittner, Wimmer, Piringer, Purgathofer, *Coherent
+//! Hierarchical Culling*, 2004: a verdict about an inner node stands for all below it, is pulled up when all children are hidden and refined when
+//! the node comes to light.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use antumbra_draw::boxes::GpuBox;
+
+use super::sight::{Met, Sight};
+use super::walk::How;
+use crate::occupancy::{OccupancyMap, Place};
+use crate::sketch::{Sketch, Sketched};
+use crate::verdict::{Verdict, Verdicts};
+
+/// What a batch of questions was about; goes along with the answers.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct AskedNodes {
+    /// The tree's generation and the view's count of cuts: answers about another tree, or from before a cut, say nothing.
+    pub of: (u64, u64),
+    /// The walk's own count of frames.
+    pub frame: u32,
+    /// The nodes, in the order of the questions.
+    pub nodes: std::sync::Arc<Vec<u32>>,
+}
+
+/// What is known of a node.
+#[derive(Debug, Clone, Copy, Default)]
+struct Known {
+    visible: bool,
+    /// The frame in which it was asked about; 0: never.
+    asked: u32,
+    /// The first frame in which it is asked about again.
+    again: u32,
+    /// Until this frame it is not taken for hidden because its children are.
+    open_until: u32,
+    /// How far the eye had come.
+    travelled: f64,
+}
+
+/// A walk; kept from frame to frame.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct LateWalk {
+    known: Vec<Known>,
+    of: Option<(u64, u64)>,
+    frame: u32,
+    travelled: f64,
+    last_eye: Option<glam::DVec3>,
+    queue: BinaryHeap<Reverse<u64>>,
+    drawn_on: OccupancyMap,
+    pub found: Vec<u32>,
+    asked: Vec<u32>,
+    pub sketch: Sketch,
+}
+
+/// Frames after which an answer is too old to leave anything out: as long as answers are under way, and one more.
+const OLD: u32 = 4;
+/// Frames for which a node that came to light stays open, though all its children be hidden.
+const OPEN: u32 = 32;
+/// A node that reaches over a part of the screen as large as this is opened, not asked about: some of it is nearly always visible.
+const LARGE: u64 = 8;
+
+impl LateWalk {
+    /// Takes in an answer of an earlier frame: whether each node that was asked about had a visible sample.
+    pub fn take(
+        &mut self,
+        sight: &Sight<'_>,
+        how: &How,
+        asked: &AskedNodes,
+        answers: impl Iterator<Item = bool>,
+    ) {
+        if self.of != Some(asked.of) {
+            return;
+        }
+        for (node, visible) in asked.nodes.iter().zip(answers) {
+            let frames = match visible {
+                true => how.remember.visible,
+                false => how.remember.occluded,
+            };
+            let was_hidden = self.is_hidden(*node, how);
+            let travelled = self.travelled;
+            let frame = self.frame;
+            let known = self.known_mut(*node);
+            // Spread, so that not all that was asked about together is asked about together again.
+            let spread = node.wrapping_mul(0x9E37_79B9) >> 16;
+            known.again = frame + frames
+                - if frames > 1 {
+                    spread % (frames / 2 + 1)
+                } else {
+                    0
+                };
+            (known.visible, known.asked, known.travelled) = (visible, asked.frame, travelled);
+            if visible && was_hidden {
+                known.open_until = frame + OPEN;
+            }
+        }
+        for node in asked.nodes.iter() {
+            self.pull_up(sight, how, *node);
+        }
+    }
+
+    /// A node all of whose children are hidden is hidden, and its parent perhaps too.
+    fn pull_up(&mut self, sight: &Sight<'_>, how: &How, node: u32) {
+        let mut at = node;
+        while self.is_hidden(at, how)
+            && let Some(parent) = sight.node(at).map(|node| node.parent)
+            && let Some(above) = sight.node(parent)
+        {
+            let held = self
+                .known
+                .get(parent as usize)
+                .is_some_and(|known| known.open_until > self.frame);
+            if held || !above.children().all(|child| self.is_hidden(child, how)) {
+                return;
+            }
+            let of = above
+                .children()
+                .filter_map(|child| self.known.get(child as usize).copied());
+            // As old as the oldest of them.
+            let oldest = of.min_by_key(|known| known.asked).unwrap_or_default();
+            let frame = self.frame;
+            let known = self.known_mut(parent);
+            (known.visible, known.asked, known.again) = (false, oldest.asked, frame);
+            known.travelled = oldest.travelled;
+            at = parent;
+        }
+    }
+
+    fn known_mut(&mut self, node: u32) -> &mut Known {
+        let at = node as usize;
+        if self.known.len() <= at {
+            self.known.resize(at + 1, Known::default());
+        }
+        &mut self.known[at]
+    }
+
+    fn is_hidden(&self, node: u32, how: &How) -> bool {
+        let Some(known) = self.known.get(node as usize) else {
+            return false;
+        };
+        let old = OLD + how.remember.occluded;
+        known.asked > 0 && !known.visible && known.asked + old >= self.frame
+    }
+
+    /// Walks from the roots: finds what is drawn, gives verdicts, and says what is asked about.
+    pub fn walk(
+        &mut self,
+        sight: &Sight<'_>,
+        how: &How,
+        verdicts: &mut Verdicts,
+        boxes: &mut Vec<GpuBox>,
+    ) {
+        boxes.clear();
+        self.asked.clear();
+        self.found.clear();
+        self.queue.clear();
+        let [wide, high] = sight.screen.blocks();
+        self.drawn_on.reset(wide, high);
+        self.sketch.begin(how.sketch, how.block);
+        for (slot, rect) in sight.untested() {
+            verdicts.set(slot, Verdict::Untested);
+            self.found.push(slot);
+            self.drawn_on.take(rect);
+        }
+        for root in sight.tree.hierarchy().roots() {
+            self.queue.extend(sight.queued(root));
+        }
+        while let Some(Reverse(entry)) = self.queue.pop() {
+            let nearness = f32::from_bits((entry >> 32) as u32);
+            self.meet(sight, how, (entry as u32, nearness), verdicts, boxes);
+        }
+        self.sketch.map(&self.drawn_on);
+        verdicts.add_asked(boxes.len() as u32);
+    }
+
+    /// Begins a frame: what another tree or camera cut was about is forgotten.
+    pub fn begin(&mut self, sight: &Sight<'_>, cuts: u64) {
+        self.frame += 1;
+        let now = (sight.tree.generation(), cuts);
+        if self.of != Some(now) {
+            self.known.clear();
+            self.last_eye = None;
+            self.of = Some(now);
+        }
+        let eye = sight.screen.eye();
+        self.travelled += self.last_eye.map_or(0.0, |last| last.distance(eye));
+        self.last_eye = Some(eye);
+    }
+
+    /// What this frame's questions are about.
+    pub fn asked(&mut self) -> AskedNodes {
+        AskedNodes {
+            of: self.of.unwrap_or_default(),
+            frame: self.frame,
+            nodes: std::sync::Arc::new(std::mem::take(&mut self.asked)),
+        }
+    }
+
+    fn meet(
+        &mut self,
+        sight: &Sight<'_>,
+        how: &How,
+        (number, nearness): (u32, f32),
+        verdicts: &mut Verdicts,
+        boxes: &mut Vec<GpuBox>,
+    ) {
+        let Some(node) = sight.node(number) else {
+            return;
+        };
+        let (pixels, whole) = match sight.screen.place(&node.bounds) {
+            Place::Outside => return,
+            Place::Near => {
+                let met = sight.near(number, node);
+                self.seen(sight, &met, Verdict::Untested, verdicts);
+                return;
+            }
+            Place::OnScreen { pixels, whole } => (pixels, whole),
+        };
+        let met = Met {
+            node: number,
+            rect: sight.screen.blocks_of(&pixels),
+            whole,
+        };
+        if how.small > 0.0 && (pixels.greatest - pixels.least).max_element() < how.small {
+            sight.mark(&met, Verdict::BelowThreshold, verdicts);
+            return;
+        }
+        let known = self.known.get(number as usize).copied().unwrap_or_default();
+        if how.map && self.drawn_on.has_free(met.rect) {
+            self.sketch
+                .node(&sight.screen, &node.bounds, 0, Sketched::Free);
+            let verdict = match known.asked {
+                0 => Verdict::Untested,
+                _ => Verdict::Visible,
+            };
+            self.seen(sight, &met, verdict, verdicts);
+            return;
+        }
+        let come = self.travelled - known.travelled;
+        let slow = come * come <= f64::from(nearness) * how.remember.slow * how.remember.slow;
+        let ask = known.again <= self.frame || !slow;
+        let hidden = self.is_hidden(number, how);
+        let outcome = if hidden {
+            Sketched::Hidden
+        } else {
+            Sketched::Seen
+        };
+        self.sketch
+            .node(&sight.screen, &node.bounds, u32::from(ask), outcome);
+        if hidden {
+            sight.mark(&met, Verdict::Occluded, verdicts);
+        } else if sight.is_unit(number, node) {
+            let verdict = match known.asked {
+                0 => Verdict::New,
+                _ => Verdict::Visible,
+            };
+            self.seen(sight, &met, verdict, verdicts);
+        } else if known.asked > 0 || met.rect.blocks() * LARGE >= sight.screen.everywhere().blocks()
+        {
+            // It came to light, or is sure to: its children are asked about, not it.
+            self.seen(sight, &met, Verdict::Visible, verdicts);
+            return;
+        } else {
+            self.draw(sight, &met, Verdict::New, verdicts);
+        }
+        if ask && let Some(question) = sight.question(number) {
+            boxes.push(question);
+            self.asked.push(number);
+        }
+    }
+
+    /// Draws a unit, opens what is none.
+    fn seen(&mut self, sight: &Sight<'_>, met: &Met, verdict: Verdict, verdicts: &mut Verdicts) {
+        match sight.node(met.node) {
+            Some(node) if !sight.is_unit(met.node, node) => {
+                for child in node.children() {
+                    self.queue.extend(sight.queued(child));
+                }
+            }
+            _ => self.draw(sight, met, verdict, verdicts),
+        }
+    }
+
+    fn draw(&mut self, sight: &Sight<'_>, met: &Met, verdict: Verdict, verdicts: &mut Verdicts) {
+        if sight.draw(met, verdict, verdicts, &mut self.found) {
+            self.drawn_on.take(met.rect);
+        }
+    }
+}
