@@ -121,6 +121,10 @@ pub struct RenderArgs {
     /// Show what was culled, shining through in magenta
     #[arg(long)]
     pub show_culled: bool,
+    /// A second picture, an SVG for a browser: the occupancy map, and every node that was met with its batch and its answer; for strategies
+    /// that can leave a sketch
+    #[arg(long, value_name = "FILE.svg")]
+    pub sketch: Option<PathBuf>,
 }
 
 /// Arguments of `graph`.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use antumbra::cull::{Members, Oracle, Registry, Stage, StageError, StageOptions, Verdict};
 use antumbra::draw::{Gpu, GpuScene, read_back};
 use antumbra::measure::image_error::save_png;
+use antumbra::measure::sketch_picture::save_sketch;
 use antumbra::measure::stereo_picture::{Part, join};
 use antumbra::scene::Camera;
 use image::{Rgba, RgbaImage};
@@ -21,7 +22,11 @@ use crate::input::Input;
 pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
     // Where two pictures are to be laid out there are two.
     args.view.eyes.stereo |= args.layout.is_some();
-    let strategy = Registry::built_in().parse(&args.strategy)?;
+    let mut strategy = Registry::built_in().parse(&args.strategy)?;
+    if args.sketch.is_some() {
+        // A strategy without such a knob says which it has.
+        strategy.set("sketch", "true")?;
+    }
     let gpu = Gpu::open(&args.view.adapter)?;
     let mut input = Input::open(&args.view, &gpu)?;
     let cameras = input.look(args.pose as usize)?;
@@ -37,6 +42,14 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
     let mut pictures = Vec::with_capacity(cameras.len());
     for (view, camera) in cameras.iter().enumerate() {
         let mut image = picture(&stage, view, &gpu, input.size)?;
+        if let Some(path) = &args.sketch {
+            let sketch = stage.sketch(view).ok_or_else(missing)?;
+            let suffix = match cameras.len() {
+                1 => "",
+                _ => ["-left", "-right"].get(view).copied().unwrap_or_default(),
+            };
+            save_sketch(&image, sketch, &suffixed(path, suffix))?;
+        }
         if args.show_culled {
             show_culled(&mut image, &stage, view, &scene, camera, &mut oracle)?;
         }

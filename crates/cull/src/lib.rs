@@ -21,6 +21,7 @@ mod sketch;
 mod stage;
 pub mod strategies;
 mod strategy;
+pub mod traversal;
 mod tree;
 mod verdict;
 mod view_nodes;

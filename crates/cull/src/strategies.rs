@@ -5,7 +5,6 @@ mod coherent;
 mod occupancy_map;
 mod stop_and_wait;
 mod three_pass;
-mod traversal;
 
 pub use baseline::{Frustum, Ideal, None};
 pub use coherent::{Coherence, Coherent, StereoCoherent};

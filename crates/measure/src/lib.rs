@@ -12,6 +12,7 @@ pub mod image_error;
 pub mod path;
 pub mod plots;
 pub mod report;
+pub mod sketch_picture;
 pub mod stats;
 pub mod stereo_picture;
 mod store;

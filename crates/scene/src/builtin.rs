@@ -1,9 +1,11 @@
 //! Scenes that need no file.
 
 mod grid;
+mod layer;
 mod turbine;
 
 pub use grid::{GridOptions, grid, icosphere};
+pub use layer::layer;
 pub use turbine::{TurbineOptions, turbine};
 
 use crate::error::SceneError;
@@ -49,10 +51,10 @@ pub enum BuiltinError {
 /// The built-in scenes' names.
 #[must_use]
 pub fn names() -> &'static [&'static str] {
-    &["grid", "turbine"]
+    &["grid", "layer", "turbine"]
 }
 
-/// The built-in scene of this name. `size` means for a grid how many spheres an edge has, for a turbine which of the two engines
+/// The built-in scene of this name. `size` means for a grid how many spheres an edge has, for a layer how many boxes, for a turbine which of the two engines
 /// it is; `None` is the scene's own default.
 ///
 /// # Errors
@@ -66,6 +68,7 @@ pub fn by_name(name: &str, size: Option<u32>) -> Result<Scene, BuiltinError> {
                 ..defaults
             })
         }
+        "layer" => layer(size.unwrap_or(100)),
         "turbine" => {
             let defaults = TurbineOptions::default();
             turbine(TurbineOptions {

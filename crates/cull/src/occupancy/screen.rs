@@ -113,8 +113,8 @@ impl Screen {
         let depth = self.forward.dot(centre) - self.forward.abs().dot(half);
         let reach = centre.length() + half.length();
         let margin = self.widening.margin(reach) * 2.0 + self.near.abs() * 1e-3;
-        // Written so that NaN counts as near.
-        if !(depth > self.near + margin) {
+        // What has no depth to tell counts as near.
+        if depth <= self.near + margin || depth.is_nan() {
             return Place::Near;
         }
         let pixels = self.pixels(centre.as_vec3(), half.as_vec3());

@@ -8,10 +8,10 @@ mod settings;
 
 use antumbra_scene::hierarchy::Shape;
 
-use super::traversal::{Asking, How, Order, Remember, frame_late, same_frame};
 use crate::frame_graph::FrameGraph;
 use crate::setting::{Latency, Setting, SettingError};
 use crate::strategy::{DeclareError, Strategy, VisibleSet};
+use crate::traversal::{Asking, How, Order, Remember, frame_late, same_frame};
 use crate::view_nodes::ViewNodes;
 
 /// What both strategies can be told.

@@ -19,7 +19,7 @@ use crate::verdict::{Verdict, Verdicts};
 use crate::view_nodes::ViewNodes;
 use antumbra_scene::hierarchy::Shape;
 
-use super::traversal::{Asking, How, Order, Remember, same_frame, submit_transparent};
+use crate::traversal::{Asking, How, Order, Remember, same_frame, submit_transparent};
 
 /// The strategy `stop-and-wait`.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -17,7 +17,7 @@ use crate::verdict::{Verdict, Verdicts};
 
 /// What a batch of questions was about; goes along with the answers.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(crate) struct AskedNodes {
+pub struct AskedNodes {
     /// The tree's generation and the view's count of cuts: answers about another tree, or from before a cut, say nothing.
     pub of: (u64, u64),
     /// The walk's own count of frames.
@@ -42,7 +42,7 @@ struct Known {
 
 /// A walk; kept from frame to frame.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct LateWalk {
+pub struct LateWalk {
     known: Vec<Known>,
     of: Option<(u64, u64)>,
     frame: u32,
@@ -50,8 +50,10 @@ pub(crate) struct LateWalk {
     last_eye: Option<glam::DVec3>,
     queue: BinaryHeap<Reverse<u64>>,
     drawn_on: OccupancyMap,
+    /// Slots to be drawn.
     pub found: Vec<u32>,
     asked: Vec<u32>,
+    /// What was met on the way, where a sketch was asked for.
     pub sketch: Sketch,
 }
 

@@ -25,7 +25,7 @@ struct Ends {
 }
 
 /// Declares a walk that waits for each portion of answers.
-pub(crate) fn same_frame(
+pub fn same_frame(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
     shape: Shape,

@@ -17,7 +17,7 @@ use crate::view_nodes::ViewNodes;
 use antumbra_draw::passes::Submitted;
 
 /// Declares a walk that waits for nothing.
-pub(crate) fn frame_late(
+pub fn frame_late(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
     shape: Shape,

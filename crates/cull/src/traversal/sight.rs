@@ -13,7 +13,8 @@ use crate::verdict::{Verdict, Verdicts};
 
 /// A node that was met on the screen.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Met {
+pub struct Met {
+    /// Its number.
     pub node: u32,
     /// The blocks under its box.
     pub rect: BlockRect,
@@ -22,15 +23,19 @@ pub(crate) struct Met {
 }
 
 /// One frame's scene as a walk sees it.
-pub(crate) struct Sight<'a> {
+pub struct Sight<'a> {
+    /// The scene.
     pub table: &'a SceneTable,
+    /// The tree over it.
     pub tree: &'a Tree,
+    /// The screen, and the eye before it.
     pub screen: Screen,
     /// Triangles below a node that is not opened.
     pub grain: u32,
 }
 
 impl<'a> Sight<'a> {
+    /// Looks at a scene. `block`: pixels along a side of a block of the map; `grain`: triangles below a node that is not opened.
     pub fn new(
         table: &'a SceneTable,
         tree: &'a Tree,
@@ -48,6 +53,7 @@ impl<'a> Sight<'a> {
         }
     }
 
+    /// A node with something in it.
     pub fn node(&self, number: u32) -> Option<&'a HierarchyNode> {
         let node = self.tree.hierarchy().node(number);
         node.filter(|node| !node.bounds.is_empty())

@@ -10,7 +10,10 @@ mod same_frame;
 mod sight;
 mod walk;
 
-pub(super) use frame_late::frame_late;
-pub(super) use memory::Remember;
-pub(super) use same_frame::{same_frame, submit_transparent};
-pub(super) use walk::{Asking, How, Order};
+pub use frame_late::frame_late;
+pub use late_walk::{AskedNodes, LateWalk};
+pub use memory::Remember;
+pub use same_frame::same_frame;
+pub(crate) use same_frame::submit_transparent;
+pub use sight::{Met, Sight};
+pub use walk::{Asking, How, Order, Walk};

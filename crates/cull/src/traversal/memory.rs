@@ -7,7 +7,7 @@ use crate::tree::Tree;
 
 /// How long verdicts stay valid.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Remember {
+pub struct Remember {
     /// Frames for which what a query found visible is drawn without another.
     pub visible: u32,
     /// Frames for which what a query found occluded is left out without another: aggressive.

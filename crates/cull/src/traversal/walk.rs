@@ -13,7 +13,7 @@ use crate::verdict::{Verdict, Verdicts};
 
 /// In what portions a walk asks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Asking {
+pub enum Asking {
     /// In batches whose boxes each reach a block of the screen that no other of the batch lies on; when there were enough of these, about
     /// all who wait at once.
     Batches,
@@ -23,7 +23,7 @@ pub(crate) enum Asking {
 
 /// In what order a batch's entities are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Order {
+pub enum Order {
     /// By pipeline, texture and mesh, as few draws as there can be.
     State,
     /// As they were found, near ones first.
@@ -32,7 +32,8 @@ pub(crate) enum Order {
 
 /// How a walk goes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct How {
+pub struct How {
+    /// In what portions it asks.
     pub asking: Asking,
     /// Whether what reaches a free block of the map is visible without a query.
     pub map: bool,
@@ -42,7 +43,9 @@ pub(crate) struct How {
     pub grain: u32,
     /// Pixels in width and height below which a sub-tree is dropped; 0: none is.
     pub small: f32,
+    /// How long answers stay valid.
     pub remember: Remember,
+    /// In what order a batch's entities are drawn.
     pub order: Order,
     /// Whether it leaves a sketch.
     pub sketch: bool,
@@ -57,7 +60,7 @@ struct Waiting {
 
 /// A walk; kept from frame to frame.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Walk {
+pub struct Walk {
     /// Nodes to be met: nearness above, number below.
     queue: BinaryHeap<Reverse<u64>>,
     waiting: Vec<Waiting>,
@@ -72,6 +75,7 @@ pub(crate) struct Walk {
     memory: Memory,
     batches: u32,
     most_organised: Option<u32>,
+    /// What was met on the way, where a sketch was asked for.
     pub sketch: Sketch,
 }
 

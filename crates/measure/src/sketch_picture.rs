@@ -1,0 +1,184 @@
+//! The picture of a walk, for whoever debugs one: on the left what of the screen had been drawn to when the first question was asked, on the
+//! right every node that was met, coloured by the batch it was asked about in. An SVG, so that a browser can be pointed at each node.
+
+use std::fmt::Write as _;
+use std::io::Cursor;
+use std::path::Path;
+
+use antumbra_cull::{Sketch, Sketched, SketchedNode};
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use image::{ImageFormat, RgbaImage};
+
+use crate::MeasureError;
+use crate::store::write_beside;
+
+/// Room above the panels and below them, and between them, in pixels.
+const HEAD: u32 = 30;
+const GAP: u32 = 16;
+/// Height of a line of the legend.
+const LINE: u32 = 22;
+/// Width of a batch's entry in it.
+const ENTRY: u32 = 210;
+
+/// Writes the picture of a walk over the image it led to.
+///
+/// # Errors
+/// When it cannot be encoded or written; nothing is left behind then.
+pub fn save_sketch(image: &RgbaImage, sketch: &Sketch, path: &Path) -> Result<(), MeasureError> {
+    let mut png = Vec::new();
+    image
+        .write_to(&mut Cursor::new(&mut png), ImageFormat::Png)
+        .map_err(|source| MeasureError::Image {
+            path: path.to_owned(),
+            source,
+        })?;
+    let picture = draw(image.dimensions(), &STANDARD.encode(png), sketch);
+    write_beside(path, picture.as_bytes())
+}
+
+/// The SVG. Writing to a string does not fail.
+fn draw((width, height): (u32, u32), png: &str, sketch: &Sketch) -> String {
+    let batches = sketch
+        .nodes()
+        .iter()
+        .map(|node| node.batch)
+        .max()
+        .unwrap_or(0);
+    let wide = width * 2 + GAP * 3;
+    let columns = (wide / ENTRY).max(1);
+    let lines = (batches + 1).div_ceil(columns);
+    let high = HEAD + height + GAP + lines * LINE + GAP;
+    let right = GAP * 2 + width;
+    let mut out = String::new();
+    let _ = write!(
+        out,
+        r##"<svg xmlns="http://www.w3.org/2000/svg" width="{wide}" height="{high}" viewBox="0 0 {wide} {high}" font-family="sans-serif" font-size="14">
+<style>rect:hover {{ fill-opacity: 0.6; stroke-width: 3 }}</style>
+<rect width="{wide}" height="{high}" fill="#fff" pointer-events="none"/>
+<defs><image id="image" width="{width}" height="{height}" href="data:image/png;base64,{png}"/>
+<clipPath id="screen"><rect width="{width}" height="{height}"/></clipPath></defs>
+"##
+    );
+    let map = sketch.occupancy();
+    let [columns_of_map, rows] = map.size();
+    let all = u64::from(columns_of_map) * u64::from(rows);
+    let share = u64::from(map.taken()) * 100 / all.max(1);
+    panel(
+        &mut out,
+        GAP,
+        &format!(
+            "before the first question {share} % of the blocks ({} pixels wide) are taken: blue",
+            sketch.block()
+        ),
+    );
+    taken(&mut out, sketch);
+    out.push_str("</g>\n");
+    panel(
+        &mut out,
+        right,
+        "nodes by batch: solid where a query found them visible, filled and dashed where hidden",
+    );
+    for node in sketch.nodes() {
+        outline(&mut out, node, batches);
+    }
+    out.push_str("</g>\n");
+    for batch in 0..=batches {
+        let of = |outcome: Sketched| {
+            let alike = |node: &&SketchedNode| node.batch == batch && node.outcome == outcome;
+            sketch.nodes().iter().filter(alike).count()
+        };
+        let (x, y) = (
+            GAP + batch % columns * ENTRY,
+            HEAD + height + GAP + batch / columns * LINE,
+        );
+        let words = match batch {
+            0 => format!(
+                "not asked: {}",
+                of(Sketched::Free) + of(Sketched::Seen) + of(Sketched::Hidden)
+            ),
+            _ => format!(
+                "batch {batch}: {} seen, {} hidden",
+                of(Sketched::Seen),
+                of(Sketched::Hidden)
+            ),
+        };
+        let _ = writeln!(
+            out,
+            r#"<rect x="{x}" y="{y}" width="14" height="14" fill="{}"/><text x="{}" y="{}">{words}</text>"#,
+            colour(batch, batches),
+            x + 20,
+            y + 12,
+        );
+    }
+    out.push_str("</svg>\n");
+    out
+}
+
+/// Opens a panel: its words, and the image, fainter.
+fn panel(out: &mut String, x: u32, words: &str) {
+    let _ = writeln!(
+        out,
+        r##"<text x="{x}" y="20">{words}</text>
+<g transform="translate({x} {HEAD})" clip-path="url(#screen)"><use href="#image" opacity="0.6"/>"##
+    );
+}
+
+/// The taken blocks, a rectangle a run in a row.
+fn taken(out: &mut String, sketch: &Sketch) {
+    let (map, block) = (sketch.occupancy(), sketch.block());
+    let [columns, rows] = map.size();
+    out.push_str("<path fill=\"#1769e0\" fill-opacity=\"0.45\" d=\"");
+    for y in 0..rows {
+        let mut x = 0;
+        while x < columns {
+            let run = (x..columns).take_while(|x| map.is_taken(*x, y)).count() as u32;
+            if run > 0 {
+                let _ = write!(
+                    out,
+                    "M{} {}h{}v{block}h-{}z",
+                    x * block,
+                    y * block,
+                    run * block,
+                    run * block
+                );
+            }
+            x += run + 1;
+        }
+    }
+    out.push_str("\"/>\n");
+}
+
+/// A node's rectangle.
+fn outline(out: &mut String, node: &SketchedNode, batches: u32) {
+    let (least, greatest) = (node.pixels.least, node.pixels.greatest);
+    let size = (greatest - least).max(glam::Vec2::ONE);
+    let (style, words) = match node.outcome {
+        Sketched::Free => (
+            "fill-opacity=\"0\" stroke-opacity=\"0.5\" stroke-width=\"1\"",
+            "free: no question",
+        ),
+        Sketched::Seen => ("fill-opacity=\"0\" stroke-width=\"1.5\"", "visible"),
+        Sketched::Hidden => (
+            "fill-opacity=\"0.15\" stroke-width=\"1\" stroke-dasharray=\"4 3\"",
+            "hidden",
+        ),
+    };
+    let colour = colour(node.batch, batches);
+    let _ = writeln!(
+        out,
+        r#"<rect x="{:.1}" y="{:.1}" width="{:.1}" height="{:.1}" fill="{colour}" stroke="{colour}" {style}><title>batch {}: {words}</title></rect>"#,
+        least.x, least.y, size.x, size.y, node.batch,
+    );
+}
+
+/// Green for what was not asked about; then from blue to red.
+fn colour(batch: u32, batches: u32) -> String {
+    match batch {
+        0 => "#18a058".to_owned(),
+        _ => format!(
+            "hsl({} 85% 50%)",
+            240 - 240 * (batch - 1) / batches.max(2).saturating_sub(1)
+        ),
+    }
+}
