@@ -12,7 +12,7 @@ use crate::failure::Failure;
 const PATIENCE: usize = 500;
 
 /// What is compared when nothing is asked for: label, then the strategy.
-const STANDARD: [(&str, &str); 11] = [
+const STANDARD: [(&str, &str); 13] = [
     ("", "none"),
     ("", "frustum"),
     ("", "ideal"),
@@ -24,6 +24,8 @@ const STANDARD: [(&str, &str); 11] = [
         "three-pass coarser",
         "three-pass:latency=on-gpu:coarser=1000",
     ),
+    ("map late", "occupancy-map:latency=frame-late"),
+    ("map same", "occupancy-map:latency=same-frame"),
     ("coherent late", "coherent:latency=frame-late"),
     ("coherent same", "coherent:latency=same-frame"),
     (
