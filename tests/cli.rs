@@ -47,7 +47,7 @@ fn a_comparison_prints_a_table_and_writes_a_report() {
     assert_eq!(report["scene"]["size"], serde_json::json!([160, 120]));
     assert!(report["noise"]["frame_time_ratio_p95"].as_f64().unwrap() >= 1.0);
     let strategies = report["strategies"].as_array().unwrap();
-    assert_eq!(strategies.len(), 11);
+    assert_eq!(strategies.len(), 13);
     for strategy in strategies {
         if strategy["conservative"] == true {
             assert_eq!(

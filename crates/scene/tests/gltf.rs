@@ -372,3 +372,16 @@ fn a_hundred_thousand_nodes_deep_is_no_deeper_than_the_stack() {
     assert_eq!(scene.len(), count);
     assert_eq!(scene.bounds().unwrap().max.x.round(), count as f64);
 }
+
+#[test]
+fn boxes_come_from_positions_whatever_the_file_says() {
+    let inside_out = r#"{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[9,9,9],"max":[-9,-9,-9]},
+        {"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}"#;
+    let views = r#"{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":12}"#;
+    let square = common::square();
+    let triangles = r#"{"attributes":{"POSITION":0},"indices":1}"#;
+    let scene = read(&primitive(triangles, views, inside_out, &square));
+    let bounds = scene.bounds().unwrap();
+    assert!(bounds.min.abs_diff_eq(DVec3::ZERO, 1e-9), "{bounds:?}");
+    assert!(bounds.max.abs_diff_eq(DVec3::new(1.0, 1.0, 0.0), 1e-9));
+}

@@ -154,6 +154,8 @@ impl Walk {
         answers: impl Iterator<Item = bool>,
     ) {
         let mut asked = std::mem::take(&mut self.asked);
+        // Of what there is no answer about, nothing may be left out.
+        let answers = answers.chain(std::iter::repeat(true));
         for (waiting, visible) in asked.drain(..).zip(answers) {
             let met = &waiting.met;
             self.memory.note(met.node, visible, how.remember);
