@@ -68,7 +68,7 @@ impl Sketch {
         if !self.on {
             return;
         }
-        if let Place::OnScreen { pixels, .. } = screen.place(bounds) {
+        if let Place::OnScreen { pixels, .. } = screen.place(bounds, false) {
             self.nodes.push(SketchedNode {
                 pixels,
                 batch,

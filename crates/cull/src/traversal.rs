@@ -6,6 +6,7 @@
 mod frame_late;
 mod late_walk;
 mod memory;
+mod queue;
 mod same_frame;
 mod sight;
 mod walk;

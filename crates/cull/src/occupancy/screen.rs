@@ -98,11 +98,12 @@ impl Screen {
             .any(|(normal, size, offset)| normal.dot(centre) + offset + size.dot(half) < 0.0)
     }
 
-    /// Where a box lies.
-    pub fn place(&self, bounds: &Aabb) -> Place {
+    /// Where a box lies. `inside`: it is known to be all in the frustum, as what lies in a box that is.
+    pub fn place(&self, bounds: &Aabb, inside: bool) -> Place {
         let (centre, half) = (bounds.centre(), bounds.half_extents());
         let mut whole = true;
-        for (normal, size, offset) in &self.planes {
+        let planes = if inside { &[] } else { self.planes.as_slice() };
+        for (normal, size, offset) in planes {
             let (distance, reach) = (normal.dot(centre) + offset, size.dot(half));
             if distance + reach < 0.0 {
                 return Place::Outside;

@@ -4,11 +4,9 @@
 //! Hierarchical Culling*, 2004: a verdict about an inner node stands for all below it, is pulled up when all children are hidden and refined when
 //! the node comes to light.
 
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
-
 use antumbra_draw::boxes::GpuBox;
 
+use super::queue::{Next, Queue};
 use super::sight::{Met, Sight};
 use super::walk::How;
 use crate::occupancy::{OccupancyMap, Place};
@@ -48,7 +46,7 @@ pub struct LateWalk {
     frame: u32,
     travelled: f64,
     last_eye: Option<glam::DVec3>,
-    queue: BinaryHeap<Reverse<u64>>,
+    queue: Queue,
     drawn_on: OccupancyMap,
     /// Slots to be drawn.
     pub found: Vec<u32>,
@@ -167,11 +165,10 @@ impl LateWalk {
             self.drawn_on.take(rect);
         }
         for root in sight.tree.hierarchy().roots() {
-            self.queue.extend(sight.queued(root));
+            self.queue.push(sight, root, false);
         }
-        while let Some(Reverse(entry)) = self.queue.pop() {
-            let nearness = f32::from_bits((entry >> 32) as u32);
-            self.meet(sight, how, (entry as u32, nearness), verdicts, boxes);
+        while let Some(next) = self.queue.pop() {
+            self.meet(sight, how, next, verdicts, boxes);
         }
         self.sketch.map(&self.drawn_on);
         verdicts.add_asked(boxes.len() as u32);
@@ -204,14 +201,15 @@ impl LateWalk {
         &mut self,
         sight: &Sight<'_>,
         how: &How,
-        (number, nearness): (u32, f32),
+        next: Next,
         verdicts: &mut Verdicts,
         boxes: &mut Vec<GpuBox>,
     ) {
+        let (number, nearness) = (next.node, next.nearness);
         let Some(node) = sight.node(number) else {
             return;
         };
-        let (pixels, whole) = match sight.screen.place(&node.bounds) {
+        let (pixels, whole) = match sight.screen.place(&node.bounds, next.whole) {
             Place::Outside => return,
             Place::Near => {
                 let met = sight.near(number, node);
@@ -278,7 +276,7 @@ impl LateWalk {
         match sight.node(met.node) {
             Some(node) if !sight.is_unit(met.node, node) => {
                 for child in node.children() {
-                    self.queue.extend(sight.queued(child));
+                    self.queue.push(sight, child, met.whole);
                 }
             }
             _ => self.draw(sight, met, verdict, verdicts),

@@ -1,7 +1,5 @@
 //! What a walk looks at in one frame: the scene's table, the tree over it, and the screen.
 
-use std::cmp::Reverse;
-
 use antumbra_draw::boxes::GpuBox;
 use antumbra_draw::{Class, SceneTable, ViewFrame};
 use antumbra_scene::Topology;
@@ -71,19 +69,11 @@ impl<'a> Sight<'a> {
         slots.filter(move |slot| one || whole || self.screen.sees(&self.table.bounds(*slot)))
     }
 
-    /// A node's entry in a queue, nearest first: nearness above, number below.
-    pub fn queued(&self, number: u32) -> Option<Reverse<u64>> {
-        let node = self.node(number)?;
-        // The bits of floats that are not negative sort as the floats do.
-        let nearness = self.screen.nearness(&node.bounds).to_bits();
-        Some(Reverse(u64::from(nearness) << 32 | u64::from(number)))
-    }
-
     /// The slots in the frustum that no test may cull, with the blocks they lie on.
     pub fn untested(&self) -> impl Iterator<Item = (u32, BlockRect)> + '_ {
         self.tree.untested().iter().filter_map(|slot| {
             let bounds = self.table.bounds(*slot);
-            let pixels = match self.screen.place(&bounds) {
+            let pixels = match self.screen.place(&bounds, false) {
                 Place::Outside => return None,
                 Place::Near => self.screen.clipped(&bounds),
                 Place::OnScreen { pixels, .. } => pixels,

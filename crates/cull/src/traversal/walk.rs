@@ -1,11 +1,9 @@
 //! A walk in one frame: who is met, what is drawn at once, and who is asked about together.
 
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
-
 use antumbra_draw::boxes::GpuBox;
 
 use super::memory::{Memory, Remember};
+use super::queue::{Next, Queue};
 use super::sight::{Met, Sight};
 use crate::occupancy::{OccupancyMap, Place};
 use crate::sketch::{Sketch, Sketched};
@@ -61,8 +59,7 @@ struct Waiting {
 /// A walk; kept from frame to frame.
 #[derive(Debug, Clone, Default)]
 pub struct Walk {
-    /// Nodes to be met: nearness above, number below.
-    queue: BinaryHeap<Reverse<u64>>,
+    queue: Queue,
     waiting: Vec<Waiting>,
     asked: Vec<Waiting>,
     spare: Vec<Waiting>,
@@ -106,7 +103,7 @@ impl Walk {
             self.drawn_on.take(rect);
         }
         for root in sight.tree.hierarchy().roots() {
-            self.queue.extend(sight.queued(root));
+            self.queue.push(sight, root, false);
         }
     }
 
@@ -186,27 +183,20 @@ impl Walk {
 
     /// Meets all who are queued; one at a time until one has to wait where each is asked about alone.
     fn meet_all(&mut self, sight: &Sight<'_>, how: &How, verdicts: &mut Verdicts) {
-        while let Some(Reverse(entry)) = self.queue.pop() {
-            let nearness = f32::from_bits((entry >> 32) as u32);
-            self.meet(sight, how, entry as u32, nearness, verdicts);
+        while let Some(next) = self.queue.pop() {
+            self.meet(sight, how, next, verdicts);
             if how.asking == Asking::Single && !self.waiting.is_empty() {
                 break;
             }
         }
     }
 
-    fn meet(
-        &mut self,
-        sight: &Sight<'_>,
-        how: &How,
-        number: u32,
-        nearness: f32,
-        verdicts: &mut Verdicts,
-    ) {
+    fn meet(&mut self, sight: &Sight<'_>, how: &How, next: Next, verdicts: &mut Verdicts) {
+        let (number, nearness) = (next.node, next.nearness);
         let Some(node) = sight.node(number) else {
             return;
         };
-        let (pixels, whole) = match sight.screen.place(&node.bounds) {
+        let (pixels, whole) = match sight.screen.place(&node.bounds, next.whole) {
             Place::Outside => return,
             Place::Near => {
                 let met = sight.near(number, node);
@@ -241,7 +231,7 @@ impl Walk {
         match sight.node(met.node) {
             Some(node) if !sight.is_unit(met.node, node) => {
                 for child in node.children() {
-                    self.queue.extend(sight.queued(child));
+                    self.queue.push(sight, child, met.whole);
                 }
             }
             _ => {
