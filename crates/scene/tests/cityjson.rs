@@ -193,7 +193,8 @@ fn children_alone_say_who_hangs_where() {
     assert_eq!(scene.parent(named(&scene, "a-0")), Some(named(&scene, "a")));
 }
 
-/// Real buildings: their volumes are those that their makers computed, at every level.
+/// Real buildings: their volumes are those that their makers computed before they
+/// rounded, at every level.
 #[test]
 fn the_sample_of_delft_has_its_makers_volumes() {
     let file = concat!(
@@ -220,7 +221,10 @@ fn the_sample_of_delft_has_its_makers_volumes() {
             }
         }
         for (sum, known) in sums.iter().zip(volumes) {
-            assert!((sum / known - 1.0).abs() < 1e-4, "{id}: {sums:?}");
+            assert!(
+                (sum / known - 1.0).abs() < 3e-4,
+                "{id}: {sums:?} and not {volumes:?}"
+            );
         }
     }
 }

@@ -11,6 +11,8 @@ pub(super) struct Triangulator {
     corners: Vec<DVec3>,
     flat: Vec<[f64; 2]>,
     holes: Vec<u32>,
+    /// Whether the outer ring encloses nothing, and so its holes are in nothing.
+    is_void: bool,
     triangles: Vec<u32>,
 }
 
@@ -27,6 +29,7 @@ impl Triangulator {
             corners: Vec::new(),
             flat: Vec::new(),
             holes: Vec::new(),
+            is_void: false,
             triangles: Vec::new(),
         }
     }
@@ -35,14 +38,19 @@ impl Triangulator {
     pub(super) fn clear(&mut self) {
         self.corners.clear();
         self.holes.clear();
+        self.is_void = false;
     }
 
     /// Adds a ring to the surface, the outer one first. One that encloses nothing is left out.
     pub(super) fn ring(&mut self, corners: impl IntoIterator<Item = DVec3>) {
+        if self.is_void {
+            return;
+        }
         let start = self.corners.len();
         self.corners.extend(corners);
         if self.corners.len() - start < 3 {
             self.corners.truncate(start);
+            self.is_void |= start == 0;
         } else if start > 0 {
             self.holes.push(start as u32);
         }
