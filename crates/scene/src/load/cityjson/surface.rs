@@ -16,8 +16,9 @@ pub(super) struct Triangulator {
     triangles: Vec<u32>,
 }
 
-/// The most corners a surface may have: clipping the ears of one that crosses itself takes time with their square at best.
-pub(super) const MOST_CORNERS: usize = 1 << 14;
+/// The most corners a surface may have. Clipping ears takes a time that grows with their square where the rings cross each
+/// other; here it is seconds.
+pub(super) const MOST_CORNERS: usize = 1 << 13;
 
 /// A surface with a smaller area than this part of the square of its extent is a line.
 const LEAST_AREA: f64 = 1e-12;
