@@ -172,7 +172,7 @@ fn the_engine_is_whole_first_and_reaches_out_of_the_picture_then() {
         let most = corners.map(|corner| reach(pose, corner));
         let most = most.into_iter().fold(0.0, f64::max);
         if number < WHOLE {
-            assert!(most < 0.98, "pose {number} reaches {most} of the picture");
+            assert!(most < 1.0, "pose {number} reaches {most} of the picture");
         }
         let within = |b: &&Aabb| b.contains(pose.position);
         let parts = boxes
@@ -180,7 +180,10 @@ fn the_engine_is_whole_first_and_reaches_out_of_the_picture_then() {
             .filter(|b| reach(pose, b.centre()) > 1.0)
             .count();
         if number >= 90 {
-            assert!(parts * 4 > boxes.len(), "pose {number}: {parts} parts out");
+            assert!(
+                parts * 3 > boxes.len() * 2,
+                "pose {number}: {parts} parts out"
+            );
         }
         assert_eq!(boxes.iter().filter(within).count(), 0, "pose {number}");
     }
