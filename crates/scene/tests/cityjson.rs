@@ -93,6 +93,10 @@ fn levels_come_finest_first_with_holes_normals_and_tints() {
         assert!(least_agreement(level) > 0.999_999);
     }
     assert!(coarse.colours.is_empty());
+    let (_, mesh) = scene.meshes().next().unwrap();
+    let proxy = mesh.proxy.as_ref().unwrap();
+    assert_eq!(proxy.positions, coarse.positions);
+    assert_eq!(proxy.indices, coarse.indices);
     let up = |i: &usize| fine.normals[*i] == [0.0, 1.0, 0.0];
     let roof: Vec<_> = (0..fine.positions.len()).filter(up).collect();
     assert_eq!(roof.len(), 8);
@@ -170,6 +174,17 @@ fn what_is_no_surface_is_left_out() {
     let footprint = r#"{"type":"MultiSurface","lod":"0","boundaries":[[[0,1,2,3]]]}"#;
     let scene = read(&with_geometry(footprint));
     assert_eq!(scene.triangle_count(), 2, "there is nothing better");
+}
+
+#[test]
+fn a_level_with_more_triangles_than_the_finest_is_no_proxy() {
+    let swapped = common::CITY.replace(r#""lod":"1""#, r#""lod":"3""#);
+    let scene = read(&swapped);
+    let [fine, coarse] = levels(&scene, "a-0") else {
+        panic!("two levels");
+    };
+    assert!(coarse.triangle_count() > fine.triangle_count());
+    assert!(scene.meshes().all(|(_, mesh)| mesh.proxy.is_none()));
 }
 
 #[test]

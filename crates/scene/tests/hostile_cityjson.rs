@@ -266,7 +266,8 @@ fn semantics_that_fit_nothing_do_no_harm() {
 
 #[test]
 fn budgets_are_kept() {
-    let limits: [(&str, fn(&mut LoadOptions)); 5] = [
+    type Limit = fn(&mut LoadOptions);
+    let limits: [(&str, Limit); 5] = [
         ("max_file_bytes", |o| {
             o.max_file_bytes = common::CITY.len() as u64 - 1
         }),

@@ -1,6 +1,6 @@
 //! CityJSON 1 and 2, a whole document or a sequence of features a line (CityJSONSeq): an entity a city object, its parts below
-//! it, its geometries the levels of one mesh. The format is 3D geoinformation's, TU Delft (Hugo Ledoux and others, "CityJSON: a
-//! compact and easy-to-use encoding of the CityGML data model", 2019).
+//! it, its geometries the levels of one mesh and the coarsest of them its proxy. The format is Delft University of Technology's
+//! (Hugo Ledoux and others, "CityJSON: a compact and easy-to-use encoding of the CityGML data model", 2019).
 //!
 //! Read are all surfaces and solids. Points, lines, instances of templates, textures and attributes are not. Objects keep
 //! their true coordinates, east along X, up along Y and south along Z.

@@ -169,8 +169,8 @@ impl<'a> Placer<'a> {
         let drawable = Drawable {
             mesh: self.scene.add_mesh(Mesh {
                 name: id.to_owned(),
+                proxy: stand_in(&levels),
                 levels,
-                proxy: None,
             })?,
             material: self.looks.material(&mut self.scene, &object.kind, is_solid),
         };
@@ -288,4 +288,18 @@ impl Site<'_> {
         let middle = low.midpoint(high);
         Ok(DVec3::new(middle.x, low.y, middle.z))
     }
+}
+
+/// The shape of the coarsest of several levels. Its walls stand where the building's are, which those of a simplified building
+/// do not: in a street that hides too much.
+fn stand_in(levels: &[Geometry]) -> Option<Geometry> {
+    let [full, .., coarsest] = levels else {
+        return None;
+    };
+    let is_coarser = coarsest.indices.len() <= full.indices.len();
+    is_coarser.then(|| Geometry {
+        positions: coarsest.positions.clone(),
+        indices: coarsest.indices.clone(),
+        ..Geometry::default()
+    })
 }
