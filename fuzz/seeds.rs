@@ -39,6 +39,12 @@ fn loaders() -> std::io::Result<()> {
         (2, common::ply_binary()),
         (3, common::STL.as_bytes().to_vec()),
         (3, common::stl_binary(b"solid", 2)),
+        (4, common::CITY.as_bytes().to_vec()),
+        (4, common::CITY.replace('}', "}\n").into_bytes()),
+        (
+            4,
+            br#"{"type":"CityJSON","version":"1.0","CityObjects":{"r":{"type":"Road","geometry":[{"type":"CompositeSolid","lod":2.5,"boundaries":[[[[[0,1,2]],[[0,2,3]]],[[[0,1,3,2,1]]]]],"semantics":{"surfaces":[{"type":"Door"}],"values":[[[0,null],null]]}},{"type":"GeometryInstance","template":0,"boundaries":[0],"transformationMatrix":[]}]},"g":{"type":"CityObjectGroup","children":["r"]}},"vertices":[[0,0,0],[1.5,0,0],[0,1,0],[0,0,1]]}"#.to_vec(),
+        ),
     ];
     let gltf = gltf.into_iter().map(|file| (0, file));
     write(&folder, gltf.chain(others))

@@ -10,7 +10,7 @@ use antumbra::measure::path::{Orbit, Path, Pose};
 use antumbra::measure::views;
 use antumbra::scene::Camera;
 use antumbra::scene::builtin::{self, BuiltinError};
-use antumbra::scene::{Aabb, LoadOptions, Projection, Scene, Stereo, load};
+use antumbra::scene::{Aabb, Format, LoadOptions, Projection, Scene, Stereo, load};
 use antumbra::subsurface::{
     BrickSource, BuiltIn, BuiltInOptions, Model, SectionPlaces, Sections, VolumeFile,
 };
@@ -36,9 +36,6 @@ pub struct Input {
     /// Slices and lenses of a volume.
     pub sections: Option<Sections>,
 }
-
-/// File endings that scenes have.
-const ENDINGS: [&str; 5] = ["glb", "gltf", "obj", "ply", "stl"];
 
 /// Without a scene named, a software adapter gets a smaller one, so that the answer comes within a minute.
 const SMALL: (&str, u32, [u32; 2]) = ("subsurface:140", 18, [640, 512]);
@@ -124,12 +121,8 @@ impl Found {
     /// `bare`: a built-in model comes without its own slices and lens.
     fn named(named: &str, bare: bool) -> Result<Self, Failure> {
         let file = FilePath::new(named);
-        let ending = file
-            .extension()
-            .and_then(|ending| ending.to_str())
-            .unwrap_or_default()
-            .to_lowercase();
-        if file.is_file() || ENDINGS.contains(&ending.as_str()) {
+        let ending = file.extension().and_then(|ending| ending.to_str());
+        if file.is_file() || ending.and_then(Format::from_extension).is_some() {
             let loaded = load(file, &LoadOptions::default()).map_err(|error| Failure::Load {
                 path: file.to_owned(),
                 error,
@@ -143,9 +136,9 @@ impl Found {
             });
         }
         if file.exists() || named.contains(['/', '\\']) {
-            let known = ENDINGS.map(|ending| format!(".{ending}")).join(", ");
             return Err(Failure::Usage(format!(
-                "'{named}' is no scene: name a file ({known}) or a built-in scene ({})",
+                "'{named}' is no scene: name a file (.{}) or a built-in scene ({})",
+                Format::EXTENSIONS.join(", ."),
                 built_in_names().join(", ")
             )));
         }

@@ -9,7 +9,13 @@ fuzz_target!(|data: &[u8]| {
     let Some((pick, bytes)) = data.split_first() else {
         return;
     };
-    let formats = [Format::Gltf, Format::Obj, Format::Ply, Format::Stl];
+    let formats = [
+        Format::Gltf,
+        Format::Obj,
+        Format::Ply,
+        Format::Stl,
+        Format::CityJson,
+    ];
     let options = LoadOptions {
         max_file_bytes: 1 << 20,
         max_vertices: 1 << 16,

@@ -2,6 +2,7 @@
 //! there before memory is taken for it, nothing recurses, and nothing outside the file's own folder is opened.
 
 mod budget;
+mod cityjson;
 mod error;
 mod files;
 mod gltf;
@@ -22,6 +23,8 @@ use std::path::Path;
 /// The file formats that can be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Format {
+    /// CityJSON 1 or 2, a document or a sequence of features a line; which of the two is told from the text.
+    CityJson,
     /// glTF 2.0, JSON or binary; which of the two is told from the bytes.
     Gltf,
     /// Wavefront OBJ with MTL.
@@ -34,13 +37,15 @@ pub enum Format {
 
 impl Format {
     /// The file name extensions that are known, for messages.
-    pub const EXTENSIONS: &'static [&'static str] = &["glb", "gltf", "obj", "ply", "stl"];
+    pub const EXTENSIONS: &'static [&'static str] =
+        &["glb", "gltf", "json", "jsonl", "obj", "ply", "stl"];
 
     /// The format of a file with this extension, in either case of letters.
     #[must_use]
     pub fn from_extension(extension: &str) -> Option<Self> {
         match extension.to_ascii_lowercase().as_str() {
             "glb" | "gltf" => Some(Self::Gltf),
+            "json" | "jsonl" => Some(Self::CityJson),
             "obj" => Some(Self::Obj),
             "ply" => Some(Self::Ply),
             "stl" => Some(Self::Stl),
@@ -62,8 +67,8 @@ pub struct LoadOptions {
     pub max_entities: u64,
     /// Pixels of all images; one costs 4 bytes.
     pub max_image_pixels: u64,
-    /// Objects and arrays in a glTF's JSON, and a sixteenth of its commas; one costs up to about 700 bytes while the file is
-    /// read.
+    /// Objects and arrays in a glTF's or a CityJSON document's JSON or in one line of a CityJSON sequence, and a sixteenth of
+    /// its commas; one costs up to about 700 bytes while the file is read.
     pub max_json_objects: u64,
     /// Leave images out; materials keep their colours.
     pub skip_images: bool,
@@ -83,7 +88,8 @@ impl Default for LoadOptions {
     }
 }
 
-/// Reads a scene from a file; its format is told by the extension (.glb, .gltf, .obj, .ply, .stl).
+/// Reads a scene from a file; its format is told by the extension (.glb, .gltf, .json and .jsonl for CityJSON,
+/// .obj, .ply, .stl).
 ///
 /// The scene is named after the file and has been [`update`](Scene::update)d by nobody yet.
 ///
@@ -151,6 +157,7 @@ fn read_format(
 ) -> Result<Scene, LoadProblem> {
     let files = Files::new(base);
     match format {
+        Format::CityJson => cityjson::read(bytes, &mut budget),
         Format::Gltf => gltf::read(bytes, &files, &mut budget),
         Format::Obj => obj::read(bytes, &files, &mut budget),
         Format::Ply => single("ply", ply::read(bytes, &mut budget)?),

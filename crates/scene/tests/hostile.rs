@@ -523,7 +523,7 @@ fn what_does_not_follow_the_format_says_where() {
         *error.problem,
         LoadProblem::UnknownExtension { .. },
         "fbx",
-        ".glb, .gltf, .obj, .ply, .stl"
+        ".glb, .gltf, .json, .jsonl, .obj, .ply, .stl"
     );
 }
 

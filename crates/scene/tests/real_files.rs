@@ -1,5 +1,6 @@
 //! Files that other programs wrote. They are not part of the repository: without the git-ignored folder `data/` these tests
-//! say so and pass. `apt-get download assimp-testmodels && dpkg -x assimp-testmodels_*.deb data/assimp` fills it.
+//! say so and pass. `apt-get download assimp-testmodels && dpkg -x assimp-testmodels_*.deb data/assimp` fills it, and
+//! `scripts/data.sh city`.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_scene::{Format, LoadOptions, LoadProblem, load};
@@ -110,4 +111,44 @@ fn more_triangles_than_allowed_are_refused() {
         matches!(*error.problem, LoadProblem::TooLarge { .. }),
         "{error}"
     );
+}
+
+#[test]
+fn delft_has_the_buildings_and_triangles_it_is_known_to_have() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/delft.city.jsonl");
+    if !path.is_file() {
+        eprintln!("skipped: {} is not there", path.display());
+        return;
+    }
+    let mut scene = load(&path, &LoadOptions::default()).unwrap();
+    scene.update();
+    assert_eq!(scene.roots().count(), 1115);
+    assert_eq!((scene.len(), scene.drawable_count()), (2231, 1116));
+    // What polygons with holes make: corners and twice the holes, less two each.
+    let known = [109_101, 59_472, 40_592];
+    let mut triangles = [0; 3];
+    let mut open = 0;
+    for (_, mesh) in scene.meshes() {
+        assert_eq!(mesh.levels.len(), 3, "{}", mesh.name);
+        for (sum, level) in triangles.iter_mut().zip(&mesh.levels) {
+            *sum += level.triangle_count();
+            let (mut all, mut size) = (glam::DVec3::ZERO, 0.0);
+            for [a, b, c] in level.triangles().map(|t| level.corners(t).unwrap()) {
+                let area = (b - a).cross(c - a);
+                all += area;
+                size += area.length();
+            }
+            // What a closed surface shows to one side it shows to the other.
+            open += usize::from(all.length() > size * 1e-4);
+        }
+    }
+    println!("{triangles:?} of {known:?} triangles, {open} meshes not closed");
+    for (have, known) in triangles.into_iter().zip(known) {
+        assert!(have.abs_diff(known) * 100 < known, "{have} of {known}");
+    }
+    assert!(open < 10, "{open} meshes have holes");
+    let bounds = scene.bounds().unwrap();
+    let (low, high) = (bounds.min.round(), bounds.max.round());
+    assert_eq!(low.to_array(), [84_502.0, -4.0, -446_983.0]);
+    assert_eq!(high.to_array(), [85_675.0, 95.0, -445_805.0]);
 }

@@ -84,6 +84,26 @@ impl Budget {
             "max_image_pixels",
         )
     }
+
+    /// A few bytes of JSON become hundreds in memory, so what takes it is counted before it is read.
+    pub(super) fn json(&self, text: &[u8]) -> Result<(), LoadProblem> {
+        let (mut objects, mut commas) = (0_u64, 0_u64);
+        for byte in text {
+            objects += u64::from(matches!(byte, b'{' | b'['));
+            commas += u64::from(*byte == b',');
+        }
+        let amount = objects + commas / 16;
+        let limit = self.options.max_json_objects;
+        if amount > limit {
+            return Err(LoadProblem::TooLarge {
+                what: "objects in the JSON",
+                amount,
+                limit,
+                option: "max_json_objects",
+            });
+        }
+        Ok(())
+    }
 }
 
 fn take(

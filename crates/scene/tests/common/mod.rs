@@ -89,6 +89,20 @@ pub fn stl_binary(header: &[u8], triangles: u32) -> Vec<u8> {
     file
 }
 
+/// A CityJSON sequence of one building, whose part is a cube of 10 m at level 1 and one with a square hole in its roof at level 2.
+pub const CITY: &str = concat!(
+    r#"{"type":"CityJSON","version":"2.0","transform":{"scale":[0.001,0.001,0.001],"translate":[85000.0,446000.0,-2.0]},"CityObjects":{},"vertices":[]}"#,
+    "\n",
+    r#"{"type":"CityJSONFeature","id":"a","CityObjects":{"#,
+    r#""a":{"type":"Building","attributes":{"built":1652,"tags":["x",{"y":null}]},"children":["a-0"],"geometry":[{"type":"MultiSurface","lod":"0","boundaries":[[[0,1,2,3]]]}]},"#,
+    r#""a-0":{"type":"BuildingPart","parents":["a"],"geometry":["#,
+    r#"{"type":"Solid","lod":"1","boundaries":[[[[3,2,1,0]],[[0,1,5,4]],[[1,2,6,5]],[[2,3,7,6]],[[3,0,4,7]],[[4,5,6,7]]]]},"#,
+    r#"{"type":"MultiSurface","lod":"2","boundaries":[[[3,2,1,0]],[[0,1,5,4]],[[1,2,6,5]],[[2,3,7,6]],[[3,0,4,7]],[[4,5,6,7],[8,11,10,9]]],"#,
+    r#""semantics":{"surfaces":[{"type":"GroundSurface"},{"type":"WallSurface"},{"type":"RoofSurface"}],"values":[0,1,1,1,null,2]}}]}},"#,
+    r#""vertices":[[0,0,0],[10000,0,0],[10000,10000,0],[0,10000,0],[0,0,10000],[10000,0,10000],[10000,10000,10000],[0,10000,10000],[2000,2000,10000],[8000,2000,10000],[8000,8000,10000],[2000,8000,10000]]}"#,
+    "\n"
+);
+
 /// A PNG of two by one pixels: red, then half-transparent green.
 pub const PNG: &[u8] = &[
     137, 80, 78, 71, 13, 10, 26, 10, 0, 0, 0, 13, 73, 72, 68, 82, 0, 0, 0, 2, 0, 0, 0, 1, 8, 6, 0,

@@ -103,22 +103,7 @@ pub(super) fn parse<'a>(
     json: &'a [u8],
     budget: &Budget,
 ) -> Result<(Root, Vec<&'a RawValue>), LoadProblem> {
-    // A few bytes of JSON become hundreds in memory, so what takes it is counted first.
-    let (mut objects, mut commas) = (0_u64, 0_u64);
-    for byte in json {
-        objects += u64::from(matches!(byte, b'{' | b'['));
-        commas += u64::from(*byte == b',');
-    }
-    let objects = objects + commas / 16;
-    let limit = budget.options.max_json_objects;
-    if objects > limit {
-        return Err(LoadProblem::TooLarge {
-            what: "objects in the JSON",
-            amount: objects,
-            limit,
-            option: "max_json_objects",
-        });
-    }
+    budget.json(json)?;
     let broken = |place: &str, problem: String| LoadProblem::Syntax {
         format: "glTF",
         place: place.to_owned(),
