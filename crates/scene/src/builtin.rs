@@ -1,8 +1,15 @@
 //! Scenes that need no file.
 
+mod chance;
+mod city;
 mod grid;
+mod shell;
+mod solid;
+mod tube;
 mod turbine;
+mod turned;
 
+pub use city::{CityOptions, city};
 pub use grid::{GridOptions, grid, icosphere};
 pub use turbine::{TurbineOptions, turbine};
 
@@ -49,11 +56,11 @@ pub enum BuiltinError {
 /// The built-in scenes' names.
 #[must_use]
 pub fn names() -> &'static [&'static str] {
-    &["grid", "turbine"]
+    &["grid", "turbine", "city"]
 }
 
 /// The built-in scene of this name. `size` means for a grid how many spheres an edge has, for a turbine which of the two engines
-/// it is; `None` is the scene's own default.
+/// it is, for a city how many blocks an edge has; `None` is the scene's own default.
 ///
 /// # Errors
 /// [`BuiltinError::UnknownName`], which lists the names; [`BuiltinError::TooLarge`]; [`BuiltinError::NoSuchSize`].
@@ -69,6 +76,13 @@ pub fn by_name(name: &str, size: Option<u32>) -> Result<Scene, BuiltinError> {
         "turbine" => {
             let defaults = TurbineOptions::default();
             turbine(TurbineOptions {
+                size: size.unwrap_or(defaults.size),
+                ..defaults
+            })
+        }
+        "city" => {
+            let defaults = CityOptions::default();
+            city(CityOptions {
                 size: size.unwrap_or(defaults.size),
                 ..defaults
             })
