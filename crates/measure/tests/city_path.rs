@@ -77,9 +77,17 @@ fn it_is_ninety_six_close_poses_without_a_cut_or_roll() {
     for (number, pair) in poses.windows(2).enumerate() {
         let way = pair[0].position.distance(pair[1].position);
         let turn = pair[0].rotation.angle_between(pair[1].rotation);
-        let (far, much) = if number + 1 < FLIGHT { (3.0, 4.0) } else { (0.5, 5.0) };
+        let (far, much) = if number + 1 < FLIGHT {
+            (3.0, 4.0)
+        } else {
+            (0.5, 5.0)
+        };
         assert!(way < far, "{number}: {way} m");
-        assert!(turn.to_degrees() < much, "{number}: {} degrees", turn.to_degrees());
+        assert!(
+            turn.to_degrees() < much,
+            "{number}: {} degrees",
+            turn.to_degrees()
+        );
         assert!((pair[0].rotation * DVec3::X).y.abs() < 1e-6, "no roll");
     }
 }
@@ -97,7 +105,10 @@ fn it_rises_above_the_roofs_and_walks_round_a_corner_into_a_house() {
         assert!((-0.01..0.21).contains(&floor), "{number}: {floor} m");
     }
     let turned = ahead(&walk[0]).angle_between(ahead(&walk[walk.len() - 1]));
-    assert!(turned.to_degrees() > 150.0, "about the corner and into the door");
+    assert!(
+        turned.to_degrees() > 150.0,
+        "about the corner and into the door"
+    );
     // The last pose is under a ceiling, the first of the walk under the sky.
     let mut scene = city(CityOptions::default()).unwrap();
     scene.update();
@@ -123,7 +134,12 @@ fn its_eye_comes_close_to_nothing_and_passes_through_nothing() {
             let what = scene.mesh(scene.drawable(entity).unwrap().mesh).unwrap();
             for triangle in triangles {
                 let away = nearest(triangle, to).distance(to);
-                assert!(away > CLEAR, "pose {}: {away} m to a {}", number + 1, what.name);
+                assert!(
+                    away > CLEAR,
+                    "pose {}: {away} m to a {}",
+                    number + 1,
+                    what.name
+                );
                 let through = crosses(triangle, from, to);
                 assert!(!through, "through a {} after pose {number}", what.name);
             }
@@ -138,9 +154,13 @@ fn in_every_picture_parts_of_the_city_are_outside_the_frustum() {
     scene.update();
     let bounds = scene.bounds().unwrap();
     for (number, pose) in path.poses().iter().enumerate() {
-        let behind = bounds.corners().into_iter().filter(|corner| {
-            ahead(pose).dot(*corner - pose.position) < 0.0
-        });
-        assert!(behind.count() > 0, "pose {number} has the whole city before it");
+        let behind = bounds
+            .corners()
+            .into_iter()
+            .filter(|corner| ahead(pose).dot(*corner - pose.position) < 0.0);
+        assert!(
+            behind.count() > 0,
+            "pose {number} has the whole city before it"
+        );
     }
 }

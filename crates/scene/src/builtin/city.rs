@@ -67,14 +67,7 @@ pub fn city(options: CityOptions) -> Result<Scene, BuiltinError> {
         let name = format!("quarter {}", quarter.number);
         let node = kit.node(kit.city(), &name, plan.quarter_place(&quarter))?;
         for place in plan.blocks(&quarter) {
-            block::add(
-                &mut kit,
-                node,
-                &place,
-                &mut lots,
-                &mut rooms,
-                &mut gardens,
-            )?;
+            block::add(&mut kit, node, &place, &mut lots, &mut rooms, &mut gardens)?;
         }
         for street in plan.streets(&quarter) {
             street::add(&mut kit, node, &street, &mut streets)?;

@@ -205,7 +205,11 @@ fn park(kit: &mut Kit, node: EntityKey, chance: &mut Chance) -> Result<(), Scene
         for i in 0..9 {
             let (row, column) = (f64::from(i / 3), f64::from(i % 3));
             let mut off = || chance.between(-2.5, 2.5);
-            let place = at(7.5 + 10.0 * row + off(), PAVEMENT - 0.03, 7.5 + 10.0 * column + off());
+            let place = at(
+                7.5 + 10.0 * row + off(),
+                PAVEMENT - 0.03,
+                7.5 + 10.0 * column + off(),
+            );
             tree(kit, grove, place, chance)?;
         }
         for i in 0..3 {

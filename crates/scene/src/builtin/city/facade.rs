@@ -56,7 +56,10 @@ pub(super) fn wall(face: Face, style: Style) -> Solid {
     solid.pierced([-left, LOT], HEIGHT, [INSIDE, LOT], &openings);
     // A band between the storeys.
     let z = [LOT - 0.05, LOT + 0.05];
-    solid.cuboid([-LOT, HEIGHT[1] - 0.16, z[0]], [LOT, HEIGHT[1] - 0.001, z[1]]);
+    solid.cuboid(
+        [-LOT, HEIGHT[1] - 0.16, z[0]],
+        [LOT, HEIGHT[1] - 0.001, z[1]],
+    );
     solid
 }
 
@@ -93,8 +96,8 @@ pub(super) fn door(opened: f64) -> Solid {
     };
     solid.frame(frame, 0.05, [LOT - 0.24, LOT - 0.12]);
     let hinge = [DOOR.x[1] - 0.05, 0.0, LOT - 0.2];
-    let turn = DAffine3::from_translation(hinge.into())
-        * DAffine3::from_rotation_y(-opened.to_radians());
+    let turn =
+        DAffine3::from_translation(hinge.into()) * DAffine3::from_rotation_y(-opened.to_radians());
     solid.add(&leaf(1.09, [0.02, 2.14]), turn);
     // A canopy, and a step before the door.
     solid.rounded([-0.95, 2.42, LOT - 0.02], [0.95, 2.5, LOT + 0.7], 0.02, 1);
@@ -104,21 +107,17 @@ pub(super) fn door(opened: f64) -> Solid {
     solid
 }
 
-/// A door's leaf with panels and handles, its hinges on the vertical at x = 0; it reaches towards -X.
+/// A door's leaf with a panel and a handle on either side, its hinges on the vertical at x = 0; it reaches towards -X.
 pub(super) fn leaf(wide: f64, y: [f64; 2]) -> Solid {
     let mut solid = Solid::default();
     solid.cuboid([-wide, y[0], -0.02], [0.0, y[1], 0.02]);
-    let half = (y[1] - y[0]) / 2.0;
-    for row in 0..2 {
-        let low = y[0] + half * f64::from(row);
-        for z in [[-0.03, -0.015], [0.015, 0.03]] {
-            solid.rounded(
-                [-wide + 0.12, low + 0.09, z[0]],
-                [-0.12, low + half - 0.03, z[1]],
-                0.007,
-                1,
-            );
-        }
+    for z in [[-0.03, -0.015], [0.015, 0.03]] {
+        solid.rounded(
+            [-wide + 0.12, y[0] + 0.15, z[0]],
+            [-0.12, y[1] - 0.12, z[1]],
+            0.007,
+            1,
+        );
     }
     for z in [-1.0, 1.0] {
         let (x, y) = (-wide + 0.07, 1.05);

@@ -54,7 +54,11 @@ impl Solid {
         for k in 0..8_usize {
             let triangle = [at(k, 0), at(k, 1), at(k, 2)];
             let [a, b, c] = triangle;
-            triangles.push(if k.count_ones() % 2 == 1 { triangle } else { [a, c, b] });
+            triangles.push(if k.count_ones() % 2 == 1 {
+                triangle
+            } else {
+                [a, c, b]
+            });
         }
         self.patch(&corners, &triangles);
     }
@@ -115,13 +119,7 @@ impl Solid {
     }
 
     /// Adds a ring of round section around the vertical at `middle`.
-    pub(super) fn hoop(
-        &mut self,
-        middle: [f64; 3],
-        radius: f64,
-        thick: f64,
-        steps: [usize; 2],
-    ) {
+    pub(super) fn hoop(&mut self, middle: [f64; 3], radius: f64, thick: f64, steps: [usize; 2]) {
         let mut solid = Solid::default();
         solid.torus(0.0, radius, thick, steps);
         self.add(&solid, upright(middle));
@@ -214,9 +212,8 @@ impl Solid {
         for pair in sections.windows(2) {
             for i in 0..first.len() {
                 let next = (i + 1) % first.len();
-                let corner = |row: usize, column: usize| {
-                    pair[1 - row][if column == 0 { i } else { next }]
-                };
+                let corner =
+                    |row: usize, column: usize| pair[1 - row][if column == 0 { i } else { next }];
                 self.sheet(Sheet::open(2, 2), corner);
             }
         }

@@ -80,10 +80,7 @@ pub(super) fn furnish(kit: &mut Kit, room: &Room, chance: &mut Chance) -> Result
     let [before, beside] = windows;
     let places = [
         (before, turned(0.0, 0.0, Z, 0.0)),
-        (
-            beside,
-            turned(-room.hall * X, 0.0, 0.0, -90.0 * room.hall),
-        ),
+        (beside, turned(-room.hall * X, 0.0, 0.0, -90.0 * room.hall)),
     ];
     for (there, place) in places {
         if there {

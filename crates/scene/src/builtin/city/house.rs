@@ -61,12 +61,7 @@ fn faces(house: &House, number: usize) -> [(Face, i32); 2] {
     }
 }
 
-fn walls(
-    kit: &mut Kit,
-    node: EntityKey,
-    house: &House,
-    number: usize,
-) -> Result<(), SceneError> {
+fn walls(kit: &mut Kit, node: EntityKey, house: &House, number: usize) -> Result<(), SceneError> {
     let style = style(house, number);
     for (face, turn) in faces(house, number) {
         let (what, turn) = (
@@ -90,12 +85,7 @@ fn walls(
     })
 }
 
-fn within(
-    kit: &mut Kit,
-    node: EntityKey,
-    house: &House,
-    number: usize,
-) -> Result<(), SceneError> {
+fn within(kit: &mut Kit, node: EntityKey, house: &House, number: usize) -> Result<(), SceneError> {
     let here = DAffine3::IDENTITY;
     if number == 0 {
         kit.put(node, &storey::GROUND, here)?;

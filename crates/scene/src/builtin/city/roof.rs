@@ -73,10 +73,20 @@ fn gable() -> Solid {
     let ridge = [left, right].map(|x| DVec3::new(x, RIDGE, 0.0));
     tiles(&mut side, eaves, ridge, 14);
     // A gutter.
-    side.bar([left, EDGE - 0.03, out + 0.07], [right, EDGE - 0.03, out + 0.07], 0.075, 10);
+    side.bar(
+        [left, EDGE - 0.03, out + 0.07],
+        [right, EDGE - 0.03, out + 0.07],
+        0.075,
+        10,
+    );
     solid.add(&side, DAffine3::IDENTITY);
     solid.add(&side, quarter_turn(2));
-    solid.bar([left, RIDGE + 0.02, 0.0], [right, RIDGE + 0.02, 0.0], 0.13, 12);
+    solid.bar(
+        [left, RIDGE + 0.02, 0.0],
+        [right, RIDGE + 0.02, 0.0],
+        0.13,
+        12,
+    );
     solid
 }
 
@@ -128,7 +138,7 @@ fn tiles(solid: &mut Solid, eaves: [DVec3; 2], ridge: [DVec3; 2], rows: usize) {
             let place = eaves[0]
                 .lerp(ridge[0], part(v))
                 .lerp(eaves[1].lerp(ridge[1], part(v)), 0.001 + 0.998 * u);
-            place + normal * ((0.055 - 0.035 * v) * w - 0.02)
+            place + normal * ((0.07 - 0.035 * v) * w - 0.02)
         });
     }
 }
@@ -146,7 +156,12 @@ fn flat() -> Solid {
     };
     ring.pierced([-end, end], [-end, end], [0.09, 0.7], &[hole(LOT - 0.25)]);
     let over = LOT - 0.001;
-    copings.pierced([-over, over], [-over, over], [0.7, 0.76], &[hole(LOT - 0.3)]);
+    copings.pierced(
+        [-over, over],
+        [-over, over],
+        [0.7, 0.76],
+        &[hole(LOT - 0.3)],
+    );
     let lying = DAffine3::from_rotation_x(-FRAC_PI_2);
     solid.add(&ring, lying);
     solid.add(&copings, lying);
@@ -194,7 +209,13 @@ fn chimney() -> Solid {
 fn dormer() -> Solid {
     let mut solid = Solid::default();
     solid.cuboid([-0.9, -0.5, -2.9], [0.9, 1.35, 0.0]);
-    let gable = [[-1.1, 1.25], [1.1, 1.25], [1.1, 1.32], [0.0, 2.1], [-1.1, 1.32]];
+    let gable = [
+        [-1.1, 1.25],
+        [1.1, 1.25],
+        [1.1, 1.32],
+        [0.0, 2.1],
+        [-1.1, 1.32],
+    ];
     solid.extruded(&gable, [-3.6, 0.18]);
     let opening = Opening {
         x: [-0.65, 0.65],

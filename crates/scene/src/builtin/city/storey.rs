@@ -97,7 +97,10 @@ fn doors() -> Solid {
         // Hinged away from the windows.
         let opened: f64 = if side > 0.0 { 80.0 } else { 100.0 };
         let swing = DAffine3::from_rotation_y(opened.to_radians());
-        door.add(&leaf(2.0 * half - 0.11, [0.02, DOOR_HEIGHT - 0.06]), hinge * swing);
+        door.add(
+            &leaf(2.0 * half - 0.11, [0.02, DOOR_HEIGHT - 0.06]),
+            hinge * swing,
+        );
         let place = at(side * HALL, 0.0, 0.5 * (DOOR[0] + DOOR[1])) * quarter_turn(quarters);
         for turn in [0, 2] {
             solid.add(&door, quarter_turn(turn) * place);

@@ -22,7 +22,7 @@ pub(super) struct Traffic {
 }
 
 /// How many vehicles stretches have.
-const COUNTS: [usize; 4] = [2, 1, 3, 2];
+const COUNTS: [usize; 4] = [3, 2, 4, 3];
 /// Lanes by their distance from the street's middle: parked vehicles, and those on their way.
 const LANES: [f64; 4] = [4.75, 1.75, -1.75, -4.75];
 /// Places for a vehicle in a lane, and from one to the next.

@@ -96,13 +96,6 @@ pub(super) fn frames(openings: &[Opening]) -> Solid {
                 0.02,
                 1,
             );
-            // The board inside.
-            solid.rounded(
-                [x[0] - 0.05, y[0] - 0.03, front - 0.45],
-                [x[1] + 0.05, y[0] + 0.003, front - 0.19],
-                0.01,
-                1,
-            );
         } else {
             railing(&mut solid, [x[0] - 0.03, x[1] + 0.03], front);
         }
@@ -130,7 +123,7 @@ fn railing(solid: &mut Solid, x: [f64; 2], front: f64) {
             solid.bar([x, y, front - 0.03], [x, y, z + 0.01], 0.014, 4);
         }
     }
-    let bars = ((x[1] - x[0]) / 0.11) as usize;
+    let bars = ((x[1] - x[0]) / 0.14) as usize;
     for bar in 0..=bars {
         let x = x[0] + 0.02 + (x[1] - x[0] - 0.04) * bar as f64 / bars as f64;
         solid.bar([x, 0.21, z], [x, 0.96, z], 0.008, 4);
@@ -156,7 +149,10 @@ pub(super) fn hangings(style: Style, hanging: Hanging) -> Solid {
                 });
             }
             let ends = [x[0] - 0.06, x[1] + 0.06];
-            solid.cuboid([ends[0], high - 0.04, -0.32], [ends[1], high + 0.04, -0.002]);
+            solid.cuboid(
+                [ends[0], high - 0.04, -0.32],
+                [ends[1], high + 0.04, -0.002],
+            );
             for x in [x[0] + 0.1, x[1] - 0.1] {
                 solid.bar([x, y[0], -0.266], [x, high, -0.266], 0.003, 4);
             }
@@ -179,10 +175,7 @@ pub(super) fn hangings(style: Style, hanging: Hanging) -> Solid {
                 [rod[0] + 0.05, middle - 0.005],
                 [middle + 0.005, rod[1] - 0.05],
             ],
-            _ => [
-                [rod[0] + 0.05, x[0] + 0.12],
-                [x[1] - 0.12, rod[1] - 0.05],
-            ],
+            _ => [[rod[0] + 0.05, x[0] + 0.12], [x[1] - 0.12, rod[1] - 0.05]],
         };
         for part in parts {
             cloth(&mut solid, part, [low, high + 0.045]);
@@ -193,7 +186,7 @@ pub(super) fn hangings(style: Style, hanging: Hanging) -> Solid {
 
 /// A piece of cloth in folds.
 fn cloth(solid: &mut Solid, x: [f64; 2], y: [f64; 2]) {
-    let folds = ((x[1] - x[0]) / 0.11).ceil();
+    let folds = ((x[1] - x[0]) / 0.15).ceil();
     solid.block([4 * folds as usize, 1, 1], |u, v, w| {
         let wave = (TAU * folds * u).sin() * (0.022 + 0.014 * (1.0 - v));
         DVec3::new(

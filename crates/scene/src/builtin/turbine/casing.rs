@@ -7,8 +7,8 @@ use super::look::Look;
 use super::plan::{
     CORE_CASE, CORE_FLANGES, FAN_CASE, FAN_DUCT, FAN_FLANGES, FLANGE, Plan, WALL, line,
 };
-use crate::builtin::shell::Wall;
 use super::skin::{CORE_OPENINGS, FAN_OPENINGS, standing, upright};
+use crate::builtin::shell::Wall;
 use crate::builtin::solid::{Solid, polar};
 use crate::error::SceneError;
 use glam::DAffine3;

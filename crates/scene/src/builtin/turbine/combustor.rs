@@ -4,8 +4,8 @@
 use super::assembly::{Assembly, shifted};
 use super::look::Look;
 use super::plan::{Plan, line};
-use crate::builtin::shell::Wall;
 use super::skin::standing_at;
+use crate::builtin::shell::Wall;
 use crate::builtin::solid::{Solid, polar};
 use crate::builtin::tube::rounded;
 use crate::error::SceneError;

@@ -54,7 +54,7 @@ fn tub() -> Solid {
         [0.17, 0.62, 0.22],
         [0.15, 0.5, 0.15],
     ];
-    vessel(&mut solid, [0.0, 0.4], &rings, 3.2, 36);
+    vessel(&mut solid, [0.0, 0.4], &rings, 3.2, 28);
     solid
 }
 
@@ -66,7 +66,7 @@ fn basin() -> Solid {
         [0.3, 0.075, 0.07],
         [0.68, 0.1, 0.09],
     ];
-    vessel(&mut solid, [0.0, 0.2], &foot, 2.4, 16);
+    vessel(&mut solid, [0.0, 0.2], &foot, 2.4, 12);
     let bowl = [
         [0.62, 0.12, 0.1],
         [0.72, 0.24, 0.19],
@@ -78,7 +78,7 @@ fn basin() -> Solid {
         [0.72, 0.14, 0.09],
         [0.71, 0.04, 0.03],
     ];
-    vessel(&mut solid, [0.0, 0.25], &bowl, 2.5, 24);
+    vessel(&mut solid, [0.0, 0.25], &bowl, 2.5, 20);
     // Its taps.
     let spout = [
         [0.0, 0.83, 0.06],
@@ -117,10 +117,10 @@ fn toilet() -> Solid {
         [0.22, 0.05, 0.07],
     ];
     vessel(&mut solid, [0.0, 0.46], &bowl, 2.3, 20);
-    solid.rounded([-0.2, 0.38, 0.0], [0.2, 0.78, 0.19], 0.03, 2);
+    solid.rounded([-0.2, 0.38, 0.0], [0.2, 0.78, 0.19], 0.03, 1);
     solid.rounded([-0.21, 0.77, -0.002], [0.21, 0.81, 0.2], 0.015, 1);
     // The raised lid, and the button.
-    solid.rounded([-0.19, 0.43, 0.2], [0.19, 0.84, 0.23], 0.014, 2);
+    solid.rounded([-0.19, 0.43, 0.2], [0.19, 0.84, 0.23], 0.014, 1);
     solid.post([0.0, 0.805, 0.1], 0.03, 0.012, 14);
     solid.rounded([-0.12, 0.1, 0.02], [0.12, 0.4, 0.35], 0.03, 1);
     solid
@@ -141,7 +141,7 @@ fn washer() -> Solid {
     let mut solid = Solid::default();
     solid.rounded([-0.3, 0.01, 0.02], [0.3, 0.85, 0.6], 0.02, 2);
     let mut ring = Solid::default();
-    ring.torus(0.0, 0.19, 0.03, [6, 24]);
+    ring.torus(0.0, 0.19, 0.03, [6, 18]);
     let glass = [
         [0.02, 0.0],
         [0.01, 0.1],
@@ -149,7 +149,7 @@ fn washer() -> Solid {
         [-0.03, 0.17],
         [-0.03, 0.0],
     ];
-    ring.turned(&glass, 24);
+    ring.turned(&glass, 18);
     let knob = [[0.52, 0.0], [0.52, 0.025], [0.44, 0.03], [0.44, 0.0]];
     solid.add(&ring, facing([0.0, 0.42, 0.6]));
     solid.knob([0.15, 0.77, 0.12], &knob, 16);

@@ -33,7 +33,7 @@ pub(in crate::builtin::city) const NIGHTSTAND: Piece = Piece {
 pub(in crate::builtin::city) const DRESSER: Piece = Piece {
     name: "chest of drawers",
     look: Look::Wood,
-    make: || drawers([1.2, 0.85, 0.46], [2, 4]),
+    make: || drawers([1.2, 0.85, 0.46], [2, 3]),
 };
 pub(in crate::builtin::city) const WARDROBE: Piece = Piece {
     name: "wardrobe",
@@ -57,7 +57,7 @@ fn bedstead(wide: f64) -> Solid {
                 [0.0, 0.022],
                 [0.0, 0.0],
             ];
-            solid.lathed([x, 0.0, z], &post, 8);
+            solid.lathed([x, 0.0, z], &post, 6);
         }
         solid.cuboid([x - 0.015, 0.22, 0.05], [x + 0.015, 0.38, 2.05]);
     }
@@ -68,7 +68,7 @@ fn bedstead(wide: f64) -> Solid {
     let slats = (wide / 0.17) as usize;
     for slat in 0..slats {
         let x = -inner + 2.0 * inner * (slat as f64 + 0.5) / slats as f64;
-        solid.bar([x, 0.39, 0.04], [x, 0.83, 0.04], 0.012, 6);
+        solid.bar([x, 0.39, 0.04], [x, 0.83, 0.04], 0.012, 4);
     }
     for rung in 0..10 {
         let z = 0.15 + 0.2 * f64::from(rung);
@@ -80,7 +80,7 @@ fn bedstead(wide: f64) -> Solid {
 fn bedding(wide: f64, pillows: usize) -> Solid {
     let mut solid = Solid::default();
     let half = 0.5 * wide;
-    solid.rounded([-half, 0.28, 0.09], [half, 0.48, 2.0], 0.05, 2);
+    solid.rounded([-half, 0.28, 0.09], [half, 0.48, 2.0], 0.05, 1);
     solid.rounded(
         [-half - 0.03, 0.42, 0.68],
         [half + 0.03, 0.56, 1.99],
@@ -164,14 +164,7 @@ fn wardrobe() -> Solid {
     for door in 0..3 {
         let x = -0.87 + 0.58 * f64::from(door);
         solid.rounded([x + 0.005, 0.18, 0.595], [x + 0.575, 2.09, 0.622], 0.008, 1);
-        for y in [[0.25, 1.05], [1.15, 2.02]] {
-            solid.rounded(
-                [x + 0.08, y[0], 0.615],
-                [x + 0.5, y[1], 0.632],
-                0.008,
-                1,
-            );
-        }
+        solid.rounded([x + 0.08, 0.25, 0.615], [x + 0.5, 2.02, 0.632], 0.008, 1);
         let handle = if door == 0 { x + 0.54 } else { x + 0.04 };
         solid.bar([handle, 0.95, 0.645], [handle, 1.2, 0.645], 0.008, 8);
         for y in [0.97, 1.18] {

@@ -26,15 +26,15 @@ pub(in crate::builtin::city) const CARPET: Piece = Piece {
     make: carpet,
 };
 
-/// Eight columns on two pipes, hung before the wall at z = 0.
+/// Seven columns on two pipes, hung before the wall at z = 0.
 fn radiator() -> Solid {
     let mut solid = Solid::default();
-    for column in 0..8 {
-        let x = -0.35 + 0.1 * f64::from(column);
-        solid.rounded([x - 0.04, 0.14, 0.05], [x + 0.04, 0.68, 0.16], 0.03, 1);
+    for column in 0..7 {
+        let x = -0.33 + 0.11 * f64::from(column);
+        solid.rounded([x - 0.04, 0.14, 0.05], [x + 0.045, 0.68, 0.16], 0.03, 1);
     }
     for y in [0.2, 0.62] {
-        solid.bar([-0.38, y, 0.105], [0.4, y, 0.105], 0.018, 6);
+        solid.bar([-0.38, y, 0.105], [0.4, y, 0.105], 0.018, 4);
     }
     for x in [-0.25, 0.25] {
         solid.bar([x, 0.5, -0.01], [x, 0.5, 0.1], 0.012, 4);
@@ -55,7 +55,7 @@ fn radiator() -> Solid {
         [0.0, 0.0],
     ];
     let mut turned = Solid::default();
-    turned.turned(&valve, 8);
+    turned.turned(&valve, 6);
     solid.add(
         &turned,
         DAffine3::from_translation(DVec3::new(0.4, 0.62, 0.105)),
@@ -116,8 +116,8 @@ fn carpet() -> Solid {
     let mut solid = Solid::default();
     solid.rounded([-1.2, 0.002, -0.8], [1.2, 0.014, 0.8], 0.005, 1);
     // Fringes at both ends.
-    for fringe in 0..32 {
-        let z = -0.78 + 0.05 * f64::from(fringe);
+    for fringe in 0..24 {
+        let z = -0.77 + 0.067 * f64::from(fringe);
         for x in [-1.2_f64, 1.2] {
             let far = x + 0.06 * x.signum();
             solid.bar([x * 0.998, 0.008, z], [far, 0.006, z], 0.004, 4);

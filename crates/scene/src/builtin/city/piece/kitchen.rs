@@ -40,12 +40,7 @@ fn counter() -> Solid {
             _ => &[[0.12, 0.84]],
         };
         for [low, high] in fronts {
-            solid.rounded(
-                [x + 0.004, *low, 0.555],
-                [x + 0.596, *high, 0.58],
-                0.006,
-                1,
-            );
+            solid.rounded([x + 0.004, *low, 0.555], [x + 0.596, *high, 0.58], 0.006, 1);
             let y = high - 0.06;
             solid.bar([x + 0.2, y, 0.605], [x + 0.4, y, 0.605], 0.007, 8);
             for x in [x + 0.21, x + 0.39] {

@@ -38,7 +38,12 @@ fn bookcase() -> Solid {
             1,
         );
     }
-    solid.rounded([-HALF - 0.02, 2.14, -0.001], [HALF + 0.02, 2.18, 0.35], 0.012, 1);
+    solid.rounded(
+        [-HALF - 0.02, 2.14, -0.001],
+        [HALF + 0.02, 2.18, 0.35],
+        0.012,
+        1,
+    );
     solid.cuboid([-HALF + 0.02, 0.02, 0.004], [HALF - 0.02, 2.15, 0.012]);
     solid.cuboid([-HALF + 0.02, 0.0, 0.26], [HALF - 0.02, 0.08, 0.28]);
     solid
@@ -57,7 +62,7 @@ fn books(first: u32) -> Solid {
         let mut x = -HALF + 0.035;
         let end = HALF - 0.05 - 0.3 * next(7);
         while x < end {
-            let thick = 0.026 + 0.043 * next(11);
+            let thick = 0.028 + 0.046 * next(11);
             let high = 0.2 + 0.09 * next(13);
             let deep = 0.15 + 0.07 * next(5);
             let back = 0.02 + 0.02 * next(3);

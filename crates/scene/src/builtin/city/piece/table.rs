@@ -38,7 +38,7 @@ fn dining_table() -> Solid {
     ];
     for x in [-0.66, 0.66] {
         for z in [-0.33, 0.33] {
-            solid.lathed([x, 0.0, z], &leg, 12);
+            solid.lathed([x, 0.0, z], &leg, 8);
         }
         solid.cuboid([x - 0.012, 0.62, -0.31], [x + 0.012, 0.73, 0.31]);
     }

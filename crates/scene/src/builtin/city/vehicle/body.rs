@@ -22,7 +22,7 @@ pub(super) struct Body<'a> {
     /// Above this height it grows narrower, by this share of its width a metre.
     pub belt: [f64; 2],
     /// Middles of arches, forwards and upwards, and their radius.
-    pub arches: [[f64; 2]; 2],
+    pub arches: &'a [[f64; 2]],
     pub arch: f64,
     /// Columns around.
     pub columns: usize,
@@ -34,7 +34,7 @@ const THICK: f64 = 0.03;
 /// Places over an arch.
 const OVER: usize = 8;
 /// Metres from place to place elsewhere, at most.
-const STEP: f64 = 0.11;
+const STEP: f64 = 0.13;
 
 impl Body<'_> {
     /// The shell without what lies around a place where `open` says so.
@@ -55,6 +55,20 @@ impl Body<'_> {
                 !open(middle)
             },
         );
+        // Plates that close its ends, their edges within the shell.
+        for (end, inwards) in [(rows.first(), 1.0), (rows.last(), -1.0)] {
+            let Some(end) = end else { continue };
+            let face = |depth: f64| -> Vec<DVec3> {
+                let shift = DVec3::X * (inwards * depth);
+                let corner = |column| self.on(end, column as f64, 0.6 * THICK) + shift;
+                (0..self.columns).map(corner).collect()
+            };
+            let mut faces = [face(0.004), face(0.024)];
+            if inwards < 0.0 {
+                faces.reverse();
+            }
+            solid.faceted(&faces);
+        }
         solid
     }
 
@@ -85,7 +99,7 @@ impl Body<'_> {
             !self.arches.iter().any(near)
         };
         places.retain(|(x, _)| off_arches(*x));
-        for [x, _] in self.arches {
+        for &[x, _] in self.arches {
             for i in 0..=OVER {
                 let part = (i as f64 / OVER as f64 - 0.5) * TAU * 0.5;
                 places.push((x + self.arch * part.sin(), true));
@@ -153,14 +167,14 @@ pub(super) fn saloon() -> Solid {
             [2.2, 0.42, 0.7, 0.72],
         ],
         belt: [0.92, 0.42],
-        arches: [[-1.3, 0.31], [1.38, 0.31]],
+        arches: &[[-1.3, 0.31], [1.38, 0.31]],
         arch: 0.37,
-        columns: 36,
+        columns: 32,
         power: 4.5,
     };
     body.shell(|at| {
         let beside = at.z.abs() > 0.55 && (0.98..1.36).contains(&at.y);
-        let doors = (-0.92..-0.12).contains(&at.x) || (0.0..0.62).contains(&at.x);
+        let doors = (-0.92..-0.12).contains(&at.x) || (0.0..0.7).contains(&at.x);
         let above = at.y > 1.0 && at.z.abs() < 0.56;
         let screens = (0.42..0.97).contains(&at.x) || (-1.36..-0.99).contains(&at.x);
         beside && doors || above && screens
@@ -183,9 +197,9 @@ pub(super) fn van() -> Solid {
             [2.62, 0.45, 0.8, 0.8],
         ],
         belt: [1.1, 0.12],
-        arches: [[-1.55, 0.33], [1.75, 0.33]],
+        arches: &[[-1.55, 0.33], [1.75, 0.33]],
         arch: 0.39,
-        columns: 36,
+        columns: 32,
         power: 6.0,
     };
     body.shell(|at| {

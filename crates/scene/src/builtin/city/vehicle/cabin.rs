@@ -43,8 +43,8 @@ fn seat() -> Solid {
     for z in [-0.07, 0.07] {
         back.bar([0.0, 0.5, z], [0.0, 0.64, z], 0.008, 6);
     }
-    let lean = DAffine3::from_translation(DVec3::new(-0.24, 0.18, 0.0))
-        * DAffine3::from_rotation_z(0.25);
+    let lean =
+        DAffine3::from_translation(DVec3::new(-0.24, 0.18, 0.0)) * DAffine3::from_rotation_z(0.25);
     solid.add(&back, lean);
     for z in [-0.17, 0.17] {
         solid.cuboid([-0.22, 0.0, z - 0.02], [0.24, 0.05, z + 0.02]);

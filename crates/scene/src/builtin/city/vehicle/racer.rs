@@ -99,9 +99,8 @@ fn monocoque() -> Solid {
             [2.45, 0.285, 0.375, 0.06],
         ],
         belt: [0.4, 0.3],
-        // None that reaches the body.
-        arches: [[-9.0, 0.0], [9.0, 0.0]],
-        arch: 0.01,
+        arches: &[],
+        arch: 0.0,
         columns: 24,
         power: 3.2,
     };
@@ -283,6 +282,9 @@ fn helmet() -> Solid {
         let (sin, cos) = angle.sin_cos();
         DVec3::new(radius * cos, -0.03 + 0.08 * v, -radius * sin)
     });
-    solid.add(&visor, DAffine3::from_translation(DVec3::new(-0.2, 0.87, 0.0)));
+    solid.add(
+        &visor,
+        DAffine3::from_translation(DVec3::new(-0.2, 0.87, 0.0)),
+    );
     solid
 }

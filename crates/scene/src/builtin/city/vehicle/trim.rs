@@ -23,17 +23,17 @@ pub(super) const SALOON: Car = Car {
         Piece {
             name: "saloon headlamps",
             look: Look::White,
-            make: || lamps(2.1, 0.66, 0.6, false),
+            make: || lamps(2.18, 0.6, 0.52, false),
         },
         Piece {
             name: "saloon rear lamps",
             look: Look::RedLacquer,
-            make: || lamps(-2.13, 0.76, 0.6, true),
+            make: || lamps(-2.18, 0.72, 0.54, true),
         },
         Piece {
             name: "saloon grille",
             look: Look::Steel,
-            make: || grille(2.18, [0.46, 0.62]),
+            make: || grille(2.19, [0.52, 0.67]),
         },
         Piece {
             name: "saloon mirrors and handles",
@@ -71,12 +71,12 @@ pub(super) const VAN: Car = Car {
         Piece {
             name: "van headlamps",
             look: Look::White,
-            make: || lamps(2.5, 0.84, 0.66, false),
+            make: || lamps(2.6, 0.66, 0.58, false),
         },
         Piece {
             name: "van rear lamps",
             look: Look::RedLacquer,
-            make: || lamps(-2.58, 1.0, 0.74, true),
+            make: || lamps(-2.58, 0.95, 0.66, true),
         },
         Piece {
             name: "van grille",
@@ -109,10 +109,25 @@ fn bumpers(x: [f64; 2], y: f64, half: f64) -> Solid {
     let mut solid = Solid::default();
     for (x, turn) in [(x[0], 0), (x[1].abs(), 2)] {
         let mut bar = Solid::default();
-        bar.rounded([x - 0.14, y - 0.1, -half], [x + 0.03, y + 0.08, half], 0.05, 2);
-        bar.rounded([x - 0.3, y - 0.16, -half], [x - 0.08, y - 0.08, half], 0.03, 1);
+        bar.rounded(
+            [x - 0.14, y - 0.1, -half],
+            [x + 0.03, y + 0.08, half],
+            0.05,
+            2,
+        );
+        bar.rounded(
+            [x - 0.3, y - 0.16, -half],
+            [x - 0.08, y - 0.08, half],
+            0.03,
+            1,
+        );
         // The number plate.
-        bar.rounded([x + 0.02, y - 0.06, -0.26], [x + 0.038, y + 0.05, 0.26], 0.006, 1);
+        bar.rounded(
+            [x + 0.02, y - 0.06, -0.26],
+            [x + 0.038, y + 0.05, 0.26],
+            0.006,
+            1,
+        );
         solid.add(&bar, quarter_turn(turn));
     }
     solid
@@ -173,7 +188,12 @@ fn mirrors(x: f64, y: f64, half: f64, handles: &[f64]) -> Solid {
     let mut solid = Solid::default();
     for side in [-1.0, 1.0] {
         let z = side * (half + 0.1);
-        solid.rounded([x - 0.05, y, z - 0.08], [x + 0.06, y + 0.13, z + 0.08], 0.035, 2);
+        solid.rounded(
+            [x - 0.05, y, z - 0.08],
+            [x + 0.06, y + 0.13, z + 0.08],
+            0.035,
+            2,
+        );
         solid.bar(
             [x + 0.02, y + 0.04, side * (half - 0.06)],
             [x, y + 0.06, z],
@@ -184,7 +204,12 @@ fn mirrors(x: f64, y: f64, half: f64, handles: &[f64]) -> Solid {
             let z = side * (half + 0.05);
             let (rear, front) = (handle - 0.1, handle + 0.1);
             let low = y - 0.16;
-            solid.rounded([rear, low, z - 0.02], [front, low + 0.03, z + 0.02], 0.012, 1);
+            solid.rounded(
+                [rear, low, z - 0.02],
+                [front, low + 0.03, z + 0.02],
+                0.012,
+                1,
+            );
             for x in [rear + 0.02, front - 0.02] {
                 let inside = side * (half - 0.04);
                 solid.bar([x, low + 0.015, inside], [x, low + 0.015, z], 0.008, 6);
@@ -198,7 +223,12 @@ fn mirrors(x: f64, y: f64, half: f64, handles: &[f64]) -> Solid {
 fn pan(x: [f64; 2], y: f64, half: f64) -> Solid {
     let mut solid = Solid::default();
     solid.cuboid([x[0], y - 0.02, -half], [x[1], y, half]);
-    solid.rounded([x[0] + 0.02, y - 0.01, -0.12], [x[1] - 0.02, y + 0.12, 0.12], 0.05, 2);
+    solid.rounded(
+        [x[0] + 0.02, y - 0.01, -0.12],
+        [x[1] - 0.02, y + 0.12, 0.12],
+        0.05,
+        2,
+    );
     solid.cuboid([x[1] - 0.02, y - 0.01, -half], [x[1], y + 0.4, half]);
     solid
 }

@@ -101,7 +101,7 @@ fn tyre([inner, outer]: [f64; 2], half: f64) -> Solid {
     let left = right.iter().rev().map(|[x, radius]| [-x, *radius]);
     let profile: Vec<[f64; 2]> = right.iter().copied().chain(left).collect();
     let mut ring = Solid::default();
-    ring.ring(&profile, 30);
+    ring.ring(&profile, 26);
     let mut solid = Solid::default();
     solid.add(&ring, facing([0.0; 3]));
     solid
@@ -122,7 +122,7 @@ fn rim(radius: f64, half: f64, spokes: usize) -> Solid {
         [-half * 0.9, radius + 0.004],
         [-half * 1.05, radius + 0.012],
     ];
-    ring.ring(&barrel, 36);
+    ring.ring(&barrel, 28);
     let front = half * 0.5;
     ring.turned(
         &[
@@ -162,8 +162,8 @@ fn rim(radius: f64, half: f64, spokes: usize) -> Solid {
 
 fn brake_disc() -> Solid {
     let mut ring = Solid::default();
-    ring.band([-0.045, -0.037], [0.075, 0.14], 36);
-    ring.band([-0.028, -0.02], [0.075, 0.14], 36);
+    ring.band([-0.045, -0.037], [0.075, 0.14], 28);
+    ring.band([-0.028, -0.02], [0.075, 0.14], 28);
     ring.turned(
         &[
             [0.01, 0.0],
@@ -178,8 +178,8 @@ fn brake_disc() -> Solid {
     );
     let mut solid = Solid::default();
     solid.add(&ring, facing([0.0; 3]));
-    for vane in 0..20 {
-        let turn = DAffine3::from_rotation_z(TAU * f64::from(vane) / 20.0);
+    for vane in 0..12 {
+        let turn = DAffine3::from_rotation_z(TAU * f64::from(vane) / 12.0);
         let mut rib = Solid::default();
         rib.cuboid([0.085, -0.003, -0.038], [0.135, 0.003, -0.027]);
         solid.add(&rib, turn);
