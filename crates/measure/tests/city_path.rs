@@ -150,7 +150,7 @@ fn its_eye_comes_close_to_nothing_and_passes_through_nothing() {
 #[test]
 fn in_every_picture_parts_of_the_city_are_outside_the_frustum() {
     let path = path();
-    let mut scene = city(CityOptions { size: 7, seed: 1 }).unwrap();
+    let mut scene = city(CityOptions::default()).unwrap();
     scene.update();
     let bounds = scene.bounds().unwrap();
     for (number, pose) in path.poses().iter().enumerate() {

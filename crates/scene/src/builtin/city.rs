@@ -1,8 +1,8 @@
 //! A city of streets, blocks and houses, with rooms and furniture behind the windows and vehicles in the streets.
 //!
-//! It stands in for the artificial city of Staneker, Bartz, Straßer, *Occlusion culling in OpenSG PLUS*, 2004: as many triangles, a high
-//! depth complexity, and racing cars among the houses. At its default size it is 666 m wide and long around the origin; the
-//! roads lie at y = 0.
+//! It stands in for the artificial city of Staneker, Bartz, Straßer, *Efficient multiple occlusion queries for scene graph
+//! systems*, 2004: as many triangles, a high depth complexity, and racing cars among the houses. At its default size it is
+//! 666 m wide and long around the origin; the roads lie at y = 0.
 
 mod block;
 mod facade;
@@ -12,6 +12,7 @@ mod green;
 mod house;
 mod kit;
 mod look;
+mod outdoor;
 mod piece;
 mod plan;
 mod roof;

@@ -1,9 +1,10 @@
 //! Blocks: sixteen lots around a courtyard, most with a house, some with a garden; some blocks are parks.
 
-use super::green::{BENCH, BIN, CROWNS, FOUNTAIN, HEDGE, STREET_LAMP, TRUNK};
+use super::green::{CROWNS, HEDGE, TRUNK};
 use super::house::{self, House};
 use super::kit::{Kit, at, quarter_turn, turned};
 use super::look::Look;
+use super::outdoor::{BENCH, BIN, FOUNTAIN, STREET_LAMP};
 use super::plan::{BLOCK, BlockPlace, GROUND_FLOOR, LOT, PAVEMENT, Plan};
 use super::window::Style;
 use crate::builtin::chance::Chance;

@@ -1,9 +1,9 @@
 //! Streets: roadways and pavements between crossings, what stands on them, and the vehicles.
 
 use super::block::tree;
-use super::green::{BENCH, BIN, HYDRANT, STREET_LAMP, TRAFFIC_LIGHT};
 use super::kit::{Kit, Piece, at, quarter_turn, turned};
 use super::look::Look;
+use super::outdoor::{BENCH, BIN, HYDRANT, STREET_LAMP, TRAFFIC_LIGHT};
 use super::plan::{BLOCK, PAVEMENT, Plan, ROADWAY, STREET, StreetPlace};
 use super::vehicle::{self, Vehicle};
 use crate::builtin::chance::Chance;
