@@ -204,6 +204,7 @@ impl Found {
             scene,
             seed: match name {
                 "turbine" => Some(builtin::TurbineOptions::default().seed),
+                "city" => Some(builtin::CityOptions::default().seed),
                 _ => Some(builtin::GridOptions::default().seed),
             },
             model: None,

@@ -20,6 +20,7 @@ const HOW: How = How {
     block: 4,
     grain: 0,
     small: 0.0,
+    least_seen: 0.0,
     remember: Remember {
         visible: 0,
         occluded: 0,

@@ -169,7 +169,7 @@ fn later_frames_organise_fewer_batches() {
     let scene = GpuScene::new(&gpu(), &mut props.scene).unwrap();
     let mut stage = stage(
         &scene,
-        "occupancy-map:latency=same-frame:grain=0:tree=groups:block=8",
+        "occupancy-map:latency=same-frame:grain=0:tree=groups:block=8:least-seen=0",
     );
     let mut waits = Vec::new();
     for _ in 0..8 {

@@ -1,9 +1,16 @@
 //! Scenes that need no file.
 
+mod chance;
+mod city;
 mod grid;
 mod layer;
+mod shell;
+mod solid;
+mod tube;
 mod turbine;
+mod turned;
 
+pub use city::{CityOptions, city};
 pub use grid::{GridOptions, grid, icosphere};
 pub use layer::layer;
 pub use turbine::{TurbineOptions, turbine};
@@ -51,11 +58,11 @@ pub enum BuiltinError {
 /// The built-in scenes' names.
 #[must_use]
 pub fn names() -> &'static [&'static str] {
-    &["grid", "layer", "turbine"]
+    &["grid", "layer", "turbine", "city"]
 }
 
-/// The built-in scene of this name. `size` means for a grid how many spheres an edge has, for a layer how many boxes, for a turbine which of the two engines
-/// it is; `None` is the scene's own default.
+/// The built-in scene of this name. `size` means for a grid how many spheres an edge has, for a layer how many boxes, for a turbine which of
+/// the two engines it is, for a city how many blocks an edge has; `None` is the scene's own default.
 ///
 /// # Errors
 /// [`BuiltinError::UnknownName`], which lists the names; [`BuiltinError::TooLarge`]; [`BuiltinError::NoSuchSize`].
@@ -72,6 +79,13 @@ pub fn by_name(name: &str, size: Option<u32>) -> Result<Scene, BuiltinError> {
         "turbine" => {
             let defaults = TurbineOptions::default();
             turbine(TurbineOptions {
+                size: size.unwrap_or(defaults.size),
+                ..defaults
+            })
+        }
+        "city" => {
+            let defaults = CityOptions::default();
+            city(CityOptions {
                 size: size.unwrap_or(defaults.size),
                 ..defaults
             })

@@ -25,6 +25,9 @@ pub struct Occupancy {
     pub grain: u32,
     /// Pixels in width and height below which a sub-tree is dropped, aggressive; 0: none is.
     pub small: f32,
+    /// The part of a batch that must come out visible for the next one to be organised as well; below it, nothing new stands before those who wait. 0:
+    /// batches are organised whatever came of the last one, as in the paper.
+    pub least_seen: f32,
     /// Frames for which what was found visible is drawn without another query, while the camera is slow.
     pub visible_for: u32,
     /// Frames for which what was found occluded is left out without another query, while the camera is slow: aggressive.
@@ -44,9 +47,10 @@ impl Default for Occupancy {
             block: 4,
             grain: 200,
             small: 0.0,
-            visible_for: 0,
+            least_seen: 0.1,
+            visible_for: 5,
             occluded_for: 0,
-            slow: 0.01,
+            slow: 0.1,
             by_depth: false,
             sketch: false,
         }
@@ -61,6 +65,7 @@ impl Occupancy {
             block: self.block,
             grain: self.grain,
             small: self.small,
+            least_seen: self.least_seen,
             remember: Remember {
                 visible: self.visible_for,
                 occluded: self.occluded_for,

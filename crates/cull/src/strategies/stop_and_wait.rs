@@ -49,6 +49,7 @@ const A_QUERY_A_NODE: How = How {
     block: 64,
     grain: 0,
     small: 0.0,
+    least_seen: 0.0,
     remember: Remember {
         visible: 0,
         occluded: 0,

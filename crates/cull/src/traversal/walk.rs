@@ -41,6 +41,8 @@ pub struct How {
     pub grain: u32,
     /// Pixels in width and height below which a sub-tree is dropped; 0: none is.
     pub small: f32,
+    /// The part of a batch that must come out visible for the next one to be organised too.
+    pub least_seen: f32,
     /// How long answers stay valid.
     pub remember: Remember,
     /// In what order a batch's entities are drawn.
@@ -151,24 +153,29 @@ impl Walk {
         answers: impl Iterator<Item = bool>,
     ) {
         let mut asked = std::mem::take(&mut self.asked);
+        let (all, mut seen) = (asked.len(), 0);
         // Of what there is no answer about, nothing may be left out.
         let answers = answers.chain(std::iter::repeat(true));
         for (waiting, visible) in asked.drain(..).zip(answers) {
             let met = &waiting.met;
+            seen += usize::from(visible);
             self.memory.note(met.node, visible, how.remember);
             if let Some(node) = sight.node(met.node) {
-                let seen = if visible {
+                let outcome = if visible {
                     Sketched::Seen
                 } else {
                     Sketched::Hidden
                 };
                 self.sketch
-                    .node(&sight.screen, &node.bounds, self.batches, seen);
+                    .node(&sight.screen, &node.bounds, self.batches, outcome);
             }
             match visible {
                 true => self.seen(sight, met, Verdict::Visible, verdicts),
                 false => sight.mark(met, Verdict::Occluded, verdicts),
             }
+        }
+        if (seen as f32) < how.least_seen * all as f32 {
+            self.most_organised = Some(0);
         }
         self.asked = asked;
     }

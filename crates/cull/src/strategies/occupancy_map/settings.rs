@@ -11,6 +11,7 @@ const TREE_RANGE: &str = "groups, boxes or divided";
 const BLOCK_RANGE: &str = "a whole number from 1 to 256";
 const GRAIN_RANGE: &str = "a whole number from 0 to 4294967295";
 const SMALL_RANGE: &str = "a number from 0 (nothing is dropped) to 64";
+const SEEN_RANGE: &str = "a number from 0 (as in the paper) to 1";
 const FRAMES_RANGE: &str = "a whole number from 0 to 1000";
 const SLOW_RANGE: &str = "a number from 0 to 10";
 const BOOL_RANGE: &str = "true or false";
@@ -49,7 +50,7 @@ pub(super) fn unknown(strategy: &dyn Strategy, key: &str) -> SettingError {
 impl Occupancy {
     pub(super) fn settings(&self) -> Vec<Setting> {
         let order = if self.by_depth { "depth" } else { "state" };
-        let all: [(_, String, _, _); 9] = [
+        let all: [(_, String, _, _); 10] = [
             (
                 "tree",
                 self.tree.to_string(),
@@ -73,6 +74,12 @@ impl Occupancy {
                 self.small.to_string(),
                 SMALL_RANGE,
                 "pixels in width and height below which a sub-tree is dropped (aggressive)",
+            ),
+            (
+                "least-seen",
+                self.least_seen.to_string(),
+                SEEN_RANGE,
+                "part of a batch that must come out visible for the next one to be organised as well",
             ),
             (
                 "visible-for",
@@ -128,6 +135,9 @@ impl Occupancy {
                 self.small = parse(key, value, SMALL_RANGE, |small| {
                     (0.0..=64.0).contains(small)
                 })?;
+            }
+            "least-seen" => {
+                self.least_seen = parse(key, value, SEEN_RANGE, |seen| (0.0..=1.0).contains(seen))?;
             }
             "visible-for" => self.visible_for = frames()?,
             "occluded-for" => self.occluded_for = frames()?,

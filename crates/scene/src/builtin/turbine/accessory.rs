@@ -5,7 +5,7 @@ use super::fastener::stud;
 use super::look::Look;
 use super::plan::{FAN_CASE, Plan};
 use super::skin::{standing, upright};
-use super::solid::{Solid, polar};
+use crate::builtin::solid::{Solid, polar};
 use crate::error::SceneError;
 use glam::{DAffine3, DVec3};
 use std::f64::consts::PI;

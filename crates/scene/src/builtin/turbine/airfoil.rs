@@ -1,6 +1,6 @@
 //! The one shape of all blades and vanes: a twisted, cambered section drawn out from root to tip.
 
-use super::solid::{Sheet, Solid, polar};
+use crate::builtin::solid::{Sheet, Solid, polar};
 use std::f64::consts::TAU;
 
 /// A twisted airfoil that stands outwards at angle 0, around x = 0. Pairs are of root and tip.

@@ -1,8 +1,8 @@
 //! The engine while it is put together: parts are made once and placed as often as they occur.
 
 use super::look::{Look, lamps};
-use super::solid::Solid;
 use super::workshop::workshop;
+use crate::builtin::solid::Solid;
 use crate::environment::Environment;
 use crate::error::SceneError;
 use crate::keys::{EntityKey, MaterialKey};

@@ -1,12 +1,12 @@
 //! Brackets on the casings, each an angle of sheet metal held by two studs. Where they stand is chance.
 
 use super::assembly::{Assembly, shifted};
-use super::chance::{Chance, For};
 use super::fastener::stud;
 use super::look::Look;
 use super::plan::Plan;
 use super::skin::{SKINS, standing};
-use super::solid::Solid;
+use crate::builtin::chance::{Chance, For};
+use crate::builtin::solid::Solid;
 use crate::error::SceneError;
 use glam::{DAffine3, DVec3};
 use std::f64::consts::FRAC_PI_2;

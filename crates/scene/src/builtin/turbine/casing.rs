@@ -7,9 +7,9 @@ use super::look::Look;
 use super::plan::{
     CORE_CASE, CORE_FLANGES, FAN_CASE, FAN_DUCT, FAN_FLANGES, FLANGE, Plan, WALL, line,
 };
-use super::shell::Wall;
 use super::skin::{CORE_OPENINGS, FAN_OPENINGS, standing, upright};
-use super::solid::{Solid, polar};
+use crate::builtin::shell::Wall;
+use crate::builtin::solid::{Solid, polar};
 use crate::error::SceneError;
 use glam::DAffine3;
 use std::f64::consts::TAU;

@@ -4,10 +4,10 @@
 use super::assembly::{Assembly, shifted};
 use super::look::Look;
 use super::plan::{Plan, line};
-use super::shell::Wall;
 use super::skin::standing_at;
-use super::solid::{Solid, polar};
-use super::tube::rounded;
+use crate::builtin::shell::Wall;
+use crate::builtin::solid::{Solid, polar};
+use crate::builtin::tube::rounded;
 use crate::error::SceneError;
 use glam::{DAffine3, DVec3};
 use std::f64::consts::{PI, TAU};

@@ -5,7 +5,7 @@ use super::blade::{BLADES_AT, FAN, FAN_HUB};
 use super::fastener::through_bolt;
 use super::look::Look;
 use super::plan::{HUB, Plan, Stages, line};
-use super::solid::Solid;
+use crate::builtin::solid::Solid;
 use crate::error::SceneError;
 
 /// Sides of a disc.

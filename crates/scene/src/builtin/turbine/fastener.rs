@@ -3,7 +3,7 @@
 use super::assembly::{Assembly, shifted};
 use super::look::Look;
 use super::plan::{CORE_CASE, CORE_FLANGES, FAN_CASE, FAN_FLANGES, FLANGE, Plan, line};
-use super::solid::Solid;
+use crate::builtin::solid::Solid;
 use crate::error::SceneError;
 
 /// Adds the bolts of every flange.

@@ -5,7 +5,7 @@ use super::assembly::{Assembly, shifted};
 use super::fastener::screw;
 use super::look::Look;
 use super::plan::Plan;
-use super::solid::Solid;
+use crate::builtin::solid::Solid;
 use crate::error::SceneError;
 use glam::DAffine3;
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -2,13 +2,13 @@
 //! same way elsewhere, with bosses at its ends and clamps on its way. Where they run is chance, but no two run in one place.
 
 use super::assembly::{Assembly, Part, shifted};
-use super::chance::{Chance, For};
 use super::fastener::stud;
 use super::look::Look;
 use super::plan::{Plan, line};
 use super::skin::{SKINS, Skin, standing};
-use super::solid::{Solid, polar};
-use super::tube::{direction, rounded};
+use crate::builtin::chance::{Chance, For};
+use crate::builtin::solid::{Solid, polar};
+use crate::builtin::tube::{direction, rounded};
 use crate::error::SceneError;
 use glam::{DAffine3, DMat3, DVec3};
 use std::f64::consts::{PI, TAU};

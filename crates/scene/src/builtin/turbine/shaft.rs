@@ -3,8 +3,8 @@
 use super::assembly::{Assembly, shifted};
 use super::look::Look;
 use super::plan::{HUB, Plan, line};
-use super::solid::Solid;
 use crate::builtin::icosphere;
+use crate::builtin::solid::Solid;
 use crate::error::SceneError;
 use std::f64::consts::PI;
 

@@ -1,8 +1,8 @@
 //! The outside of the casings: where things stand on it, and where there is no opening in the way.
 
 use super::assembly::shifted;
-use super::chance::Chance;
 use super::plan::{CORE_CASE, CORE_FLANGES, FAN_CASE, FAN_FLANGES, line};
+use crate::builtin::chance::Chance;
 use glam::DAffine3;
 use std::f64::consts::FRAC_PI_2;
 

@@ -6,7 +6,7 @@ use super::fastener::screw;
 use super::look::Look;
 use super::plan::Plan;
 use super::skin::{standing, upright};
-use super::solid::Solid;
+use crate::builtin::solid::Solid;
 use crate::error::SceneError;
 use std::f64::consts::TAU;
 

@@ -4,7 +4,7 @@ use super::airfoil::{Airfoil, platform};
 use super::assembly::{Assembly, shifted};
 use super::look::Look;
 use super::plan::{HUB, Plan, Stages, core_duct, line};
-use super::solid::Solid;
+use crate::builtin::solid::Solid;
 use crate::error::SceneError;
 use std::f64::consts::PI;
 

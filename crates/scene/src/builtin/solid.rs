@@ -4,7 +4,7 @@
 use crate::mesh::{Geometry, Mesh};
 use glam::{DAffine3, DVec3, Vec3};
 
-/// A place given along the engine's axis (+X, rearwards), outwards and around, in metres and radians: at angle 0 outwards is +Y,
+/// A place given along the axis X (an engine's, rearwards), outwards and around, in metres and radians: at angle 0 outwards is +Y,
 /// and angles grow towards +Z. The three directions are right-handed in this order.
 pub(super) fn polar(x: f64, radius: f64, angle: f64) -> DVec3 {
     let (sin, cos) = angle.sin_cos();
@@ -159,6 +159,17 @@ impl Solid {
     pub fn cuboid(&mut self, low: [f64; 3], high: [f64; 3]) {
         let (low, high) = (DVec3::from(low), DVec3::from(high));
         self.block([1; 3], |u, v, w| low + (high - low) * DVec3::new(u, v, w));
+    }
+
+    /// Adds triangles between corners that are given with their normals.
+    pub fn patch(&mut self, corners: &[[DVec3; 2]], triangles: &[[u32; 3]]) {
+        let first = self.positions.len() as u32;
+        for [place, normal] in corners {
+            self.positions.push(place.as_vec3().to_array());
+            self.normals.push(normal.as_vec3().to_array());
+        }
+        let indices = triangles.as_flattened().iter();
+        self.indices.extend(indices.map(|index| first + index));
     }
 
     /// Adds another solid, moved and turned but not scaled.

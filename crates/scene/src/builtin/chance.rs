@@ -8,6 +8,11 @@ use rand_pcg::rand_core::Rng;
 pub(super) enum For {
     Pipes = 1,
     Brackets = 2,
+    Blocks = 3,
+    Houses = 4,
+    Rooms = 5,
+    Streets = 6,
+    Gardens = 7,
 }
 
 pub(super) struct Chance(Pcg32);
@@ -25,6 +30,13 @@ impl Chance {
     pub fn pick(&mut self, count: usize) -> usize {
         // The upper half of the product: a share of the count, at most `count - 1`.
         ((u64::from(self.0.next_u32()) * count as u64) >> 32) as usize
+    }
+
+    /// `count` things, the given ones over and over, in another order: every seed deals out as many of each.
+    pub fn dealt<T: Copy>(&mut self, count: usize, things: &[T]) -> Vec<T> {
+        let mut deck: Vec<T> = things.iter().copied().cycle().take(count).collect();
+        self.shuffle(&mut deck);
+        deck
     }
 
     /// Puts things into another order.

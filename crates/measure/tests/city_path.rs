@@ -1,0 +1,166 @@
+//! The camera path that the city is measured along: that it is what its description says, and that its eye stays in the open.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use antumbra_measure::path::{Path, Pose};
+use antumbra_scene::builtin::{CityOptions, city};
+use antumbra_scene::{Aabb, EntityKey, Projection, Scene};
+use glam::{DMat3, DVec3};
+
+/// Poses of the flight; those after it walk.
+const FLIGHT: usize = 34;
+/// Metres that the eye keeps from everything.
+const CLEAR: f64 = 0.15;
+
+fn path() -> Path {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../benches/paths/city.json");
+    Path::load(file).unwrap()
+}
+
+fn ahead(pose: &Pose) -> DVec3 {
+    pose.rotation * DVec3::NEG_Z
+}
+
+/// The entities whose boxes reach into another, with their triangles as placed.
+fn near(scene: &Scene, within: &Aabb) -> Vec<(EntityKey, Vec<[DVec3; 3]>)> {
+    let drawables = scene.drawables().filter(|(entity, _)| {
+        let bounds = scene.world_bounds(*entity).unwrap();
+        bounds.min.cmple(within.max).all() && within.min.cmple(bounds.max).all()
+    });
+    let placed = drawables.map(|(entity, drawable)| {
+        let world = scene.world(entity).unwrap();
+        let geometry = scene.mesh(drawable.mesh).unwrap().full().unwrap();
+        let triangles = geometry.triangles().map(|triangle| {
+            let corners = geometry.corners(triangle).unwrap();
+            corners.map(|corner| world.transform_point3(corner))
+        });
+        (entity, triangles.collect())
+    });
+    placed.collect()
+}
+
+/// Where on a triangle the place nearest to `from` lies.
+fn nearest([a, b, c]: [DVec3; 3], from: DVec3) -> DVec3 {
+    let normal = (b - a).cross(c - a);
+    let inside = |p: DVec3, q: DVec3| normal.dot((q - p).cross(from - p)) >= 0.0;
+    if normal != DVec3::ZERO && inside(a, b) && inside(b, c) && inside(c, a) {
+        return from - normal * (normal.dot(from - a) / normal.length_squared());
+    }
+    let on_edge = |(p, q): (DVec3, DVec3)| {
+        let along = q - p;
+        p + along * (along.dot(from - p) / along.length_squared().max(1e-30)).clamp(0.0, 1.0)
+    };
+    let ends = [(a, b), (b, c), (c, a)].map(on_edge);
+    let by_distance = |p: &DVec3, q: &DVec3| p.distance(from).total_cmp(&q.distance(from));
+    ends.into_iter().min_by(by_distance).unwrap()
+}
+
+/// Whether the way between two places goes through a triangle.
+fn crosses([a, b, c]: [DVec3; 3], from: DVec3, to: DVec3) -> bool {
+    let sides = DMat3::from_cols(b - a, c - a, from - to);
+    if sides.determinant().abs() < 1e-15 {
+        return false;
+    }
+    let [u, v, way] = (sides.inverse() * (from - a)).to_array();
+    u >= 0.0 && v >= 0.0 && u + v <= 1.0 && (0.0..=1.0).contains(&way)
+}
+
+#[test]
+fn it_is_ninety_six_close_poses_without_a_cut_or_roll() {
+    let path = path();
+    let Projection::Perspective { fov_y, near } = path.projection() else {
+        panic!("no perspective");
+    };
+    assert!((fov_y.to_degrees() - 60.0).abs() < 1e-9 && near == 0.05);
+    let poses = path.poses();
+    assert_eq!(poses.len(), 96);
+    assert!(poses.iter().all(|pose| !pose.cut));
+    for (number, pair) in poses.windows(2).enumerate() {
+        let way = pair[0].position.distance(pair[1].position);
+        let turn = pair[0].rotation.angle_between(pair[1].rotation);
+        let (far, much) = if number + 1 < FLIGHT {
+            (3.0, 4.0)
+        } else {
+            (0.5, 5.0)
+        };
+        assert!(way < far, "{number}: {way} m");
+        assert!(
+            turn.to_degrees() < much,
+            "{number}: {} degrees",
+            turn.to_degrees()
+        );
+        assert!((pair[0].rotation * DVec3::X).y.abs() < 1e-6, "no roll");
+    }
+}
+
+#[test]
+fn it_rises_above_the_roofs_and_walks_round_a_corner_into_a_house() {
+    let path = path();
+    let (flight, walk) = path.poses().split_at(FLIGHT);
+    let heights = flight.iter().map(|pose| pose.position.y);
+    let highest = heights.fold(0.0, f64::max);
+    assert!((40.0..120.0).contains(&highest), "{highest} m");
+    assert!(flight[0].position.y < 10.0, "it begins between the houses");
+    for (number, pose) in walk.iter().enumerate() {
+        let floor = pose.position.y - 1.7;
+        assert!((-0.01..0.21).contains(&floor), "{number}: {floor} m");
+    }
+    let turned = ahead(&walk[0]).angle_between(ahead(&walk[walk.len() - 1]));
+    assert!(
+        turned.to_degrees() > 150.0,
+        "about the corner and into the door"
+    );
+    // The last pose is under a ceiling, the first of the walk under the sky.
+    let mut scene = city(CityOptions::default()).unwrap();
+    scene.update();
+    let covered = |pose: &Pose| {
+        let (from, to) = (pose.position, pose.position + DVec3::Y * 100.0);
+        let above = near(&scene, &Aabb::new(from, to));
+        let mut triangles = above.iter().flat_map(|(_, triangles)| triangles);
+        triangles.any(|triangle| crosses(*triangle, from, to))
+    };
+    assert!(!covered(&walk[0]) && covered(&walk[walk.len() - 1]));
+    assert!(!covered(&flight[0]), "it begins under the sky");
+}
+
+#[test]
+fn its_eye_comes_close_to_nothing_and_passes_through_nothing() {
+    let path = path();
+    let mut scene = city(CityOptions::default()).unwrap();
+    scene.update();
+    for (number, pair) in path.poses().windows(2).enumerate() {
+        let [from, to] = [pair[0].position, pair[1].position];
+        let around = Aabb::new(from.min(to) - CLEAR, from.max(to) + CLEAR);
+        for (entity, triangles) in near(&scene, &around) {
+            let what = scene.mesh(scene.drawable(entity).unwrap().mesh).unwrap();
+            for triangle in triangles {
+                let away = nearest(triangle, to).distance(to);
+                assert!(
+                    away > CLEAR,
+                    "pose {}: {away} m to a {}",
+                    number + 1,
+                    what.name
+                );
+                let through = crosses(triangle, from, to);
+                assert!(!through, "through a {} after pose {number}", what.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn in_every_picture_parts_of_the_city_are_outside_the_frustum() {
+    let path = path();
+    let mut scene = city(CityOptions::default()).unwrap();
+    scene.update();
+    let bounds = scene.bounds().unwrap();
+    for (number, pose) in path.poses().iter().enumerate() {
+        let behind = bounds
+            .corners()
+            .into_iter()
+            .filter(|corner| ahead(pose).dot(*corner - pose.position) < 0.0);
+        assert!(
+            behind.count() > 0,
+            "pose {number} has the whole city before it"
+        );
+    }
+}

@@ -1,0 +1,10 @@
+//! What stands in rooms, a kind of thing a file. Pieces stand on y = 0 and face +Z; metres.
+
+pub(super) mod bath;
+pub(super) mod bed;
+pub(super) mod fitting;
+pub(super) mod kitchen;
+pub(super) mod lamp;
+pub(super) mod seat;
+pub(super) mod shelf;
+pub(super) mod table;
