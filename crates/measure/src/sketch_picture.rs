@@ -160,7 +160,7 @@ fn outline(out: &mut String, node: &SketchedNode, batches: u32) {
         ),
         Sketched::Seen => ("fill-opacity=\"0\" stroke-width=\"1.5\"", "visible"),
         Sketched::Hidden => (
-            "fill-opacity=\"0.15\" stroke-width=\"1\" stroke-dasharray=\"4 3\"",
+            "fill-opacity=\"0.04\" stroke-opacity=\"0.6\" stroke-width=\"1\" stroke-dasharray=\"4 3\"",
             "hidden",
         ),
     };
