@@ -7,6 +7,7 @@ use std::hint::black_box;
 use antumbra_cull::occupancy::{BlockRect, OccupancyMap};
 use antumbra_cull::traversal::{Asking, How, LateWalk, Order, Remember, Sight, Walk};
 use antumbra_cull::{Tree, Verdicts, outside};
+use antumbra_draw::boxes::BoxList;
 use antumbra_draw::{AdapterChoice, Gpu, GpuScene, SceneTable, ViewFrame};
 use antumbra_scene::builtin::{GridOptions, grid};
 use antumbra_scene::hierarchy::Shape;
@@ -21,6 +22,7 @@ const HOW: How = How {
     grain: 0,
     small: 0.0,
     least_seen: 0.0,
+    together: 1,
     remember: Remember {
         visible: 0,
         occluded: 0,
@@ -66,13 +68,13 @@ fn prepare(gpu: &Gpu, per_side: u32) -> Prepared {
 
 /// A whole frame's walk; how many nodes were asked about.
 fn walk(walk: &mut Walk, sight: &Sight<'_>, verdicts: &mut Verdicts, visible: bool) -> u32 {
-    let mut boxes = Vec::new();
+    let mut boxes = BoxList::default();
     outside(sight.table, verdicts);
     walk.begin(sight, &HOW, 0, verdicts);
     loop {
         walk.advance(sight, &HOW, verdicts, &mut boxes);
         walk.found.clear();
-        let answers = std::iter::repeat_n(visible, boxes.len());
+        let answers = std::iter::repeat_n(visible, boxes.questions() as usize);
         walk.answer(sight, &HOW, verdicts, answers);
         if walk.is_over() {
             return verdicts.asked();
@@ -81,11 +83,11 @@ fn walk(walk: &mut Walk, sight: &Sight<'_>, verdicts: &mut Verdicts, visible: bo
 }
 
 fn late(walk: &mut LateWalk, sight: &Sight<'_>, verdicts: &mut Verdicts) {
-    let mut boxes = Vec::new();
+    let mut boxes = BoxList::default();
     outside(sight.table, verdicts);
     walk.begin(sight, 0);
     walk.walk(sight, &HOW, verdicts, &mut boxes);
-    let asked = walk.asked();
+    let asked = walk.asked(&boxes);
     // What lies behind the middle is hidden.
     let hierarchy = sight.tree.hierarchy();
     let visible = |node: &u32| {

@@ -169,7 +169,7 @@ fn later_frames_organise_fewer_batches() {
     let scene = GpuScene::new(&gpu(), &mut props.scene).unwrap();
     let mut stage = stage(
         &scene,
-        "occupancy-map:latency=same-frame:grain=0:tree=groups:block=8:least-seen=0",
+        "occupancy-map:latency=same-frame:grain=0:tree=groups:block=8:least-seen=0:together=1:visible-for=0",
     );
     let mut waits = Vec::new();
     for _ in 0..8 {
@@ -183,6 +183,50 @@ fn later_frames_organise_fewer_batches() {
     for pair in waits.windows(2) {
         // What is left after n organised batches is asked about at once: one more, as all are leaves.
         assert!(pair[1] <= pair[0] * 7 / 10 + 1, "{waits:?}");
+    }
+}
+
+#[test]
+fn what_stays_hidden_shares_its_questions_and_is_found_when_it_comes_to_light() {
+    // A wall that hides 49 balls, which hang nowhere, and one that is seen beside it.
+    let mut props = Props::new();
+    let wall = props.put(None, DVec3::ZERO, Some(props.wall));
+    for at in 0..49 {
+        let place = DVec3::new(f64::from(at % 7) - 3.0, f64::from(at / 7) - 3.0, -4.0);
+        props.put(None, place, Some(props.ball));
+    }
+    props.put(None, DVec3::new(7.0, 0.0, 0.0), Some(props.ball));
+    let mut scene = GpuScene::new(&gpu(), &mut props.scene).unwrap();
+    let eye = camera(DVec3::Z * 18.0);
+    for latency in ["same-frame", "frame-late"] {
+        let text = format!("occupancy-map:latency={latency}:tree=groups:grain=0");
+        let mut alone = stage(&scene, &format!("{text}:together=1"));
+        let mut together = stage(&scene, &text);
+        let mut last = Vec::new();
+        for _ in 0..4 {
+            last = vec![
+                frame(&mut alone, &scene, eye).0,
+                frame(&mut together, &scene, eye).0,
+            ];
+            assert_eq!(last[0].tally(), last[1].tally(), "{latency}");
+        }
+        let [alone_asked, asked] = [last[0].asked(), last[1].asked()];
+        assert!(
+            alone_asked >= 49 && asked <= 9,
+            "{latency}: {asked} of {alone_asked}"
+        );
+        // The wall moves aside: in the waiting form every ball is drawn at once, in the late one as soon as an answer is there.
+        let aside = |x: f64| DAffine3::from_translation(DVec3::X * x);
+        props.scene.set_local(wall, aside(-6.0)).unwrap();
+        scene.sync(&mut props.scene).unwrap();
+        let mut missing = missed(&scene, &eye, &frame(&mut together, &scene, eye).0);
+        if latency == "frame-late" {
+            assert!(!missing.is_empty(), "a late answer is late");
+            missing = missed(&scene, &eye, &frame(&mut together, &scene, eye).0);
+        }
+        assert_eq!(missing, [0u32; 0], "{latency}");
+        props.scene.set_local(wall, aside(0.0)).unwrap();
+        scene.sync(&mut props.scene).unwrap();
     }
 }
 
@@ -352,6 +396,10 @@ fn settings_out_of_range_are_refused_with_the_range() {
         ("occupancy-map:tree=octree", "groups, boxes or divided"),
         ("occupancy-map:small=-1", "0 (nothing is dropped) to 64"),
         ("occupancy-map-single:slow=NaN", "0 to 10"),
+        ("occupancy-map:together=0", "1 (each alone) to 256"),
+        ("occupancy-map:least-seen=1.5", "0 (as in the paper) to 1"),
+        ("occupancy-map:visible-for=-1", "0 to 1000"),
+        ("occupancy-map:order=size", "state or depth"),
         ("stop-and-wait:tree=bush", "none, groups, boxes or divided"),
     ] {
         assert!(refused(text).contains(range), "{}", refused(text));

@@ -86,11 +86,52 @@ impl Widening {
     }
 }
 
-/// Boxes that are on the GPU, in the order of the queries.
+/// Boxes in the order of the questions about them: a box each, or several neighbours together.
+#[derive(Debug, Clone, Default)]
+pub struct BoxList {
+    boxes: Vec<GpuBox>,
+    /// Where each question's boxes end.
+    ends: Vec<u32>,
+}
+
+impl BoxList {
+    /// Forgets all, keeping the memory.
+    pub fn clear(&mut self) {
+        self.boxes.clear();
+        self.ends.clear();
+    }
+
+    /// Adds a box; `joined`: it shares the last question, if there is one.
+    pub fn push(&mut self, made: GpuBox, joined: bool) {
+        self.boxes.push(made);
+        let end = self.boxes.len() as u32;
+        match self.ends.last_mut().filter(|_| joined) {
+            Some(last) => *last = end,
+            None => self.ends.push(end),
+        }
+    }
+
+    /// The boxes.
+    pub fn boxes(&self) -> &[GpuBox] {
+        &self.boxes
+    }
+
+    /// Where each question's boxes end.
+    pub fn ends(&self) -> &[u32] {
+        &self.ends
+    }
+
+    /// How many questions there are.
+    pub fn questions(&self) -> u32 {
+        self.ends.len() as u32
+    }
+}
+
+/// Boxes that are on the GPU.
 #[derive(Debug, Clone, Copy)]
 pub struct SubmittedBoxes {
     /// The boxes.
-    pub list: Host<Vec<GpuBox>>,
+    pub list: Host<BoxList>,
     /// The same, for the GPU.
     pub buffer: Buffer,
 }
@@ -154,7 +195,7 @@ impl BoxPipeline {
     }
 }
 
-/// Asks one hardware query a box, in order, against a depth that stays as it is. The answers are u64: zero, or something else. The eye must not
+/// Asks one hardware query a question, in order, against a depth that stays as it is. The answers are u64: zero, or something else. The eye must not
 /// be in a box, nor the near plane cut one: of such a box the front faces are not there to be seen.
 pub fn box_query_pass(
     g: &mut Graph,
@@ -172,21 +213,31 @@ pub fn box_query_pass(
         .uniform(inputs.uniform)
         .depth_read(depth)
         // A value that cannot be read is the body's to complain of.
-        .only_if(move |host| host.get(boxes.list).map_or(true, |list| !list.is_empty()));
+        .only_if(move |host| {
+            host.get(boxes.list)
+                .map_or(true, |list| list.questions() > 0)
+        });
     let answers = node.queries(answers, move |host| {
-        host.get(boxes.list).map_or(0, |list| list.len() as u32)
+        host.get(boxes.list).map_or(0, |list| list.questions())
     });
     let pipeline = Arc::clone(pipeline);
     node.run(move |ctx| {
         let group = ctx.bind_group(0, &pipeline.layout, &[Bind::Buffer(0, inputs.uniform)])?;
         let buffer = ctx.buffer(boxes.buffer)?;
+        let list = ctx.get(boxes.list)?;
         let range = ctx.query_range();
         let pass = ctx.pass();
         pass.set_pipeline(&pipeline.pipeline);
         pass.set_bind_group(0, &group, &[]);
         pass.set_vertex_buffer(0, buffer.slice(..));
+        let ends = list.ends();
         for number in range {
-            ctx.query(number, |pass| pass.draw(0..CORNERS, number..number + 1))?;
+            let at = number as usize;
+            let first = at.checked_sub(1).and_then(|at| ends.get(at));
+            let (first, end) = (first.copied().unwrap_or(0), ends.get(at).copied());
+            ctx.query(number, |pass| {
+                pass.draw(0..CORNERS, first..end.unwrap_or(first))
+            })?;
         }
         Ok(())
     });

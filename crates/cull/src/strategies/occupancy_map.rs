@@ -28,6 +28,9 @@ pub struct Occupancy {
     /// The part of a batch that must come out visible for the next one to be organised as well; below it, nothing new stands before those who wait. 0:
     /// batches are organised whatever came of the last one, as in the paper.
     pub least_seen: f32,
+    /// Up to how many neighbours in the tree that were hidden a frame ago one query asks about: where it finds a sample, each is asked about for itself. 1: each alone, as
+    /// in the paper.
+    pub together: u32,
     /// Frames for which what was found visible is drawn without another query, while the camera is slow.
     pub visible_for: u32,
     /// Frames for which what was found occluded is left out without another query, while the camera is slow: aggressive.
@@ -48,6 +51,7 @@ impl Default for Occupancy {
             grain: 200,
             small: 0.0,
             least_seen: 0.1,
+            together: 8,
             visible_for: 5,
             occluded_for: 0,
             slow: 0.1,
@@ -66,6 +70,7 @@ impl Occupancy {
             grain: self.grain,
             small: self.small,
             least_seen: self.least_seen,
+            together: self.together,
             remember: Remember {
                 visible: self.visible_for,
                 occluded: self.occluded_for,

@@ -50,6 +50,7 @@ const A_QUERY_A_NODE: How = How {
     grain: 0,
     small: 0.0,
     least_seen: 0.0,
+    together: 1,
     remember: Remember {
         visible: 0,
         occluded: 0,

@@ -47,7 +47,7 @@ pub fn frame_late(
     let (verdicts, asked) = (node.write(verdicts), node.write(asked));
     node.bytes(move |host| {
         host.get(asked)
-            .map_or(0, |asked| asked.nodes.len() as u64 * 8)
+            .map_or(0, |asked| asked.ends.len() as u64 * 8)
     });
     let draw = Submitted {
         list: node.write(draw.list),
@@ -81,9 +81,9 @@ pub fn frame_late(
         }
         walk.walk(&sight, &how, &mut verdicts, &mut boxes);
         fill(&mut list, &scene.table, &mut walk.found, how.order);
-        *ctx.get_mut(asked)? = walk.asked();
+        *ctx.get_mut(asked)? = walk.asked(&boxes);
         ctx.upload(draw.ids, 0, bytemuck::cast_slice(list.ids()))?;
-        ctx.upload(ask.buffer, 0, bytemuck::cast_slice(&boxes))?;
+        ctx.upload(ask.buffer, 0, bytemuck::cast_slice(boxes.boxes()))?;
         if let Some(sketch) = sketch {
             ctx.get_mut(sketch)?.clone_from(&walk.sketch);
         }

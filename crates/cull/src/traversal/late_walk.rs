@@ -4,7 +4,7 @@
 //! Hierarchical Culling*, 2004: a verdict about an inner node stands for all below it, is pulled up when all children are hidden and refined when
 //! the node comes to light.
 
-use antumbra_draw::boxes::GpuBox;
+use antumbra_draw::boxes::BoxList;
 
 use super::queue::{Next, Queue};
 use super::sight::{Met, Sight};
@@ -22,6 +22,8 @@ pub struct AskedNodes {
     pub frame: u32,
     /// The nodes, in the order of the questions.
     pub nodes: std::sync::Arc<Vec<u32>>,
+    /// Where each question's nodes end.
+    pub ends: std::sync::Arc<Vec<u32>>,
 }
 
 /// What is known of a node.
@@ -34,6 +36,8 @@ struct Known {
     again: u32,
     /// Until this frame it is not taken for hidden because its children are.
     open_until: u32,
+    /// Until this frame it is asked about alone.
+    alone_until: u32,
     /// How far the eye had come.
     travelled: f64,
 }
@@ -74,30 +78,46 @@ impl LateWalk {
         if self.of != Some(asked.of) {
             return;
         }
-        for (node, visible) in asked.nodes.iter().zip(answers) {
-            let frames = match visible {
-                true => how.remember.visible,
-                false => how.remember.occluded,
-            };
-            let was_hidden = self.is_hidden(*node, how);
-            let travelled = self.travelled;
-            let frame = self.frame;
-            let known = self.known_mut(*node);
-            // Spread, so that not all that was asked about together is asked about together again.
-            let spread = node.wrapping_mul(0x9E37_79B9) >> 16;
-            known.again = frame + frames
-                - if frames > 1 {
-                    spread % (frames / 2 + 1)
-                } else {
-                    0
-                };
-            (known.visible, known.asked, known.travelled) = (visible, asked.frame, travelled);
-            if visible && was_hidden {
-                known.open_until = frame + OPEN;
+        let mut first = 0;
+        for (end, visible) in asked.ends.iter().zip(answers) {
+            let nodes = asked.nodes.get(first..*end as usize).unwrap_or_default();
+            first = *end as usize;
+            for node in nodes {
+                self.note(how, asked.frame, *node, visible);
+                if visible && nodes.len() > 1 {
+                    // One of them at least is visible; which, each has to say for itself.
+                    let frame = self.frame;
+                    let known = self.known_mut(*node);
+                    (known.again, known.alone_until) = (frame, frame + OPEN);
+                }
             }
         }
         for node in asked.nodes.iter() {
             self.pull_up(sight, how, *node);
+        }
+    }
+
+    /// Takes an answer about a node that was asked for in a frame.
+    fn note(&mut self, how: &How, asked: u32, node: u32, visible: bool) {
+        let frames = match visible {
+            true => how.remember.visible,
+            false => how.remember.occluded,
+        };
+        let was_hidden = self.is_hidden(node, how);
+        let travelled = self.travelled;
+        let frame = self.frame;
+        let known = self.known_mut(node);
+        // Spread, so that not all that was asked about together is asked about together again.
+        let spread = node.wrapping_mul(0x9E37_79B9) >> 16;
+        known.again = frame + frames
+            - if frames > 1 {
+                spread % (frames / 2 + 1)
+            } else {
+                0
+            };
+        (known.visible, known.asked, known.travelled) = (visible, asked, travelled);
+        if visible && was_hidden {
+            known.open_until = frame + OPEN;
         }
     }
 
@@ -150,7 +170,7 @@ impl LateWalk {
         sight: &Sight<'_>,
         how: &How,
         verdicts: &mut Verdicts,
-        boxes: &mut Vec<GpuBox>,
+        boxes: &mut BoxList,
     ) {
         boxes.clear();
         self.asked.clear();
@@ -168,10 +188,11 @@ impl LateWalk {
             self.queue.push(sight, root, false);
         }
         while let Some(next) = self.queue.pop() {
-            self.meet(sight, how, next, verdicts, boxes);
+            self.meet(sight, how, next, verdicts);
         }
         self.sketch.map(&self.drawn_on);
-        verdicts.add_asked(boxes.len() as u32);
+        self.ask(sight, how, boxes);
+        verdicts.add_asked(boxes.questions());
     }
 
     /// Begins a frame: what another tree or camera cut was about is forgotten.
@@ -189,22 +210,16 @@ impl LateWalk {
     }
 
     /// What this frame's questions are about.
-    pub fn asked(&mut self) -> AskedNodes {
+    pub fn asked(&mut self, boxes: &BoxList) -> AskedNodes {
         AskedNodes {
             of: self.of.unwrap_or_default(),
             frame: self.frame,
             nodes: std::sync::Arc::new(std::mem::take(&mut self.asked)),
+            ends: std::sync::Arc::new(boxes.ends().to_vec()),
         }
     }
 
-    fn meet(
-        &mut self,
-        sight: &Sight<'_>,
-        how: &How,
-        next: Next,
-        verdicts: &mut Verdicts,
-        boxes: &mut Vec<GpuBox>,
-    ) {
+    fn meet(&mut self, sight: &Sight<'_>, how: &How, next: Next, verdicts: &mut Verdicts) {
         let (number, nearness) = (next.node, next.nearness);
         let Some(node) = sight.node(number) else {
             return;
@@ -265,10 +280,31 @@ impl LateWalk {
         } else {
             self.draw(sight, &met, Verdict::New, verdicts);
         }
-        if ask && let Some(question) = sight.question(number) {
-            boxes.push(question);
+        if ask {
             self.asked.push(number);
         }
+    }
+
+    /// Asks about all who are to be asked about, siblings that are hidden together.
+    fn ask(&mut self, sight: &Sight<'_>, how: &How, boxes: &mut BoxList) {
+        // Siblings, and children of siblings, are neighbours by number.
+        self.asked.sort_unstable();
+        let mut asked = std::mem::take(&mut self.asked);
+        let (mut last, mut shared) = (false, 1);
+        asked.retain(|number| {
+            let Some(question) = sight.question(*number) else {
+                return false;
+            };
+            let known = self.known.get(*number as usize);
+            let alone = known.is_some_and(|known| known.alone_until > self.frame);
+            let hidden = !alone && self.is_hidden(*number, how);
+            let joined = hidden && last && shared < how.together;
+            shared = if joined { shared + 1 } else { 1 };
+            last = hidden;
+            boxes.push(question, joined);
+            true
+        });
+        self.asked = asked;
     }
 
     /// Draws a unit, opens what is none.

@@ -20,7 +20,9 @@ pub struct Remember {
 #[derive(Debug, Clone, Copy, Default)]
 struct Note {
     visible: bool,
-    /// The last frame it is valid in; frame 0 is before any.
+    /// The frame of the answer; frame 0 is before any.
+    asked: u64,
+    /// The last frame it is valid in.
     until: u64,
     /// How far the eye had come.
     travelled: f64,
@@ -60,15 +62,18 @@ impl Memory {
         let note = self.notes.get(node as usize)?;
         let come = self.travelled - note.travelled;
         let slow = come * come <= f64::from(nearness) * how.slow * how.slow;
-        (note.until >= self.frame && slow).then_some(note.visible)
+        (note.until >= self.frame && note.asked < self.frame && slow).then_some(note.visible)
+    }
+
+    /// Whether a node was hidden when it was last met, a frame or two ago.
+    pub fn was_hidden(&self, node: u32) -> bool {
+        let note = self.notes.get(node as usize);
+        note.is_some_and(|note| note.asked > 0 && !note.visible && note.asked + 2 >= self.frame)
     }
 
     /// Takes an answer.
     pub fn note(&mut self, node: u32, visible: bool, how: Remember) {
         let frames = u64::from(if visible { how.visible } else { how.occluded });
-        if frames == 0 {
-            return;
-        }
         let at = node as usize;
         if self.notes.len() <= at {
             self.notes.resize(at + 1, Note::default());
@@ -77,7 +82,8 @@ impl Memory {
         let spread = (u64::from(node).wrapping_mul(0x9E37_79B9) >> 7) % (frames / 2 + 1);
         self.notes[at] = Note {
             visible,
-            until: self.frame + frames - spread,
+            asked: self.frame,
+            until: self.frame + frames - spread.min(frames),
             travelled: self.travelled,
         };
     }

@@ -121,7 +121,7 @@ fn turn(
         fill(&mut list, &scene.table, &mut walk.found, how.order);
         walk.found.clear();
         ctx.upload(draw.ids, 0, bytemuck::cast_slice(list.ids()))?;
-        ctx.upload(ask.buffer, 0, bytemuck::cast_slice(&boxes))?;
+        ctx.upload(ask.buffer, 0, bytemuck::cast_slice(boxes.boxes()))?;
         Ok(())
     });
     let kind = g.shaded_kind();
@@ -151,7 +151,10 @@ fn turn(
         .read(tree)
         .read(ask.list)
         .read_back(answers)
-        .bytes(move |host| host.get(ask.list).map_or(0, |boxes| boxes.len() as u64 * 8));
+        .bytes(move |host| {
+            host.get(ask.list)
+                .map_or(0, |boxes| u64::from(boxes.questions()) * 8)
+        });
     let (walk, verdicts, done) = (node.write(walk), node.write(verdicts), node.write(done));
     node.run(move |ctx| {
         let (scene, frame, tree) = (

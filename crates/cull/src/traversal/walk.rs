@@ -1,6 +1,6 @@
 //! A walk in one frame: who is met, what is drawn at once, and who is asked about together.
 
-use antumbra_draw::boxes::GpuBox;
+use antumbra_draw::boxes::BoxList;
 
 use super::memory::{Memory, Remember};
 use super::queue::{Next, Queue};
@@ -43,6 +43,8 @@ pub struct How {
     pub small: f32,
     /// The part of a batch that must come out visible for the next one to be organised too.
     pub least_seen: f32,
+    /// Up to how many neighbours in the tree that were hidden a frame ago share a question.
+    pub together: u32,
     /// How long answers stay valid.
     pub remember: Remember,
     /// In what order a batch's entities are drawn.
@@ -56,6 +58,8 @@ pub struct How {
 struct Waiting {
     nearness: f32,
     met: Met,
+    /// Whether it was asked about together with others, and one of them was visible.
+    alone: bool,
 }
 
 /// A walk; kept from frame to frame.
@@ -64,6 +68,8 @@ pub struct Walk {
     queue: Queue,
     waiting: Vec<Waiting>,
     asked: Vec<Waiting>,
+    /// Where the members of each question end.
+    ends: Vec<u32>,
     spare: Vec<Waiting>,
     /// Blocks that something drawn may lie on.
     drawn_on: OccupancyMap,
@@ -115,7 +121,7 @@ impl Walk {
         sight: &Sight<'_>,
         how: &How,
         verdicts: &mut Verdicts,
-        boxes: &mut Vec<GpuBox>,
+        boxes: &mut BoxList,
     ) {
         boxes.clear();
         self.asked.clear();
@@ -130,18 +136,25 @@ impl Walk {
         }
         self.batches += u32::from(!self.asked.is_empty());
         let mut asked = std::mem::take(&mut self.asked);
-        asked.retain(|waiting| match sight.question(waiting.met.node) {
-            Some(question) => {
-                boxes.push(question);
-                true
-            }
-            None => {
+        // Siblings, and children of siblings, are neighbours by number.
+        asked.sort_unstable_by_key(|waiting| waiting.met.node);
+        let (mut last, mut shared) = (false, 1);
+        asked.retain(|waiting| {
+            let Some(question) = sight.question(waiting.met.node) else {
                 self.seen(sight, &waiting.met, Verdict::Untested, verdicts);
-                false
-            }
+                return false;
+            };
+            let hidden = !waiting.alone && self.memory.was_hidden(waiting.met.node);
+            let joined = hidden && last && shared < how.together;
+            shared = if joined { shared + 1 } else { 1 };
+            last = hidden;
+            boxes.push(question, joined);
+            true
         });
         self.asked = asked;
-        verdicts.add_asked(boxes.len() as u32);
+        self.ends.clear();
+        self.ends.extend_from_slice(boxes.ends());
+        verdicts.add_asked(boxes.questions());
     }
 
     /// Takes the answers, in the order of the questions: whether any sample was visible.
@@ -152,32 +165,47 @@ impl Walk {
         verdicts: &mut Verdicts,
         answers: impl Iterator<Item = bool>,
     ) {
-        let mut asked = std::mem::take(&mut self.asked);
-        let (all, mut seen) = (asked.len(), 0);
+        let asked = std::mem::take(&mut self.asked);
+        let ends = std::mem::take(&mut self.ends);
+        let (mut first, mut seen) = (0, 0);
         // Of what there is no answer about, nothing may be left out.
         let answers = answers.chain(std::iter::repeat(true));
-        for (waiting, visible) in asked.drain(..).zip(answers) {
-            let met = &waiting.met;
-            seen += usize::from(visible);
-            self.memory.note(met.node, visible, how.remember);
-            if let Some(node) = sight.node(met.node) {
-                let outcome = if visible {
-                    Sketched::Seen
-                } else {
-                    Sketched::Hidden
-                };
-                self.sketch
-                    .node(&sight.screen, &node.bounds, self.batches, outcome);
-            }
-            match visible {
-                true => self.seen(sight, met, Verdict::Visible, verdicts),
-                false => sight.mark(met, Verdict::Occluded, verdicts),
+        for (end, visible) in ends.iter().zip(answers) {
+            let members = asked.get(first..*end as usize).unwrap_or_default();
+            first = *end as usize;
+            seen += usize::from(visible) * members.len();
+            let together = visible && members.len() > 1;
+            for waiting in members {
+                let met = &waiting.met;
+                if together {
+                    // One of them at least is visible; which, each has to say for itself.
+                    self.waiting.push(Waiting {
+                        alone: true,
+                        ..*waiting
+                    });
+                    continue;
+                }
+                self.memory.note(met.node, visible, how.remember);
+                if let Some(node) = sight.node(met.node) {
+                    let outcome = if visible {
+                        Sketched::Seen
+                    } else {
+                        Sketched::Hidden
+                    };
+                    let screen = &sight.screen;
+                    (self.sketch).node(screen, &node.bounds, self.batches, outcome);
+                }
+                match visible {
+                    true => self.seen(sight, met, Verdict::Visible, verdicts),
+                    false => sight.mark(met, Verdict::Occluded, verdicts),
+                }
             }
         }
-        if (seen as f32) < how.least_seen * all as f32 {
+        if (seen as f32) < how.least_seen * asked.len() as f32 {
             self.most_organised = Some(0);
         }
-        self.asked = asked;
+        (self.ends, self.asked) = (ends, asked);
+        self.asked.clear();
     }
 
     /// Whether nothing is left to be asked.
@@ -229,7 +257,11 @@ impl Walk {
                 .node(&sight.screen, &node.bounds, 0, Sketched::Free);
             self.seen(sight, &met, Verdict::Visible, verdicts);
         } else {
-            self.waiting.push(Waiting { nearness, met });
+            self.waiting.push(Waiting {
+                nearness,
+                met,
+                alone: false,
+            });
         }
     }
 

@@ -12,6 +12,7 @@ const BLOCK_RANGE: &str = "a whole number from 1 to 256";
 const GRAIN_RANGE: &str = "a whole number from 0 to 4294967295";
 const SMALL_RANGE: &str = "a number from 0 (nothing is dropped) to 64";
 const SEEN_RANGE: &str = "a number from 0 (as in the paper) to 1";
+const TOGETHER_RANGE: &str = "a whole number from 1 (each alone) to 256";
 const FRAMES_RANGE: &str = "a whole number from 0 to 1000";
 const SLOW_RANGE: &str = "a number from 0 to 10";
 const BOOL_RANGE: &str = "true or false";
@@ -50,7 +51,7 @@ pub(super) fn unknown(strategy: &dyn Strategy, key: &str) -> SettingError {
 impl Occupancy {
     pub(super) fn settings(&self) -> Vec<Setting> {
         let order = if self.by_depth { "depth" } else { "state" };
-        let all: [(_, String, _, _); 10] = [
+        let all: [(_, String, _, _); 11] = [
             (
                 "tree",
                 self.tree.to_string(),
@@ -80,6 +81,12 @@ impl Occupancy {
                 self.least_seen.to_string(),
                 SEEN_RANGE,
                 "part of a batch that must come out visible for the next one to be organised as well",
+            ),
+            (
+                "together",
+                self.together.to_string(),
+                TOGETHER_RANGE,
+                "up to how many neighbours in the tree that were hidden a frame ago one query asks about",
             ),
             (
                 "visible-for",
@@ -138,6 +145,11 @@ impl Occupancy {
             }
             "least-seen" => {
                 self.least_seen = parse(key, value, SEEN_RANGE, |seen| (0.0..=1.0).contains(seen))?;
+            }
+            "together" => {
+                self.together = parse(key, value, TOGETHER_RANGE, |together| {
+                    (1..=256).contains(together)
+                })?;
             }
             "visible-for" => self.visible_for = frames()?,
             "occluded-for" => self.occluded_for = frames()?,
