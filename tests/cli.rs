@@ -49,6 +49,19 @@ fn a_comparison_prints_a_table_and_writes_a_report() {
     let strategies = report["strategies"].as_array().unwrap();
     assert_eq!(strategies.len(), 13);
     for strategy in strategies {
+        let series = |name: &str| {
+            let series = strategy["frames"][name].as_array().unwrap();
+            series
+                .iter()
+                .map(|value| value.as_f64().unwrap())
+                .collect::<Vec<_>>()
+        };
+        let mean = |values: Vec<f64>| values.iter().sum::<f64>() / values.len() as f64;
+        let drawn = strategy["drawn"]["triangles"].as_f64().unwrap();
+        assert!((mean(series("drawn_triangles")) - drawn).abs() < 1e-6);
+        assert!((mean(series("queries")) - strategy["queries"].as_f64().unwrap()).abs() < 1e-6);
+        let most = series("sync_points").into_iter().fold(0.0, f64::max);
+        assert_eq!(Some(most), strategy["sync_points"].as_f64());
         if strategy["conservative"] == true {
             assert_eq!(
                 strategy["error"]["false_culls"]["entities"], 0,

@@ -239,6 +239,15 @@ pub struct FrameSeries {
     /// Serialised frame time in milliseconds, the median of the repetitions of that pose.
     #[serde(default)]
     pub frame_ms: Vec<f64>,
+    /// Triangles drawn, all views together.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub drawn_triangles: Vec<u64>,
+    /// Questions asked, all views together.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub queries: Vec<u64>,
+    /// Sync points waited at.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub sync_points: Vec<u32>,
     /// Wrong pixels in percent of the pixels of all views.
     #[serde(default)]
     pub wrong_pixels_percent: Vec<f64>,
@@ -326,6 +335,9 @@ impl FrameSeries {
     /// Whether no series was recorded.
     pub fn is_empty(&self) -> bool {
         self.frame_ms.is_empty()
+            && self.drawn_triangles.is_empty()
+            && self.queries.is_empty()
+            && self.sync_points.is_empty()
             && self.wrong_pixels_percent.is_empty()
             && self.wrong_pixels_percent_a_view.is_empty()
     }

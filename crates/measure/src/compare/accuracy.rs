@@ -38,6 +38,16 @@ pub struct Record {
     pub triangles: u64,
     pub overdrawn: u64,
     pub tally: [u64; 6],
+    /// The most of any pose.
+    pub sync_points: u32,
+    /// One a pose.
+    pub poses: Vec<PoseCounts>,
+}
+
+/// What one pose took, all views together.
+pub struct PoseCounts {
+    pub triangles: u64,
+    pub asked: u64,
     pub sync_points: u32,
 }
 
@@ -121,9 +131,15 @@ pub fn measure(
             scene.gpu().wait()?;
             record.sync_points = record.sync_points.max(report.sync_points);
             record.views.resize_with(looks.len(), ViewRecord::default);
+            let before = (record.triangles, record.asked());
             for (view, look) in looks.iter_mut().enumerate() {
                 judge.judge(scene, stage, view, look, at, record)?;
             }
+            record.poses.push(PoseCounts {
+                triangles: record.triangles - before.0,
+                asked: record.asked() - before.1,
+                sync_points: report.sync_points,
+            });
         }
         owners.push(looks.into_iter().map(|look| look.owners).collect());
     }
@@ -259,6 +275,11 @@ fn picture(
 }
 
 impl Record {
+    /// How many questions were asked so far, in all views.
+    pub fn asked(&self) -> u64 {
+        self.views.iter().map(|view| view.asked).sum()
+    }
+
     fn count(&mut self, scene: &GpuScene, drawn: &[u32], verdicts: &Verdicts, owners_drawn: usize) {
         let table = scene.table();
         self.drawn += drawn.len() as u64;

@@ -98,7 +98,7 @@ impl Entries<'_> {
                 entities: mean(record.drawn),
                 triangles: mean(record.triangles),
             },
-            queries: mean(record.views.iter().map(|view| view.asked).sum()),
+            queries: mean(record.asked()),
             queries_a_view: eyes.iter().map(|view| mean(view.asked)).collect(),
             sync_points: record.sync_points,
             overdrawn_entities: mean(record.overdrawn),
@@ -106,6 +106,9 @@ impl Entries<'_> {
             views,
             frames: FrameSeries {
                 frame_ms: run.by_pose(poses)?,
+                drawn_triangles: record.poses.iter().map(|pose| pose.triangles).collect(),
+                queries: record.poses.iter().map(|pose| pose.asked).collect(),
+                sync_points: record.poses.iter().map(|pose| pose.sync_points).collect(),
                 wrong_pixels_percent: both.wrong_percent,
                 wrong_pixels_percent_a_view: eyes
                     .iter()
