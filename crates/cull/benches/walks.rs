@@ -23,6 +23,7 @@ const HOW: How = How {
     small: 0.0,
     least_seen: 0.0,
     together: 1,
+    worth: 0,
     remember: Remember {
         visible: 0,
         occluded: 0,

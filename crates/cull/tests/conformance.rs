@@ -141,15 +141,15 @@ fn walks(name: &str) {
     let gpu = gpu(name);
     let whole = [
         "occupancy-map:latency=same-frame",
-        "occupancy-map:latency=same-frame:tree=boxes:grain=0:block=1:order=depth",
-        "occupancy-map:latency=same-frame:tree=groups:visible-for=5",
+        "occupancy-map:latency=same-frame:tree=boxes:grain=0:block=1:order=depth:worth=0",
+        "occupancy-map:latency=same-frame:tree=groups:worth=0",
         "occupancy-map:latency=frame-late",
         "occupancy-map:latency=frame-late:grain=0:visible-for=0",
     ];
     conform(&gpu, &small(), named(&whole));
     let aggressive = [
-        "occupancy-map:latency=same-frame:occluded-for=3:slow=1",
-        "occupancy-map:latency=same-frame:small=2",
+        "occupancy-map:latency=same-frame:occluded-for=3:slow=1:worth=0",
+        "occupancy-map:latency=same-frame:small=2:worth=100",
         "occupancy-map:latency=frame-late:occluded-for=3:visible-for=3",
     ];
     let patient = Kit {

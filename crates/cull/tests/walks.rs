@@ -17,7 +17,7 @@ use rand::{RngExt as _, SeedableRng as _};
 use rand_pcg::Pcg32;
 
 const SIZE: [u32; 2] = [160, 120];
-const SAME: &str = "occupancy-map:latency=same-frame:grain=0";
+const SAME: &str = "occupancy-map:latency=same-frame:grain=0:worth=0";
 
 fn gpu() -> Gpu {
     Gpu::open(&AdapterChoice::Named("vulkan".to_owned()))
@@ -117,7 +117,7 @@ fn a_hidden_sub_tree_takes_one_question() {
     for text in [
         SAME,
         "occupancy-map-single:grain=0",
-        "occupancy-map:latency=same-frame:tree=boxes",
+        "occupancy-map:latency=same-frame:tree=boxes:worth=0",
     ] {
         let mut stage = stage(&scene, text);
         let (verdicts, report) = frame(&mut stage, &scene, eye);
@@ -158,6 +158,24 @@ fn where_nothing_hides_hardly_anything_is_asked() {
 }
 
 #[test]
+fn what_is_not_worth_a_wait_is_drawn() {
+    let mut props = Props::new();
+    props.hidden_groups();
+    let scene = GpuScene::new(&gpu(), &mut props.scene).unwrap();
+    let eye = camera(DVec3::Z * 14.0);
+    // 64 balls of 320 triangles wait behind the wall, in one group: 20,480 triangles for a query that costs 190.
+    let text = "occupancy-map:latency=same-frame:worth=";
+    let (asked, _) = frame(&mut stage(&scene, &format!("{text}20000")), &scene, eye);
+    assert_eq!((asked.asked(), asked.tally()[1]), (1, 64));
+    let mut stage = stage(&scene, &format!("{text}20300"));
+    let (drawn, report) = frame(&mut stage, &scene, eye);
+    assert_eq!(
+        (drawn.asked(), drawn.drawn().count(), report.sync_points),
+        (0, 65, 0)
+    );
+}
+
+#[test]
 fn later_frames_organise_fewer_batches() {
     // Columns of balls behind each other: organised, each batch holds one ball a column.
     let mut props = Props::new();
@@ -169,7 +187,7 @@ fn later_frames_organise_fewer_batches() {
     let scene = GpuScene::new(&gpu(), &mut props.scene).unwrap();
     let mut stage = stage(
         &scene,
-        "occupancy-map:latency=same-frame:grain=0:tree=groups:block=8:least-seen=0:together=1:visible-for=0",
+        "occupancy-map:latency=same-frame:grain=0:tree=groups:block=8:least-seen=0:together=1:visible-for=0:worth=0",
     );
     let mut waits = Vec::new();
     for _ in 0..8 {
@@ -199,7 +217,7 @@ fn what_stays_hidden_shares_its_questions_and_is_found_when_it_comes_to_light() 
     let mut scene = GpuScene::new(&gpu(), &mut props.scene).unwrap();
     let eye = camera(DVec3::Z * 18.0);
     for latency in ["same-frame", "frame-late"] {
-        let text = format!("occupancy-map:latency={latency}:tree=groups:grain=0");
+        let text = format!("occupancy-map:latency={latency}:tree=groups:grain=0:worth=0");
         let mut alone = stage(&scene, &format!("{text}:together=1"));
         let mut together = stage(&scene, &text);
         let mut last = Vec::new();
@@ -272,8 +290,8 @@ fn trees_that_change_are_followed() {
     let mut random = Pcg32::seed_from_u64(7);
     let mut stages: Vec<(&str, Stage)> = [
         SAME,
-        "occupancy-map:latency=same-frame:tree=boxes",
-        "occupancy-map:latency=same-frame:tree=groups:visible-for=4",
+        "occupancy-map:latency=same-frame:tree=boxes:worth=0",
+        "occupancy-map:latency=same-frame:tree=groups:visible-for=4:worth=0",
         "occupancy-map-single",
     ]
     .map(|text| (text, stage(&scene, text)))
@@ -404,7 +422,10 @@ fn settings_out_of_range_are_refused_with_the_range() {
     ] {
         assert!(refused(text).contains(range), "{}", refused(text));
     }
-    assert!(refused("occupancy-map-single:latency=frame-late").contains("no setting 'latency'"));
+    for key in ["latency", "together", "worth"] {
+        let text = refused(&format!("occupancy-map-single:{key}=1"));
+        assert!(text.contains(&format!("no setting '{key}'")), "{text}");
+    }
     let conservative = |text: &str| Registry::built_in().parse(text).unwrap().conservative();
     assert!(conservative(SAME) && conservative("occupancy-map-single:visible-for=9"));
     for aggressive in ["small=1", "occluded-for=1", "latency=frame-late"] {

@@ -31,6 +31,9 @@ pub struct Occupancy {
     /// Up to how many neighbours in the tree that were hidden a frame ago one query asks about: where it finds a sample, each is asked about for itself. 1: each alone, as
     /// in the paper.
     pub together: u32,
+    /// Triangles that a wait must be able to save, beside 190 a query: where all who wait have no more between them, they are drawn without a question. 0:
+    /// whoever waits is asked about, as in the paper.
+    pub worth: u32,
     /// Frames for which what was found visible is drawn without another query, while the camera is slow.
     pub visible_for: u32,
     /// Frames for which what was found occluded is left out without another query, while the camera is slow: aggressive.
@@ -52,6 +55,7 @@ impl Default for Occupancy {
             small: 0.0,
             least_seen: 0.1,
             together: 8,
+            worth: 5000,
             visible_for: 5,
             occluded_for: 0,
             slow: 0.1,
@@ -71,6 +75,7 @@ impl Occupancy {
             small: self.small,
             least_seen: self.least_seen,
             together: self.together,
+            worth: self.worth,
             remember: Remember {
                 visible: self.visible_for,
                 occluded: self.occluded_for,
@@ -171,14 +176,16 @@ impl Strategy for OccupancyMapSingle {
     }
 
     fn settings(&self) -> Vec<Setting> {
-        self.occupancy.settings()
+        let mut settings = self.occupancy.settings();
+        settings.retain(|setting| !settings::OF_BATCHES.contains(&setting.key));
+        settings
     }
 
     fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
-        match self.occupancy.set(key, value)? {
-            true => Ok(()),
-            false => Err(settings::unknown(self, key)),
+        if settings::OF_BATCHES.contains(&key) || !self.occupancy.set(key, value)? {
+            return Err(settings::unknown(self, key));
         }
+        Ok(())
     }
 
     fn declare(
@@ -186,7 +193,10 @@ impl Strategy for OccupancyMapSingle {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
-        let how = self.occupancy.how(Asking::Single);
+        let how = How {
+            worth: 0,
+            ..self.occupancy.how(Asking::Single)
+        };
         Ok(same_frame(g, view, self.occupancy.tree, how))
     }
 }

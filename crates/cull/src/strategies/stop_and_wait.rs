@@ -51,6 +51,7 @@ const A_QUERY_A_NODE: How = How {
     small: 0.0,
     least_seen: 0.0,
     together: 1,
+    worth: 0,
     remember: Remember {
         visible: 0,
         occluded: 0,

@@ -45,6 +45,9 @@ pub struct How {
     pub least_seen: f32,
     /// Up to how many neighbours in the tree that were hidden a frame ago share a question.
     pub together: u32,
+    /// Triangles that waiting must be able to save, beside those that the questions cost: where those who wait have no more, they are drawn
+    /// without a question. 0: whoever waits is asked about.
+    pub worth: u32,
     /// How long answers stay valid.
     pub remember: Remember,
     /// In what order a batch's entities are drawn.
@@ -83,6 +86,9 @@ pub struct Walk {
     /// What was met on the way, where a sketch was asked for.
     pub sketch: Sketch,
 }
+
+/// What a query costs, in triangles (the paper's section 2, after Severson).
+const A_QUERY: u64 = 190;
 
 /// Organised batches of the first frame; after that 7/10 of the last frame's batches.
 const FIRST_ORGANISED: u32 = 8;
@@ -126,6 +132,9 @@ impl Walk {
         boxes.clear();
         self.asked.clear();
         self.meet_all(sight, how, verdicts);
+        if how.worth > 0 {
+            self.draw_what_is_not_worth_asking(sight, how, verdicts);
+        }
         if self.batches == 0 {
             self.sketch.map(&self.drawn_on);
         }
@@ -277,6 +286,25 @@ impl Walk {
                 if sight.draw(met, verdict, verdicts, &mut self.found) {
                     self.drawn_on.take(met.rect);
                 }
+            }
+        }
+    }
+
+    /// Draws all who wait, if not even all of them together could save what it costs to ask.
+    fn draw_what_is_not_worth_asking(
+        &mut self,
+        sight: &Sight<'_>,
+        how: &How,
+        verdicts: &mut Verdicts,
+    ) {
+        let weight = |waiting: &Waiting| u64::from(sight.tree.weight(waiting.met.node));
+        let all: u64 = self.waiting.iter().map(weight).sum();
+        if all > self.waiting.len() as u64 * A_QUERY + u64::from(how.worth) {
+            return;
+        }
+        for waiting in self.waiting.drain(..) {
+            if sight.draw(&waiting.met, Verdict::Untested, verdicts, &mut self.found) {
+                self.drawn_on.take(waiting.met.rect);
             }
         }
     }

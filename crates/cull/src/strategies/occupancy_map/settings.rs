@@ -18,6 +18,9 @@ const SLOW_RANGE: &str = "a number from 0 to 10";
 const BOOL_RANGE: &str = "true or false";
 const ORDER_RANGE: &str = "state or depth";
 
+/// Knobs that say nothing to a walk that asks about one node at a time.
+pub(super) const OF_BATCHES: [&str; 3] = ["least-seen", "together", "worth"];
+
 /// The setting `latency`.
 pub(super) fn latency(latency: Latency) -> Setting {
     Setting {
@@ -51,7 +54,7 @@ pub(super) fn unknown(strategy: &dyn Strategy, key: &str) -> SettingError {
 impl Occupancy {
     pub(super) fn settings(&self) -> Vec<Setting> {
         let order = if self.by_depth { "depth" } else { "state" };
-        let all: [(_, String, _, _); 11] = [
+        let all: [(_, String, _, _); 12] = [
             (
                 "tree",
                 self.tree.to_string(),
@@ -87,6 +90,12 @@ impl Occupancy {
                 self.together.to_string(),
                 TOGETHER_RANGE,
                 "up to how many neighbours in the tree that were hidden a frame ago one query asks about",
+            ),
+            (
+                "worth",
+                self.worth.to_string(),
+                GRAIN_RANGE,
+                "triangles that a wait must be able to save, beside 190 a query; where it cannot, those who wait are drawn",
             ),
             (
                 "visible-for",
@@ -151,6 +160,7 @@ impl Occupancy {
                     (1..=256).contains(together)
                 })?;
             }
+            "worth" => self.worth = parse(key, value, GRAIN_RANGE, |_| true)?,
             "visible-for" => self.visible_for = frames()?,
             "occluded-for" => self.occluded_for = frames()?,
             "slow" => {
