@@ -7,9 +7,9 @@
 use antumbra_draw::boxes::BoxList;
 
 use super::queue::{Next, Queue};
-use super::sight::{Met, Sight};
+use super::sight::{Meeting, Met, Sight};
 use super::walk::How;
-use crate::occupancy::{OccupancyMap, Place};
+use crate::occupancy::OccupancyMap;
 use crate::sketch::{Sketch, Sketched};
 use crate::verdict::{Verdict, Verdicts};
 
@@ -221,27 +221,12 @@ impl LateWalk {
 
     fn meet(&mut self, sight: &Sight<'_>, how: &How, next: Next, verdicts: &mut Verdicts) {
         let (number, nearness) = (next.node, next.nearness);
-        let Some(node) = sight.node(number) else {
-            return;
+        let (met, node) = match sight.meet(next, how.small) {
+            Meeting::Nobody => return,
+            Meeting::Near(met) => return self.seen(sight, &met, Verdict::Untested, verdicts),
+            Meeting::Small(met) => return sight.mark(&met, Verdict::BelowThreshold, verdicts),
+            Meeting::OnScreen(met, node) => (met, node),
         };
-        let (pixels, whole) = match sight.screen.place(&node.bounds, next.whole) {
-            Place::Outside => return,
-            Place::Near => {
-                let met = sight.near(number, node);
-                self.seen(sight, &met, Verdict::Untested, verdicts);
-                return;
-            }
-            Place::OnScreen { pixels, whole } => (pixels, whole),
-        };
-        let met = Met {
-            node: number,
-            rect: sight.screen.blocks_of(&pixels),
-            whole,
-        };
-        if how.small > 0.0 && (pixels.greatest - pixels.least).max_element() < how.small {
-            sight.mark(&met, Verdict::BelowThreshold, verdicts);
-            return;
-        }
         let known = self.known.get(number as usize).copied().unwrap_or_default();
         if how.map && self.drawn_on.has_free(met.rect) {
             self.sketch

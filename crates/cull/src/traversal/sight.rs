@@ -5,7 +5,8 @@ use antumbra_draw::{Class, SceneTable, ViewFrame};
 use antumbra_scene::Topology;
 use antumbra_scene::hierarchy::HierarchyNode;
 
-use crate::occupancy::{BlockRect, Place, Screen};
+use super::queue::Next;
+use crate::occupancy::{BlockRect, PixelRect, Place, Screen};
 use crate::tree::Tree;
 use crate::verdict::{Verdict, Verdicts};
 
@@ -18,6 +19,18 @@ pub struct Met {
     pub rect: BlockRect,
     /// Whether all of it is in the frustum.
     pub whole: bool,
+}
+
+/// How a node is to be taken.
+pub(crate) enum Meeting<'a> {
+    /// It is outside the frustum, or empty.
+    Nobody,
+    /// It is too near to be asked about: visible.
+    Near(Met),
+    /// It is so small that it is dropped.
+    Small(Met),
+    /// It lies on the screen.
+    OnScreen(Met, &'a HierarchyNode),
 }
 
 /// One frame's scene as a walk sees it.
@@ -82,12 +95,26 @@ impl<'a> Sight<'a> {
         })
     }
 
-    /// A node that may not be asked about, being too near.
-    pub fn near(&self, number: u32, node: &HierarchyNode) -> Met {
-        Met {
-            node: number,
-            rect: self.screen.blocks_of(&self.screen.clipped(&node.bounds)),
-            whole: false,
+    /// Meets a node: where it lies, and how it is to be taken. `small`: pixels in width and height below which it is dropped.
+    pub(crate) fn meet(&self, next: Next, small: f32) -> Meeting<'a> {
+        let Some(node) = self.node(next.node) else {
+            return Meeting::Nobody;
+        };
+        let met = |pixels: &PixelRect, whole| Met {
+            node: next.node,
+            rect: self.screen.blocks_of(pixels),
+            whole,
+        };
+        match self.screen.place(&node.bounds, next.whole) {
+            Place::Outside => Meeting::Nobody,
+            Place::Near => Meeting::Near(met(&self.screen.clipped(&node.bounds), false)),
+            Place::OnScreen { pixels, whole } => {
+                let met = met(&pixels, whole);
+                match (pixels.greatest - pixels.least).max_element() < small {
+                    true => Meeting::Small(met),
+                    false => Meeting::OnScreen(met, node),
+                }
+            }
         }
     }
 

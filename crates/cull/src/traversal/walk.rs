@@ -4,8 +4,8 @@ use antumbra_draw::boxes::BoxList;
 
 use super::memory::{Memory, Remember};
 use super::queue::{Next, Queue};
-use super::sight::{Met, Sight};
-use crate::occupancy::{OccupancyMap, Place};
+use super::sight::{Meeting, Met, Sight};
+use crate::occupancy::OccupancyMap;
 use crate::sketch::{Sketch, Sketched};
 use crate::verdict::{Verdict, Verdicts};
 
@@ -237,27 +237,12 @@ impl Walk {
 
     fn meet(&mut self, sight: &Sight<'_>, how: &How, next: Next, verdicts: &mut Verdicts) {
         let (number, nearness) = (next.node, next.nearness);
-        let Some(node) = sight.node(number) else {
-            return;
+        let (met, node) = match sight.meet(next, how.small) {
+            Meeting::Nobody => return,
+            Meeting::Near(met) => return self.seen(sight, &met, Verdict::Untested, verdicts),
+            Meeting::Small(met) => return sight.mark(&met, Verdict::BelowThreshold, verdicts),
+            Meeting::OnScreen(met, node) => (met, node),
         };
-        let (pixels, whole) = match sight.screen.place(&node.bounds, next.whole) {
-            Place::Outside => return,
-            Place::Near => {
-                let met = sight.near(number, node);
-                self.seen(sight, &met, Verdict::Untested, verdicts);
-                return;
-            }
-            Place::OnScreen { pixels, whole } => (pixels, whole),
-        };
-        let met = Met {
-            node: number,
-            rect: sight.screen.blocks_of(&pixels),
-            whole,
-        };
-        if how.small > 0.0 && (pixels.greatest - pixels.least).max_element() < how.small {
-            sight.mark(&met, Verdict::BelowThreshold, verdicts);
-            return;
-        }
         let remembered = self.memory.valid(number, nearness, how.remember);
         if remembered == Some(false) {
             sight.mark(&met, Verdict::Occluded, verdicts);
