@@ -71,6 +71,12 @@ impl Memory {
         note.is_some_and(|note| note.asked > 0 && !note.visible && note.asked + 2 >= self.frame)
     }
 
+    /// Whether a node was visible when it was last asked about.
+    pub fn was_visible(&self, node: u32) -> bool {
+        let note = self.notes.get(node as usize);
+        note.is_some_and(|note| note.asked > 0 && note.visible)
+    }
+
     /// Takes an answer.
     pub fn note(&mut self, node: u32, visible: bool, how: Remember) {
         let frames = u64::from(if visible { how.visible } else { how.occluded });

@@ -275,17 +275,35 @@ impl Walk {
         }
     }
 
-    /// Draws all who wait, if not even all of them together could save what it costs to ask.
+    /// Draws all who wait, if not even all of them together could save what it costs to ask. Those that were visible when they were last asked about are
+    /// not counted, for nobody expects to save them: they are taken for visible once more, and what they hold waits in turn.
     fn draw_what_is_not_worth_asking(
         &mut self,
         sight: &Sight<'_>,
         how: &How,
         verdicts: &mut Verdicts,
     ) {
-        let weight = |waiting: &Waiting| u64::from(sight.tree.weight(waiting.met.node));
-        let all: u64 = self.waiting.iter().map(weight).sum();
-        if all > self.waiting.len() as u64 * A_QUERY + u64::from(how.worth) {
-            return;
+        loop {
+            let known = |waiting: &Waiting| self.memory.was_visible(waiting.met.node);
+            let in_doubt = self.waiting.iter().filter(|waiting| !known(waiting));
+            let weight = |waiting: &Waiting| u64::from(sight.tree.weight(waiting.met.node));
+            let (count, all) = in_doubt.fold((0, 0), |(count, all), waiting| {
+                (count + 1, all + weight(waiting))
+            });
+            if all > count * A_QUERY + u64::from(how.worth) {
+                return;
+            }
+            let visible: Vec<Waiting> = self
+                .waiting
+                .extract_if(.., |waiting| self.memory.was_visible(waiting.met.node))
+                .collect();
+            if visible.is_empty() {
+                break;
+            }
+            for waiting in &visible {
+                self.seen(sight, &waiting.met, Verdict::Visible, verdicts);
+            }
+            self.meet_all(sight, how, verdicts);
         }
         for waiting in self.waiting.drain(..) {
             if sight.draw(&waiting.met, Verdict::Untested, verdicts, &mut self.found) {
