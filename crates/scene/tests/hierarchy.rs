@@ -6,7 +6,7 @@ use antumbra_scene::{
 };
 use glam::{DAffine3, DQuat, DVec3};
 use proptest::prelude::*;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 #[derive(Clone, Debug)]
 enum Step {
@@ -47,6 +47,7 @@ struct Pair {
     twins: BTreeMap<EntityKey, Twin>,
     order: Vec<EntityKey>,
     reported: BTreeMap<EntityKey, (Drawable, DAffine3)>,
+    rehung: BTreeSet<EntityKey>,
     looks: [Drawable; 2],
     sizes: BTreeMap<MeshKey, f64>,
 }
@@ -66,6 +67,7 @@ impl Pair {
             twins: BTreeMap::new(),
             order: Vec::new(),
             reported: BTreeMap::new(),
+            rehung: BTreeSet::new(),
             looks,
             sizes,
         }
@@ -148,6 +150,7 @@ impl Pair {
                 let cycle = parent.is_some_and(|parent| self.is_below(parent, entity));
                 assert_eq!(self.scene.set_parent(entity, parent).is_err(), cycle);
                 if !cycle {
+                    self.rehung.insert(entity);
                     self.twins.get_mut(&entity).unwrap().parent = parent;
                 }
             }
@@ -176,7 +179,14 @@ impl Pair {
             assert_eq!(self.scene.world(*entity), Some(*world), "before the update");
         }
         let changes = self.scene.update();
-        let mut expected = Changes::default();
+        let rehung = std::mem::take(&mut self.rehung);
+        let mut expected = Changes {
+            rehung: rehung
+                .into_iter()
+                .filter(|entity| self.twins.contains_key(entity))
+                .collect(),
+            ..Changes::default()
+        };
         let mut now = BTreeMap::new();
         for (entity, world) in worlds {
             assert_eq!(self.scene.world(entity), Some(world));
@@ -336,7 +346,9 @@ fn boxes_follow_an_entity_that_does_not_move() {
     let bounds = scene.subtree_bounds(from);
     assert!(bounds.is_some());
     scene.set_parent(between, Some(to)).unwrap();
-    assert!(scene.update().is_empty(), "nothing drawable moved");
+    let changes = scene.update();
+    assert_eq!(changes.rehung, [between]);
+    assert!(changes.moved.is_empty(), "nothing drawable moved");
     assert_eq!(scene.subtree_bounds(from), None);
     assert_eq!(scene.subtree_bounds(to), bounds);
     assert_eq!(scene.bounds(), bounds);

@@ -65,6 +65,8 @@ const OLD: u32 = 4;
 const OPEN: u32 = 32;
 /// A node that reaches over a part of the screen as large as this is opened, not asked about: some of it is nearly always visible.
 const LARGE: u64 = 8;
+/// A node of more triangles than this is opened, not asked about, where nothing is known: until the answer is there all of it would be drawn.
+const HEAVY: u32 = 20_000;
 
 impl LateWalk {
     /// Takes in an answer of an earlier frame: whether each node that was asked about had a visible sample.
@@ -257,8 +259,7 @@ impl LateWalk {
                 _ => Verdict::Visible,
             };
             self.seen(sight, &met, verdict, verdicts);
-        } else if known.asked > 0 || met.rect.blocks() * LARGE >= sight.screen.everywhere().blocks()
-        {
+        } else if known.asked > 0 || self.is_sure_to_open(sight, &met) {
             // It came to light, or is sure to: its children are asked about, not it.
             self.seen(sight, &met, Verdict::Visible, verdicts);
             return;
@@ -268,6 +269,12 @@ impl LateWalk {
         if ask {
             self.asked.push(number);
         }
+    }
+
+    /// Whether a node that nothing is known of is better opened than asked about.
+    fn is_sure_to_open(&self, sight: &Sight<'_>, met: &Met) -> bool {
+        let screen = sight.screen.everywhere().blocks();
+        met.rect.blocks() * LARGE >= screen || sight.tree.weight(met.node) > HEAVY
     }
 
     /// Asks about all who are to be asked about, siblings that are hidden together.
