@@ -5,7 +5,7 @@
 use std::hint::black_box;
 
 use antumbra_cull::occupancy::{BlockRect, OccupancyMap};
-use antumbra_cull::traversal::{Asking, How, LateWalk, Order, Remember, Sight, Walk};
+use antumbra_cull::traversal::{How, LateWalk, Sight, Walk};
 use antumbra_cull::{Tree, Verdicts, outside};
 use antumbra_draw::boxes::BoxList;
 use antumbra_draw::{AdapterChoice, Gpu, GpuScene, SceneTable, ViewFrame};
@@ -15,23 +15,7 @@ use antumbra_scene::{Camera, EntityKey, Projection, Scene};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use glam::{DAffine3, DVec3};
 
-const HOW: How = How {
-    asking: Asking::Batches,
-    map: true,
-    block: 4,
-    grain: 0,
-    small: 0.0,
-    least_seen: 0.0,
-    together: 1,
-    worth: 0,
-    remember: Remember {
-        visible: 0,
-        occluded: 0,
-        slow: 0.01,
-    },
-    order: Order::State,
-    sketch: false,
-};
+const HOW: How = How::PAPER;
 
 /// Spheres along an edge, for about a thousand, ten thousand and a hundred thousand nodes.
 const SIDES: [u32; 3] = [9, 20, 42];
@@ -74,7 +58,7 @@ fn walk(walk: &mut Walk, sight: &Sight<'_>, verdicts: &mut Verdicts, visible: bo
     walk.begin(sight, &HOW, 0, verdicts);
     loop {
         walk.advance(sight, &HOW, verdicts, &mut boxes);
-        walk.found.clear();
+        walk.found().clear();
         let answers = std::iter::repeat_n(visible, boxes.questions() as usize);
         walk.answer(sight, &HOW, verdicts, answers);
         if walk.is_over() {
@@ -100,7 +84,7 @@ fn late(walk: &mut LateWalk, sight: &Sight<'_>, verdicts: &mut Verdicts) {
 }
 
 fn sight<'a>(tree: &'a Tree, table: &'a SceneTable, view: &ViewFrame) -> Sight<'a> {
-    Sight::new(table, tree, view, HOW.block, HOW.grain)
+    Sight::new(table, tree, view, &HOW, false)
 }
 
 fn walks(c: &mut Criterion) {

@@ -76,7 +76,8 @@ impl<'g> FrameGraph<'g> {
         &self.shared.topology
     }
 
-    /// Declares a sub-graph that runs until its host value is true, one turn an entity at most.
+    /// Declares a sub-graph that runs until its host value is true. A loop of more turns than eight an entity fails the frame: a walk has less than two
+    /// nodes an entity, asks about each twice at most, and may find one a turn that cannot be asked about.
     pub fn host_loop(
         &mut self,
         name: String,
@@ -87,7 +88,7 @@ impl<'g> FrameGraph<'g> {
                 .shared
                 .topology
                 .slots
-                .saturating_mul(2)
+                .saturating_mul(8)
                 .saturating_add(16),
         };
         let shared = &mut *self.shared;

@@ -4,7 +4,9 @@
 //! Staneker, Bartz, Strasser, *Efficient Multiple Occlusion Queries for Scene Graph Systems*, 2004, section 4.2.
 
 mod frame_late;
+mod front;
 mod late_walk;
+mod looking;
 mod memory;
 mod queue;
 mod same_frame;

@@ -279,6 +279,32 @@ fn trees_of_any_depth_are_walked() {
         .set_local(root, DAffine3::from_translation(DVec3::X))
         .unwrap();
     scene.sync(&mut props.scene).unwrap();
+    let eye = camera(DVec3::Z * 9.0);
+    let (verdicts, _) = frame(&mut stage(&scene, SAME), &scene, eye);
+    assert!(verdicts.drawn().count() > 0);
+    assert_eq!(missed(&scene, &eye, &verdicts), [0u32; 0]);
+}
+
+#[test]
+fn groups_of_those_who_are_gone_are_cleared_away() {
+    let mut props = Props::new();
+    props.hidden_groups();
+    let mut scene = GpuScene::new(&gpu(), &mut props.scene).unwrap();
+    let groups = scene.table().groups().around().len();
+    assert_eq!(groups, 9);
+    for _ in 0..1_200 {
+        let group = props.put(None, DVec3::X, None);
+        props.put(Some(group), DVec3::X * 6.0, Some(props.ball));
+        scene.sync(&mut props.scene).unwrap();
+        props.scene.despawn(group);
+        scene.sync(&mut props.scene).unwrap();
+        assert!(scene.table().groups().around().len() <= 2 * groups + 1025);
+    }
+    // Who stayed is still in the same groups.
+    let eye = camera(DVec3::Z * 14.0);
+    let mut stage = stage(&scene, "stop-and-wait:tree=groups");
+    let (verdicts, _) = frame(&mut stage, &scene, eye);
+    assert_eq!((verdicts.asked(), verdicts.tally()[1]), (3, 64));
 }
 
 #[test]

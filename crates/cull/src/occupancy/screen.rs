@@ -198,15 +198,4 @@ impl Screen {
             bottom: (greatest.y as u32).min(high.saturating_sub(1)),
         }
     }
-
-    /// All blocks: of what is everywhere.
-    pub fn everywhere(&self) -> BlockRect {
-        let [wide, high] = self.blocks;
-        BlockRect {
-            left: 0,
-            top: 0,
-            right: wide.saturating_sub(1),
-            bottom: high.saturating_sub(1),
-        }
-    }
 }

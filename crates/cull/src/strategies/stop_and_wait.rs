@@ -19,7 +19,7 @@ use crate::verdict::{Verdict, Verdicts};
 use crate::view_nodes::ViewNodes;
 use antumbra_scene::hierarchy::Shape;
 
-use crate::traversal::{Asking, How, Order, Remember, same_frame, submit_transparent};
+use crate::traversal::{Asking, How, same_frame, submit_transparent};
 
 /// The strategy `stop-and-wait`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -46,19 +46,7 @@ const TREE_RANGE: &str = "none, groups, boxes or divided";
 const A_QUERY_A_NODE: How = How {
     asking: Asking::Single,
     map: false,
-    block: 64,
-    grain: 0,
-    small: 0.0,
-    least_seen: 0.0,
-    together: 1,
-    worth: 0,
-    remember: Remember {
-        visible: 0,
-        occluded: 0,
-        slow: 0.0,
-    },
-    order: Order::State,
-    sketch: false,
+    ..How::PAPER
 };
 
 /// Where the traversal stands.

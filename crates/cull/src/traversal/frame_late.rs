@@ -5,8 +5,8 @@ use antumbra_graph::BufferDesc;
 use antumbra_scene::hierarchy::Shape;
 
 use super::late_walk::{AskedNodes, LateWalk};
+use super::looking::Looking;
 use super::same_frame::{fill, questions, submit_transparent};
-use super::sight::Sight;
 use super::walk::How;
 use crate::frame_graph::{CULL, FrameGraph};
 use crate::samples::outside;
@@ -23,8 +23,8 @@ pub fn frame_late(
     shape: Shape,
     how: How,
 ) -> VisibleSet {
-    let inputs = view.inputs();
-    let tree = g.tree(view, shape);
+    let looking = Looking::new(g, view, shape, how);
+    let inputs = looking.inputs;
     let most = questions(g);
     let walk = g.graph().host::<LateWalk>(view.named("walk"));
     let verdicts = g.graph().host::<Verdicts>(view.named("verdicts"));
@@ -38,10 +38,7 @@ pub fn frame_late(
         .graph()
         .buffer(view.named("answers"), BufferDesc::new(most * 8));
     let mut node = g.graph().host_node(view.named("walk the tree"));
-    node.group(CULL)
-        .read(inputs.scene)
-        .read(inputs.view)
-        .read(tree);
+    looking.declare(&mut node);
     let late = node.read_previous(answers, asked);
     let walk = node.updates(walk);
     let (verdicts, asked) = (node.write(verdicts), node.write(asked));
@@ -59,28 +56,21 @@ pub fn frame_late(
     };
     let sketch = sketch.map(|sketch| node.write(sketch));
     node.run(move |ctx| {
-        let (scene, frame, tree) = (
-            ctx.get(inputs.scene)?,
-            ctx.get(inputs.view)?,
-            ctx.get(tree)?,
-        );
-        let sight = Sight::new(&scene.table, &tree, &frame, how.block, how.grain);
         let (mut walk, mut verdicts) = (ctx.get_mut(walk)?, ctx.get_mut(verdicts)?);
         let (mut list, mut boxes) = (ctx.get_mut(draw.list)?, ctx.get_mut(ask.list)?);
-        outside(&scene.table, &mut verdicts);
-        walk.begin(&sight, frame.cuts);
-        if let Some(late) = ctx.late(late) {
-            // Zero, or anything else: some drivers count.
-            let answers = late.bytes.as_chunks::<8>().0.iter();
-            walk.take(
-                &sight,
-                &how,
-                late.tag,
-                answers.map(|answer| *answer != [0; 8]),
-            );
-        }
-        walk.walk(&sight, &how, &mut verdicts, &mut boxes);
-        fill(&mut list, &scene.table, &mut walk.found, how.order);
+        looking.look(ctx, |sight, frame| {
+            outside(sight.table, &mut verdicts);
+            walk.begin(sight, frame.cuts);
+            if let Some(late) = ctx.late(late) {
+                // Zero, or anything else: some drivers count.
+                let answers = late.bytes.as_chunks::<8>().0.iter();
+                let visible = answers.map(|answer| *answer != [0; 8]);
+                walk.take(sight, &how, late.tag, visible);
+            }
+            walk.walk(sight, &how, &mut verdicts, &mut boxes);
+            fill(&mut list, sight.table, walk.found(), how.order);
+            Ok(())
+        })?;
         *ctx.get_mut(asked)? = walk.asked(&boxes);
         ctx.upload(draw.ids, 0, bytemuck::cast_slice(list.ids()))?;
         ctx.upload(ask.buffer, 0, bytemuck::cast_slice(boxes.boxes()))?;

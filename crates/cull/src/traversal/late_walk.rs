@@ -6,10 +6,10 @@
 
 use antumbra_draw::boxes::BoxList;
 
-use super::queue::{Next, Queue};
+use super::front::Front;
+use super::queue::Next;
 use super::sight::{Meeting, Met, Sight};
 use super::walk::How;
-use crate::occupancy::OccupancyMap;
 use crate::sketch::{Sketch, Sketched};
 use crate::verdict::{Verdict, Verdicts};
 
@@ -50,10 +50,7 @@ pub struct LateWalk {
     frame: u32,
     travelled: f64,
     last_eye: Option<glam::DVec3>,
-    queue: Queue,
-    drawn_on: OccupancyMap,
-    /// Slots to be drawn.
-    pub found: Vec<u32>,
+    front: Front,
     asked: Vec<u32>,
     /// What was met on the way, where a sketch was asked for.
     pub sketch: Sketch,
@@ -176,25 +173,19 @@ impl LateWalk {
     ) {
         boxes.clear();
         self.asked.clear();
-        self.found.clear();
-        self.queue.clear();
-        let [wide, high] = sight.screen.blocks();
-        self.drawn_on.reset(wide, high);
         self.sketch.begin(how.sketch, how.block);
-        for (slot, rect) in sight.untested() {
-            verdicts.set(slot, Verdict::Untested);
-            self.found.push(slot);
-            self.drawn_on.take(rect);
-        }
-        for root in sight.tree.hierarchy().roots() {
-            self.queue.push(sight, root, false);
-        }
-        while let Some(next) = self.queue.pop() {
+        self.front.begin(sight, verdicts);
+        while let Some(next) = self.front.next() {
             self.meet(sight, how, next, verdicts);
         }
-        self.sketch.map(&self.drawn_on);
+        self.sketch.map(&self.front.drawn_on);
         self.ask(sight, how, boxes);
         verdicts.add_asked(boxes.questions());
+    }
+
+    /// The slots to be drawn.
+    pub fn found(&mut self) -> &mut Vec<u32> {
+        &mut self.front.found
     }
 
     /// Begins a frame: what another tree or camera cut was about is forgotten.
@@ -225,19 +216,19 @@ impl LateWalk {
         let (number, nearness) = (next.node, next.nearness);
         let (met, node) = match sight.meet(next, how.small) {
             Meeting::Nobody => return,
-            Meeting::Near(met) => return self.seen(sight, &met, Verdict::Untested, verdicts),
+            Meeting::Near(met) => return self.front.see(sight, &met, Verdict::Untested, verdicts),
             Meeting::Small(met) => return sight.mark(&met, Verdict::BelowThreshold, verdicts),
             Meeting::OnScreen(met, node) => (met, node),
         };
         let known = self.known.get(number as usize).copied().unwrap_or_default();
-        if how.map && self.drawn_on.has_free(met.rect) {
+        if how.map && self.front.is_free(met.rect) {
             self.sketch
                 .node(&sight.screen, &node.bounds, 0, Sketched::Free);
             let verdict = match known.asked {
                 0 => Verdict::Untested,
                 _ => Verdict::Visible,
             };
-            self.seen(sight, &met, verdict, verdicts);
+            self.front.see(sight, &met, verdict, verdicts);
             return;
         }
         let come = self.travelled - known.travelled;
@@ -258,13 +249,13 @@ impl LateWalk {
                 0 => Verdict::New,
                 _ => Verdict::Visible,
             };
-            self.seen(sight, &met, verdict, verdicts);
+            self.front.see(sight, &met, verdict, verdicts);
         } else if known.asked > 0 || self.is_sure_to_open(sight, &met) {
             // It came to light, or is sure to: its children are asked about, not it.
-            self.seen(sight, &met, Verdict::Visible, verdicts);
+            self.front.see(sight, &met, Verdict::Visible, verdicts);
             return;
         } else {
-            self.draw(sight, &met, Verdict::New, verdicts);
+            self.front.draw(sight, &met, Verdict::New, verdicts);
         }
         if ask {
             self.asked.push(number);
@@ -273,7 +264,8 @@ impl LateWalk {
 
     /// Whether a node that nothing is known of is better opened than asked about.
     fn is_sure_to_open(&self, sight: &Sight<'_>, met: &Met) -> bool {
-        let screen = sight.screen.everywhere().blocks();
+        let [wide, high] = sight.screen.blocks().map(u64::from);
+        let screen = wide * high;
         met.rect.blocks() * LARGE >= screen || sight.tree.weight(met.node) > HEAVY
     }
 
@@ -297,23 +289,5 @@ impl LateWalk {
             true
         });
         self.asked = asked;
-    }
-
-    /// Draws a unit, opens what is none.
-    fn seen(&mut self, sight: &Sight<'_>, met: &Met, verdict: Verdict, verdicts: &mut Verdicts) {
-        match sight.node(met.node) {
-            Some(node) if !sight.is_unit(met.node, node) => {
-                for child in node.children() {
-                    self.queue.push(sight, child, met.whole);
-                }
-            }
-            _ => self.draw(sight, met, verdict, verdicts),
-        }
-    }
-
-    fn draw(&mut self, sight: &Sight<'_>, met: &Met, verdict: Verdict, verdicts: &mut Verdicts) {
-        if sight.draw(met, verdict, verdicts, &mut self.found) {
-            self.drawn_on.take(met.rect);
-        }
     }
 }

@@ -48,10 +48,9 @@ impl Memory {
             self.notes.clear();
             self.last_eye = None;
         } else if before.2 != now.2 {
-            self.notes.retain_mut(|note| {
-                note.until *= u64::from(note.visible);
-                true
-            });
+            for note in self.notes.iter_mut().filter(|note| !note.visible) {
+                note.until = 0;
+            }
         }
         self.travelled += self.last_eye.map_or(0.0, |eye| eye.distance(screen.eye()));
         self.last_eye = Some(screen.eye());

@@ -6,14 +6,13 @@ use antumbra_draw::{Detail, DrawList, SceneTable};
 use antumbra_graph::{BufferDesc, Host};
 use antumbra_scene::hierarchy::Shape;
 
-use super::sight::Sight;
+use super::looking::Looking;
 use super::walk::{Asking, How, Order, Walk};
 use crate::frame_graph::{CULL, DRAW, FrameGraph};
 use crate::order::back_to_front;
 use crate::samples::outside;
 use crate::sketch::Sketch;
 use crate::strategy::VisibleSet;
-use crate::tree::Tree;
 use crate::verdict::Verdicts;
 use crate::view_nodes::ViewNodes;
 
@@ -31,9 +30,9 @@ pub fn same_frame(
     shape: Shape,
     how: How,
 ) -> VisibleSet {
-    let tree = g.tree(view, shape);
-    let mut ends = begin(g, view, tree, how);
-    g.host_loop(view.named("walk"), |g| turn(g, view, tree, how, &mut ends));
+    let looking = Looking::new(g, view, shape, how);
+    let mut ends = begin(g, view, looking);
+    g.host_loop(view.named("walk"), |g| turn(g, view, looking, &mut ends));
     let Ends { walk, verdicts } = ends;
     if g.topology().transparent {
         let name = view.named("visible transparent set");
@@ -49,31 +48,22 @@ pub fn same_frame(
 }
 
 /// Goes to the roots.
-fn begin(g: &mut FrameGraph<'_>, view: &ViewNodes, tree: Host<Tree>, how: How) -> Ends {
-    let inputs = view.inputs();
+fn begin(g: &mut FrameGraph<'_>, view: &ViewNodes, looking: Looking) -> Ends {
     let walk = g.graph().host::<Walk>(view.named("walk"));
     let verdicts = g.graph().host::<Verdicts>(view.named("verdicts"));
     let mut node = g.graph().host_node(view.named("begin at the roots"));
-    node.group(CULL)
-        .read(inputs.scene)
-        .read(inputs.view)
-        .read(tree);
+    looking.declare(&mut node);
     let ends = Ends {
         walk: node.updates(walk),
         verdicts: node.write(verdicts),
     };
     node.run(move |ctx| {
-        let (scene, frame, tree) = (
-            ctx.get(inputs.scene)?,
-            ctx.get(inputs.view)?,
-            ctx.get(tree)?,
-        );
-        let mut verdicts = ctx.get_mut(ends.verdicts)?;
-        outside(&scene.table, &mut verdicts);
-        let sight = Sight::new(&scene.table, &tree, &frame, how.block, how.grain);
-        ctx.get_mut(ends.walk)?
-            .begin(&sight, &how, frame.cuts, &mut verdicts);
-        Ok(())
+        let (mut walk, mut verdicts) = (ctx.get_mut(ends.walk)?, ctx.get_mut(ends.verdicts)?);
+        looking.look(ctx, |sight, frame| {
+            outside(sight.table, &mut verdicts);
+            walk.begin(sight, &looking.how, frame.cuts, &mut verdicts);
+            Ok(())
+        })
     });
     ends
 }
@@ -82,11 +72,10 @@ fn begin(g: &mut FrameGraph<'_>, view: &ViewNodes, tree: Host<Tree>, how: How) -
 fn turn(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
-    tree: Host<Tree>,
-    how: How,
+    looking: Looking,
     ends: &mut Ends,
 ) -> Host<bool> {
-    let inputs = view.inputs();
+    let Looking { inputs, how, .. } = looking;
     let most = match how.asking {
         Asking::Single => 1,
         Asking::Batches => questions(g),
@@ -95,10 +84,7 @@ fn turn(
     let ask = g.unsubmitted_boxes(&view.named("to ask about"), most);
     let Ends { walk, verdicts } = *ends;
     let mut node = g.graph().host_node(view.named("go on"));
-    node.group(CULL)
-        .read(inputs.scene)
-        .read(inputs.view)
-        .read(tree);
+    looking.declare(&mut node);
     let (walk, verdicts) = (node.write(walk), node.write(verdicts));
     let draw = Submitted {
         list: node.write(draw.list),
@@ -109,17 +95,14 @@ fn turn(
         buffer: node.upload(ask.buffer),
     };
     node.run(move |ctx| {
-        let (scene, frame, tree) = (
-            ctx.get(inputs.scene)?,
-            ctx.get(inputs.view)?,
-            ctx.get(tree)?,
-        );
-        let sight = Sight::new(&scene.table, &tree, &frame, how.block, how.grain);
         let (mut walk, mut boxes) = (ctx.get_mut(walk)?, ctx.get_mut(ask.list)?);
-        walk.advance(&sight, &how, &mut *ctx.get_mut(verdicts)?, &mut boxes);
-        let mut list = ctx.get_mut(draw.list)?;
-        fill(&mut list, &scene.table, &mut walk.found, how.order);
-        walk.found.clear();
+        let (mut list, mut verdicts) = (ctx.get_mut(draw.list)?, ctx.get_mut(verdicts)?);
+        looking.look(ctx, |sight, _| {
+            walk.advance(sight, &how, &mut verdicts, &mut boxes);
+            fill(&mut list, sight.table, walk.found(), how.order);
+            walk.found().clear();
+            Ok(())
+        })?;
         ctx.upload(draw.ids, 0, bytemuck::cast_slice(list.ids()))?;
         ctx.upload(ask.buffer, 0, bytemuck::cast_slice(boxes.boxes()))?;
         Ok(())
@@ -145,29 +128,21 @@ fn turn(
     let answers = box_query_pass(g.graph(), name, &pipeline, inputs, ask, depth, answers);
     let done = g.graph().host::<bool>(view.named("done"));
     let mut node = g.graph().host_node(view.named("wait"));
-    node.group(CULL)
-        .read(inputs.scene)
-        .read(inputs.view)
-        .read(tree)
-        .read(ask.list)
-        .read_back(answers)
-        .bytes(move |host| {
-            host.get(ask.list)
-                .map_or(0, |boxes| u64::from(boxes.questions()) * 8)
-        });
+    looking.declare(&mut node);
+    node.read(ask.list).read_back(answers).bytes(move |host| {
+        host.get(ask.list)
+            .map_or(0, |boxes| u64::from(boxes.questions()) * 8)
+    });
     let (walk, verdicts, done) = (node.write(walk), node.write(verdicts), node.write(done));
     node.run(move |ctx| {
-        let (scene, frame, tree) = (
-            ctx.get(inputs.scene)?,
-            ctx.get(inputs.view)?,
-            ctx.get(tree)?,
-        );
-        let sight = Sight::new(&scene.table, &tree, &frame, how.block, how.grain);
         let answers = ctx.bytes(answers)?.as_chunks::<8>().0.iter();
         // Zero, or anything else: some drivers count.
         let visible = answers.map(|answer| *answer != [0; 8]);
-        let mut walk = ctx.get_mut(walk)?;
-        walk.answer(&sight, &how, &mut *ctx.get_mut(verdicts)?, visible);
+        let (mut walk, mut verdicts) = (ctx.get_mut(walk)?, ctx.get_mut(verdicts)?);
+        looking.look(ctx, |sight, _| {
+            walk.answer(sight, &how, &mut verdicts, visible);
+            Ok(())
+        })?;
         *ctx.get_mut(done)? = walk.is_over();
         Ok(())
     });

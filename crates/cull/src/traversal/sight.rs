@@ -1,11 +1,11 @@
 //! What a walk looks at in one frame: the scene's table, the tree over it, and the screen.
 
 use antumbra_draw::boxes::GpuBox;
-use antumbra_draw::{Class, SceneTable, ViewFrame};
-use antumbra_scene::Topology;
+use antumbra_draw::{SceneTable, ViewFrame};
 use antumbra_scene::hierarchy::HierarchyNode;
 
 use super::queue::Next;
+use super::walk::How;
 use crate::occupancy::{BlockRect, PixelRect, Place, Screen};
 use crate::tree::Tree;
 use crate::verdict::{Verdict, Verdicts};
@@ -46,21 +46,19 @@ pub struct Sight<'a> {
 }
 
 impl<'a> Sight<'a> {
-    /// Looks at a scene. `block`: pixels along a side of a block of the map; `grain`: triangles below a node that is not opened.
+    /// Looks at a scene. `thin`: some of its entities are made of lines or points.
     pub fn new(
         table: &'a SceneTable,
         tree: &'a Tree,
         view: &ViewFrame,
-        block: u32,
-        grain: u32,
+        how: &How,
+        thin: bool,
     ) -> Self {
-        let thin = |class: Class| class.topology() != Topology::Triangles;
-        let thin = table.batches().iter().any(|batch| thin(batch.class));
         Self {
             table,
             tree,
-            screen: Screen::new(view, block, thin),
-            grain,
+            screen: Screen::new(view, how.block, thin),
+            grain: how.grain,
         }
     }
 

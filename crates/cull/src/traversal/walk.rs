@@ -2,8 +2,9 @@
 
 use antumbra_draw::boxes::BoxList;
 
+use super::front::Front;
 use super::memory::{Memory, Remember};
-use super::queue::{Next, Queue};
+use super::queue::Next;
 use super::sight::{Meeting, Met, Sight};
 use crate::occupancy::OccupancyMap;
 use crate::sketch::{Sketch, Sketched};
@@ -56,6 +57,27 @@ pub struct How {
     pub sketch: bool,
 }
 
+impl How {
+    /// The paper's walk and nothing beyond it.
+    pub const PAPER: Self = Self {
+        asking: Asking::Batches,
+        map: true,
+        block: 4,
+        grain: 0,
+        small: 0.0,
+        least_seen: 0.0,
+        together: 1,
+        worth: 0,
+        remember: Remember {
+            visible: 0,
+            occluded: 0,
+            slow: 0.0,
+        },
+        order: Order::State,
+        sketch: false,
+    };
+}
+
 /// A node that waits for an answer.
 #[derive(Debug, Clone, Copy)]
 struct Waiting {
@@ -68,18 +90,14 @@ struct Waiting {
 /// A walk; kept from frame to frame.
 #[derive(Debug, Clone, Default)]
 pub struct Walk {
-    queue: Queue,
+    front: Front,
     waiting: Vec<Waiting>,
     asked: Vec<Waiting>,
     /// Where the members of each question end.
     ends: Vec<u32>,
     spare: Vec<Waiting>,
-    /// Blocks that something drawn may lie on.
-    drawn_on: OccupancyMap,
     /// Blocks that a box of the present batch lies on.
     asked_on: OccupancyMap,
-    /// Slots to be drawn next.
-    pub found: Vec<u32>,
     memory: Memory,
     batches: u32,
     most_organised: Option<u32>,
@@ -101,24 +119,19 @@ impl Walk {
             Some(_) => last * 7 / 10,
             None => FIRST_ORGANISED,
         });
-        self.queue.clear();
         self.waiting.clear();
         self.asked.clear();
-        self.found.clear();
         let [wide, high] = sight.screen.blocks();
-        self.drawn_on.reset(wide, high);
         self.asked_on.reset(wide, high);
         self.memory
             .begin(sight.tree, sight.table, cuts, &sight.screen);
         self.sketch.begin(how.sketch, how.block);
-        for (slot, rect) in sight.untested() {
-            verdicts.set(slot, Verdict::Untested);
-            self.found.push(slot);
-            self.drawn_on.take(rect);
-        }
-        for root in sight.tree.hierarchy().roots() {
-            self.queue.push(sight, root, false);
-        }
+        self.front.begin(sight, verdicts);
+    }
+
+    /// The slots found since they were last taken away from here, to be drawn.
+    pub fn found(&mut self) -> &mut Vec<u32> {
+        &mut self.front.found
     }
 
     /// Goes on until there is something to ask, and says what: a box a question. None: the walk is over.
@@ -136,7 +149,7 @@ impl Walk {
             self.draw_what_is_not_worth_asking(sight, how, verdicts);
         }
         if self.batches == 0 {
-            self.sketch.map(&self.drawn_on);
+            self.sketch.map(&self.front.drawn_on);
         }
         if how.asking == Asking::Single {
             self.asked.append(&mut self.waiting);
@@ -150,7 +163,8 @@ impl Walk {
         let (mut last, mut shared) = (false, 1);
         asked.retain(|waiting| {
             let Some(question) = sight.question(waiting.met.node) else {
-                self.seen(sight, &waiting.met, Verdict::Untested, verdicts);
+                self.front
+                    .see(sight, &waiting.met, Verdict::Untested, verdicts);
                 return false;
             };
             let hidden = !waiting.alone && self.memory.was_hidden(waiting.met.node);
@@ -205,7 +219,7 @@ impl Walk {
                     (self.sketch).node(screen, &node.bounds, self.batches, outcome);
                 }
                 match visible {
-                    true => self.seen(sight, met, Verdict::Visible, verdicts),
+                    true => self.front.see(sight, met, Verdict::Visible, verdicts),
                     false => sight.mark(met, Verdict::Occluded, verdicts),
                 }
             }
@@ -219,15 +233,12 @@ impl Walk {
 
     /// Whether nothing is left to be asked.
     pub fn is_over(&self) -> bool {
-        self.asked.is_empty()
-            && self.waiting.is_empty()
-            && self.queue.is_empty()
-            && self.found.is_empty()
+        self.asked.is_empty() && self.waiting.is_empty() && self.front.is_over()
     }
 
     /// Meets all who are queued; one at a time until one has to wait where each is asked about alone.
     fn meet_all(&mut self, sight: &Sight<'_>, how: &How, verdicts: &mut Verdicts) {
-        while let Some(next) = self.queue.pop() {
+        while let Some(next) = self.front.next() {
             self.meet(sight, how, next, verdicts);
             if how.asking == Asking::Single && !self.waiting.is_empty() {
                 break;
@@ -239,39 +250,23 @@ impl Walk {
         let (number, nearness) = (next.node, next.nearness);
         let (met, node) = match sight.meet(next, how.small) {
             Meeting::Nobody => return,
-            Meeting::Near(met) => return self.seen(sight, &met, Verdict::Untested, verdicts),
+            Meeting::Near(met) => return self.front.see(sight, &met, Verdict::Untested, verdicts),
             Meeting::Small(met) => return sight.mark(&met, Verdict::BelowThreshold, verdicts),
             Meeting::OnScreen(met, node) => (met, node),
         };
         let remembered = self.memory.valid(number, nearness, how.remember);
         if remembered == Some(false) {
             sight.mark(&met, Verdict::Occluded, verdicts);
-        } else if remembered.is_some() || how.map && self.drawn_on.has_free(met.rect) {
+        } else if remembered.is_some() || how.map && self.front.is_free(met.rect) {
             self.sketch
                 .node(&sight.screen, &node.bounds, 0, Sketched::Free);
-            self.seen(sight, &met, Verdict::Visible, verdicts);
+            self.front.see(sight, &met, Verdict::Visible, verdicts);
         } else {
             self.waiting.push(Waiting {
                 nearness,
                 met,
                 alone: false,
             });
-        }
-    }
-
-    /// Draws a unit, opens what is none.
-    fn seen(&mut self, sight: &Sight<'_>, met: &Met, verdict: Verdict, verdicts: &mut Verdicts) {
-        match sight.node(met.node) {
-            Some(node) if !sight.is_unit(met.node, node) => {
-                for child in node.children() {
-                    self.queue.push(sight, child, met.whole);
-                }
-            }
-            _ => {
-                if sight.draw(met, verdict, verdicts, &mut self.found) {
-                    self.drawn_on.take(met.rect);
-                }
-            }
         }
     }
 
@@ -301,14 +296,14 @@ impl Walk {
                 break;
             }
             for waiting in &visible {
-                self.seen(sight, &waiting.met, Verdict::Visible, verdicts);
+                self.front
+                    .see(sight, &waiting.met, Verdict::Visible, verdicts);
             }
             self.meet_all(sight, how, verdicts);
         }
         for waiting in self.waiting.drain(..) {
-            if sight.draw(&waiting.met, Verdict::Untested, verdicts, &mut self.found) {
-                self.drawn_on.take(waiting.met.rect);
-            }
+            self.front
+                .draw(sight, &waiting.met, Verdict::Untested, verdicts);
         }
     }
 

@@ -90,3 +90,32 @@ fn uploads_take_their_place_among_the_commands() {
         assert_eq!(gpu.read_u32(plan.buffer(data).unwrap(), 3), [1, 11, 0]);
     }
 }
+
+#[test]
+fn nothing_read_is_nothing_waited_for() {
+    let gpu = vulkan();
+    let mut g = Graph::new("sometimes");
+    let wanted = g.import_host::<u64>("wanted");
+    let data = g.buffer("data", BufferDesc::new(8).zeroed());
+    let data = step(&mut g, &gpu, "count", data, "data[0] += 7u;");
+    let read = g.host::<usize>("read");
+    let mut node = g.host_node("read");
+    node.read(wanted)
+        .read_back(data)
+        .bytes(move |host| host.get(wanted).map_or(0, |bytes| *bytes));
+    let read = node.write(read);
+    node.run(move |ctx| {
+        *ctx.get_mut(read)? = ctx.bytes(data)?.len();
+        Ok(())
+    });
+    g.output(read);
+    g.output(data);
+    let mut plan = gpu.compile(g);
+    for bytes in [4_usize, 0, 8, 0, 0, 4] {
+        plan.set(wanted, bytes as u64).unwrap();
+        let report = plan.execute(&gpu.device, &gpu.queue).unwrap();
+        assert_eq!(report.sync_points, u32::from(bytes > 0));
+        assert_eq!(plan.get(read), Some(&bytes));
+        assert_eq!(gpu.read_u32(plan.buffer(data).unwrap(), 1), [7]);
+    }
+}
