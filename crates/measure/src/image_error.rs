@@ -8,3 +8,4 @@ mod png;
 pub use flip::{Flip, flip};
 pub use mark::mark_wrong;
 pub use png::save_png;
+pub(crate) use png::{data_uri, encode};

@@ -2,15 +2,13 @@
 //! right every node that was met, coloured by the batch it was asked about in. An SVG, so that a browser can be pointed at each node.
 
 use std::fmt::Write as _;
-use std::io::Cursor;
 use std::path::Path;
 
 use antumbra_cull::{Sketch, Sketched, SketchedNode};
-use base64::Engine as _;
-use base64::engine::general_purpose::STANDARD;
 use image::{ImageFormat, RgbaImage};
 
 use crate::MeasureError;
+use crate::image_error::{data_uri, encode};
 use crate::store::write_beside;
 
 /// Room above the panels and below them, and between them, in pixels.
@@ -19,21 +17,15 @@ const GAP: u32 = 16;
 /// Height of a line of the legend.
 const LINE: u32 = 22;
 /// Width of a batch's entry in it.
-const ENTRY: u32 = 210;
+const ENTRY: u32 = 240;
 
 /// Writes the picture of a walk over the image it led to.
 ///
 /// # Errors
 /// When it cannot be encoded or written; nothing is left behind then.
 pub fn save_sketch(image: &RgbaImage, sketch: &Sketch, path: &Path) -> Result<(), MeasureError> {
-    let mut png = Vec::new();
-    image
-        .write_to(&mut Cursor::new(&mut png), ImageFormat::Png)
-        .map_err(|source| MeasureError::Image {
-            path: path.to_owned(),
-            source,
-        })?;
-    let picture = draw(image.dimensions(), &STANDARD.encode(png), sketch);
+    let png = data_uri(ImageFormat::Png.to_mime_type(), &encode(image, path)?);
+    let picture = draw(image.dimensions(), &png, sketch);
     write_beside(path, picture.as_bytes())
 }
 
@@ -56,7 +48,7 @@ fn draw((width, height): (u32, u32), png: &str, sketch: &Sketch) -> String {
         r##"<svg xmlns="http://www.w3.org/2000/svg" width="{wide}" height="{high}" viewBox="0 0 {wide} {high}" font-family="sans-serif" font-size="14">
 <style>rect:hover {{ fill-opacity: 0.6; stroke-width: 3 }}</style>
 <rect width="{wide}" height="{high}" fill="#fff" pointer-events="none"/>
-<defs><image id="image" width="{width}" height="{height}" href="data:image/png;base64,{png}"/>
+<defs><image id="image" width="{width}" height="{height}" href="{png}"/>
 <clipPath id="screen"><rect width="{width}" height="{height}"/></clipPath></defs>
 "##
     );

@@ -4,12 +4,11 @@
 use std::io::Cursor;
 use std::path::Path;
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use image::{DynamicImage, ImageFormat, ImageReader, Limits};
 
 use super::escape;
 use crate::MeasureError;
+use crate::image_error::data_uri;
 use crate::report::{Report, StrategyReport, WorstFrame};
 use crate::store::read_limited;
 use crate::words;
@@ -124,8 +123,4 @@ fn embed(path: &Path) -> Result<String, MeasureError> {
         .write_to(&mut Cursor::new(&mut png), ImageFormat::Png)
         .map_err(fail)?;
     Ok(data_uri(ImageFormat::Png.to_mime_type(), &png))
-}
-
-fn data_uri(mime: &str, bytes: &[u8]) -> String {
-    format!("data:{mime};base64,{}", STANDARD.encode(bytes))
 }

@@ -1,8 +1,10 @@
-//! Pictures into PNG files.
+//! Pictures into PNG files, and into pages.
 
 use std::io::Cursor;
 use std::path::Path;
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use image::{ImageFormat, RgbaImage};
 
 use crate::MeasureError;
@@ -13,6 +15,11 @@ use crate::store::write_beside;
 /// # Errors
 /// When it cannot be encoded or written; nothing is left behind then.
 pub fn save_png(picture: &RgbaImage, path: &Path) -> Result<(), MeasureError> {
+    write_beside(path, &encode(picture, path)?)
+}
+
+/// The bytes of a PNG; `path` is what an error is about.
+pub(crate) fn encode(picture: &RgbaImage, path: &Path) -> Result<Vec<u8>, MeasureError> {
     let mut bytes = Vec::new();
     picture
         .write_to(&mut Cursor::new(&mut bytes), ImageFormat::Png)
@@ -20,5 +27,10 @@ pub fn save_png(picture: &RgbaImage, path: &Path) -> Result<(), MeasureError> {
             path: path.to_owned(),
             source,
         })?;
-    write_beside(path, &bytes)
+    Ok(bytes)
+}
+
+/// A file's bytes as the address of a picture within a page.
+pub(crate) fn data_uri(mime: &str, bytes: &[u8]) -> String {
+    format!("data:{mime};base64,{}", STANDARD.encode(bytes))
 }
