@@ -33,7 +33,7 @@ pub struct Widening {
     parallel: bool,
 }
 
-/// By how many pixels a box is wider than what it holds: eight times what snapping to 1/256 of a pixel moves two vertices apart.
+/// By how many pixels a box is wider than what it holds: sixteen times what snapping to 1/256 of a pixel moves two vertices apart.
 const TRIANGLE_PIXELS: f64 = 1.0 / 16.0;
 /// Lines and points cover pixels that they do not touch.
 const LINE_PIXELS: f64 = 1.5;

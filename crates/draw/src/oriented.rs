@@ -1,6 +1,7 @@
 //! The box of an entity in its own space, turned and stretched into the world: tighter than its box in the world's axes.
 
 use antumbra_scene::Aabb;
+use antumbra_scene::bounds::round_up;
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 
 /// A box along axes of its own, at right angles.
@@ -20,7 +21,7 @@ impl OrientedBox {
         Self {
             centre: bounds.centre(),
             axes: Vec3::AXES,
-            half: bounds.half_extents().as_vec3(),
+            half: Vec3::from(bounds.half_extents().to_array().map(round_up)),
         }
     }
 
@@ -101,6 +102,9 @@ mod tests {
                 assert!((size.element_product() - 1.0).abs() < 1e-3, "{size}");
             }
         }
+        // Rounding to f32 never makes a box smaller.
+        let odd = Aabb::new(DVec3::splat(-1e6), DVec3::new(1.1, 0.1, 1e6 / 3.0));
+        assert!(OrientedBox::aligned(&odd).bounds().contains_box(&odd));
         // A flat mesh keeps a thickness, however little.
         let sheet = Aabb::new(DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0));
         let oriented = OrientedBox::new(&sheet, &placed, &sheet.transformed(&placed));
