@@ -6,6 +6,7 @@ mod grid;
 mod layer;
 mod shell;
 mod solid;
+mod sun;
 mod tube;
 mod turbine;
 mod turned;

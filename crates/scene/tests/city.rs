@@ -145,25 +145,7 @@ fn pieces_hang_below_rooms_storeys_houses_lots_blocks_and_quarters() {
 #[test]
 fn pieces_are_closed_and_look_outwards() {
     for (_, mesh) in city(CityOptions::default()).unwrap().meshes() {
-        mesh.validate().unwrap();
-        let (name, geometry) = (&mesh.name, mesh.full().unwrap());
-        assert_eq!(shells::open_edges(geometry), 0, "{name} is closed");
-        for volume in shells::volumes(geometry) {
-            assert!(volume > 0.0, "{name} has a shell of {volume} m3");
-        }
-        assert_eq!(geometry.normals.len(), geometry.positions.len());
-        for triangle in geometry.triangles() {
-            let [a, b, c] = geometry.corners(triangle).unwrap();
-            let face = (b - a).cross(c - a);
-            assert!(face.length() > 0.0, "{name} has a triangle without area");
-            let normals = triangle.map(|i| {
-                let normal = DVec3::from(geometry.normals[i as usize].map(f64::from));
-                assert!((normal.length() - 1.0).abs() < 1e-5, "{name}: {normal}");
-                normal
-            });
-            let sum: DVec3 = normals.into_iter().sum();
-            assert!(face.dot(sum) > 0.0, "{name} has a normal turned inwards");
-        }
+        shells::assert_closed_and_outward(mesh);
     }
 }
 

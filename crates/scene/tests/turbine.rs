@@ -139,25 +139,7 @@ fn one_seed_is_one_engine_and_another_moves_pipes_and_brackets_alone() {
 fn parts_are_closed_and_look_outwards() {
     for (size, seed) in [(1, 1), (1, 2), (1, 3), (2, 4)] {
         for (_, mesh) in engine(size, seed).meshes() {
-            mesh.validate().unwrap();
-            let (name, geometry) = (&mesh.name, mesh.full().unwrap());
-            assert_eq!(shells::open_edges(geometry), 0, "{name} is closed");
-            for volume in shells::volumes(geometry) {
-                assert!(volume > 0.0, "{name} has a shell of {volume} m3");
-            }
-            assert_eq!(geometry.normals.len(), geometry.positions.len());
-            for triangle in geometry.triangles() {
-                let [a, b, c] = geometry.corners(triangle).unwrap();
-                let face = (b - a).cross(c - a);
-                assert!(face.length() > 0.0, "{name} has a triangle without area");
-                let normals = triangle.map(|i| {
-                    let normal = DVec3::from(geometry.normals[i as usize].map(f64::from));
-                    assert!((normal.length() - 1.0).abs() < 1e-5, "{name}: {normal}");
-                    normal
-                });
-                let sum: DVec3 = normals.into_iter().sum();
-                assert!(face.dot(sum) > 0.0, "{name} has a normal turned inwards");
-            }
+            shells::assert_closed_and_outward(mesh);
         }
     }
 }

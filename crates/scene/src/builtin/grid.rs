@@ -1,11 +1,10 @@
 //! A cube of spheres: many small, equal entities.
 
 use super::BuiltinError;
-use crate::light::Light;
 use crate::material::Material;
 use crate::mesh::{Geometry, Mesh};
 use crate::scene::{Drawable, Scene};
-use glam::{DAffine3, DQuat, DVec3, Vec3};
+use glam::{DAffine3, DVec3, Vec3};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use std::collections::HashMap;
@@ -73,14 +72,7 @@ pub fn grid(options: GridOptions) -> Result<Scene, BuiltinError> {
             }
         }
     }
-    let down = DQuat::from_euler(glam::EulerRot::YXZ, 0.6, -1.0, 0.0);
-    let sun = scene.spawn(None, DAffine3::from_quat(down))?;
-    scene.set_entity_name(sun, "sun")?;
-    let light = Light::Directional {
-        colour: [1.0; 3],
-        illuminance: 3.0,
-    };
-    scene.set_light(sun, light)?;
+    super::sun::add(&mut scene, 0.6, -1.0)?;
     Ok(scene)
 }
 

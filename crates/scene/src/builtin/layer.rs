@@ -2,11 +2,10 @@
 
 use super::BuiltinError;
 use crate::bounds::Aabb;
-use crate::light::Light;
 use crate::material::Material;
 use crate::mesh::{Geometry, Mesh};
 use crate::scene::{Drawable, Scene};
-use glam::{DAffine3, DQuat, DVec3};
+use glam::{DAffine3, DVec3};
 
 /// The most boxes along an edge.
 const MOST: u32 = 10_000;
@@ -44,13 +43,6 @@ pub fn layer(side: u32) -> Result<Scene, BuiltinError> {
             scene.set_drawable(entity, drawable)?;
         }
     }
-    let slanting = DQuat::from_euler(glam::EulerRot::YXZ, 0.5, -0.7, 0.0);
-    let sun = scene.spawn(None, DAffine3::from_quat(slanting))?;
-    scene.set_entity_name(sun, "sun")?;
-    let light = Light::Directional {
-        colour: [1.0; 3],
-        illuminance: 3.0,
-    };
-    scene.set_light(sun, light)?;
+    super::sun::add(&mut scene, 0.5, -0.7)?;
     Ok(scene)
 }

@@ -1,10 +1,11 @@
 //! The closed shells that a geometry is made of, corners at one place taken as one.
 
-use antumbra_scene::Geometry;
+use antumbra_scene::{Geometry, Mesh};
+use glam::DVec3;
 use std::collections::HashMap;
 
 /// How many edges of triangles have no counterpart that runs the other way.
-pub fn open_edges(geometry: &Geometry) -> usize {
+fn open_edges(geometry: &Geometry) -> usize {
     let names = welded(geometry);
     let mut edges: HashMap<(u32, u32), i32> = HashMap::new();
     for triangle in geometry.triangles() {
@@ -18,7 +19,7 @@ pub fn open_edges(geometry: &Geometry) -> usize {
 }
 
 /// The volume of each shell in cubic metres: positive when its triangles look outwards.
-pub fn volumes(geometry: &Geometry) -> Vec<f64> {
+fn volumes(geometry: &Geometry) -> Vec<f64> {
     let names = welded(geometry);
     let mut above: Vec<u32> = (0..geometry.positions.len() as u32).collect();
     for triangle in geometry.triangles() {
@@ -55,4 +56,27 @@ fn welded(geometry: &Geometry) -> Vec<u32> {
         *first.entry(place).or_insert(i as u32)
     });
     named.collect()
+}
+
+/// Asserts that a mesh is closed, every shell of it and every normal looks outwards, and no triangle is without area.
+pub fn assert_closed_and_outward(mesh: &Mesh) {
+    mesh.validate().unwrap();
+    let (name, geometry) = (&mesh.name, mesh.full().unwrap());
+    assert_eq!(open_edges(geometry), 0, "{name} is closed");
+    for volume in volumes(geometry) {
+        assert!(volume > 0.0, "{name} has a shell of {volume} m3");
+    }
+    assert_eq!(geometry.normals.len(), geometry.positions.len());
+    for triangle in geometry.triangles() {
+        let [a, b, c] = geometry.corners(triangle).unwrap();
+        let face = (b - a).cross(c - a);
+        assert!(face.length() > 0.0, "{name} has a triangle without area");
+        let normals = triangle.map(|i| {
+            let normal = DVec3::from(geometry.normals[i as usize].map(f64::from));
+            assert!((normal.length() - 1.0).abs() < 1e-5, "{name}: {normal}");
+            normal
+        });
+        let sum: DVec3 = normals.into_iter().sum();
+        assert!(face.dot(sum) > 0.0, "{name} has a normal turned inwards");
+    }
 }
