@@ -64,6 +64,9 @@ const OPEN: u32 = 32;
 const LARGE: u64 = 8;
 /// A node of more triangles than this is opened, not asked about, where nothing is known: until the answer is there all of it would be drawn.
 const HEAVY: u32 = 20_000;
+/// A node of more triangles than this is not asked about in place of its hidden children: when it comes to light, what lies below it has not
+/// been asked about for a while, and is drawn until it has been.
+const UNWIELDY: u32 = 100_000;
 
 impl LateWalk {
     /// Takes in an answer of an earlier frame: whether each node that was asked about had a visible sample.
@@ -131,7 +134,8 @@ impl LateWalk {
                 .known
                 .get(parent as usize)
                 .is_some_and(|known| known.open_until > self.frame);
-            if held || !above.children().all(|child| self.is_hidden(child, how)) {
+            let unwieldy = sight.tree.weight(parent) > UNWIELDY;
+            if held || unwieldy || !above.children().all(|child| self.is_hidden(child, how)) {
                 return;
             }
             let of = above
@@ -250,8 +254,8 @@ impl LateWalk {
                 _ => Verdict::Visible,
             };
             self.front.see(sight, &met, verdict, verdicts);
-        } else if known.asked > 0 || self.is_sure_to_open(sight, &met) {
-            // It came to light, or is sure to: its children are asked about, not it.
+        } else if known.visible || self.is_sure_to_open(sight, &met) {
+            // It came to light, or is sure to: its children are asked about, not it. One that was hidden too long ago is as if unknown.
             self.front.see(sight, &met, Verdict::Visible, verdicts);
             return;
         } else {
