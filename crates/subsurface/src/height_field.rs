@@ -1,84 +1,47 @@
-//! Height fields: elevations on a regular grid, and the horizon they make.
+//! Horizons over rasters.
 //!
 //! A cell is split along that of its diagonals which is shorter in space, so that ridges and valleys are not cut across; a cell of
 //! which three corners are known becomes one triangle, and one with fewer a hole.
 
-use antumbra_scene::Geometry;
-use glam::{DVec2, DVec3};
+use antumbra_scene::{Geometry, Raster};
+use glam::DVec3;
 
-use crate::assemble::FARTHEST;
 use crate::error::SubsurfaceError;
 use crate::surface::{Surface, SurfaceKind};
 
-/// Elevations on a regular grid in the plan, which may be turned and of either handedness.
-#[derive(Debug, Clone, PartialEq)]
-pub struct HeightField {
-    /// Nodes along `step_u`.
-    pub columns: u32,
-    /// Nodes along `step_v`.
-    pub rows: u32,
-    /// Where node (0, 0) lies, metres east and north.
-    pub origin: DVec2,
-    /// The way from a column to the next, metres east and north.
-    pub step_u: DVec2,
-    /// The way from a row to the next, metres east and north.
-    pub step_v: DVec2,
-    /// Metres, positive up, `columns * rows` of them, a row after the other. What is not finite (NaN, by custom) or beyond 1e12 is a hole.
-    pub elevation: Vec<f32>,
-}
-
-impl HeightField {
-    /// The elevation at a node; `None` in a hole and outside.
-    #[must_use]
-    pub fn at(&self, column: u32, row: u32) -> Option<f32> {
-        if column >= self.columns || row >= self.rows {
-            return None;
-        }
-        let index = row as usize * self.columns as usize + column as usize;
-        let height = self.elevation.get(index).copied();
-        height.filter(is_known)
-    }
-
-    /// Where a node lies in the world; `None` in a hole and outside.
-    #[must_use]
-    pub fn node(&self, column: u32, row: u32) -> Option<DVec3> {
-        let height = self.at(column, row)?;
-        let plan = self.plan(column, row);
-        Some(DVec3::new(plan.x, f64::from(height), -plan.y))
-    }
-
-    /// The horizon of all cells, with smooth normals.
+impl Surface {
+    /// The horizon of all cells of a raster, with smooth normals.
     ///
     /// # Errors
     /// [`SubsurfaceError::BadSurface`] for fewer than 2 x 2 nodes, another number of elevations than nodes, steps that are not finite or
     /// span no area, and when there is not one triangle.
-    pub fn surface(&self, name: &str) -> Result<Surface, SubsurfaceError> {
-        self.surface_without(name, |_, _| false)
+    pub fn over(raster: &Raster, name: &str) -> Result<Self, SubsurfaceError> {
+        Self::over_without(raster, name, |_, _| false)
     }
 
     /// The same without the cells that are dropped: `dropped(column, row)` is asked for the cell whose lowest node that is.
     ///
     /// # Errors
-    /// As [`HeightField::surface`].
-    pub fn surface_without(
-        &self,
+    /// As [`Surface::over`].
+    pub fn over_without(
+        raster: &Raster,
         name: &str,
         dropped: impl Fn(u32, u32) -> bool,
-    ) -> Result<Surface, SubsurfaceError> {
+    ) -> Result<Self, SubsurfaceError> {
         let bad = |problem: String| SubsurfaceError::BadSurface {
             surface: name.to_owned(),
             problem,
         };
-        if let Some(problem) = self.problem() {
+        if let Some(problem) = raster.problem() {
             return Err(bad(problem));
         }
-        let origin = self
+        let origin = raster
             .middle()
             .ok_or_else(|| bad("every node is undefined; there is nothing to show".into()))?;
-        let mut mesh = Builder::new(self, origin);
-        for row in 0..self.rows - 1 {
+        let mut mesh = Builder::new(raster, origin);
+        for row in 0..raster.rows - 1 {
             mesh.next_row();
-            for column in 0..self.columns - 1 {
+            for column in 0..raster.columns - 1 {
                 if !dropped(column, row) {
                     mesh.cell(column, row);
                 }
@@ -88,7 +51,7 @@ impl HeightField {
             let problem = "no three nodes of a cell are defined; there is nothing to show";
             return Err(bad(problem.into()));
         }
-        Ok(Surface {
+        Ok(Self {
             name: name.to_owned(),
             kind: SurfaceKind::Horizon,
             origin,
@@ -96,64 +59,11 @@ impl HeightField {
             plan: mesh.plan,
         })
     }
-
-    fn plan(&self, column: u32, row: u32) -> DVec2 {
-        self.origin + self.step_u * f64::from(column) + self.step_v * f64::from(row)
-    }
-
-    /// What no surface can be made of, in words.
-    fn problem(&self) -> Option<String> {
-        let (columns, rows) = (self.columns, self.rows);
-        if columns < 2 || rows < 2 {
-            return Some(format!(
-                "{columns} x {rows} nodes make no cell; give at least 2 x 2"
-            ));
-        }
-        let nodes = u64::from(columns) * u64::from(rows);
-        if nodes != self.elevation.len() as u64 || nodes > u64::from(u32::MAX) {
-            return Some(format!(
-                "{columns} x {rows} nodes, but {} elevations; give one each, at most {} of them",
-                self.elevation.len(),
-                u32::MAX
-            ));
-        }
-        let span = self.step_u * f64::from(columns) + self.step_v * f64::from(rows);
-        let area = self.step_u.perp_dot(self.step_v);
-        let far = self.origin.abs() + self.step_u.abs() * f64::from(columns) + span.abs();
-        if !far.is_finite() || far.max_element() > FARTHEST {
-            return Some(format!(
-                "origin {} and steps {}, {} reach beyond what can be drawn",
-                self.origin, self.step_u, self.step_v
-            ));
-        }
-        (area == 0.0 || !area.is_finite()).then(|| {
-            format!(
-                "steps {} and {} span no area; give two that are neither zero nor parallel",
-                self.step_u, self.step_v
-            )
-        })
-    }
-
-    /// The middle of the grid in the plan and of the defined heights; `None` when there are none.
-    fn middle(&self) -> Option<DVec3> {
-        let defined = self.elevation.iter().filter(|height| is_known(height));
-        let (low, high) = defined.fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), &h| {
-            (low.min(h), high.max(h))
-        });
-        let height = f64::midpoint(f64::from(low), f64::from(high));
-        let plan = (self.plan(0, 0) + self.plan(self.columns - 1, self.rows - 1)) * 0.5;
-        (low <= high).then(|| DVec3::new(plan.x, height, -plan.y))
-    }
-}
-
-/// A height that is a place on Earth.
-fn is_known(height: &f32) -> bool {
-    f64::from(height.abs()) <= FARTHEST
 }
 
 /// Vertices are made as the first triangle asks for them; only two rows of them are looked up at a time.
 struct Builder<'a> {
-    field: &'a HeightField,
+    field: &'a Raster,
     origin: DVec3,
     /// The steps turn clockwise seen from above.
     mirrored: bool,
@@ -167,7 +77,7 @@ struct Builder<'a> {
 const UNMADE: u32 = u32::MAX;
 
 impl<'a> Builder<'a> {
-    fn new(field: &'a HeightField, origin: DVec3) -> Self {
+    fn new(field: &'a Raster, origin: DVec3) -> Self {
         let empty = vec![UNMADE; field.columns as usize];
         Self {
             field,
@@ -239,11 +149,11 @@ impl<'a> Builder<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::Vec3;
+    use glam::{DVec2, Vec3};
 
-    fn field(columns: u32, rows: u32, height: impl Fn(u32, u32) -> f32) -> HeightField {
+    fn field(columns: u32, rows: u32, height: impl Fn(u32, u32) -> f32) -> Raster {
         let nodes = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
-        HeightField {
+        Raster {
             columns,
             rows,
             origin: DVec2::new(460_000.0, 5_930_000.0),
@@ -268,7 +178,7 @@ mod tests {
             let mut turned = field(4, 3, |column, row| (column * row) as f32);
             turned.step_u = DVec2::new(20.0 * u, 3.0);
             turned.step_v = DVec2::new(-4.0, 25.0 * v);
-            let surface = turned.surface("turned").unwrap();
+            let surface = Surface::over(&turned, "turned").unwrap();
             assert_eq!(surface.geometry.triangle_count(), 12);
             assert!(normals(&surface).iter().all(|normal| normal.y > 0.0));
             assert!(
@@ -286,7 +196,7 @@ mod tests {
         let field = field(5, 6, |column, row| {
             -1000.0 - column as f32 + 2.0 * row as f32
         });
-        let surface = field.surface("far").unwrap();
+        let surface = Surface::over(&field, "far").unwrap();
         assert_eq!(surface.geometry.positions.len(), 30);
         for (position, plan) in surface.geometry.positions.iter().zip(&surface.plan) {
             let (column, row) = ((plan[0] * 4.0).round(), (plan[1] * 5.0).round());
@@ -298,9 +208,8 @@ mod tests {
 
     #[test]
     fn a_plane_has_the_planes_normal_everywhere() {
-        let surface = field(7, 5, |column, _| column as f32 * 20.0)
-            .surface("plane")
-            .unwrap();
+        let surface =
+            Surface::over(&field(7, 5, |column, _| column as f32 * 20.0), "plane").unwrap();
         let expected = Vec3::new(-1.0, 1.0, 0.0).normalize();
         for normal in surface.geometry.normals {
             assert!(Vec3::from(normal).distance(expected) < 1e-5);
@@ -312,11 +221,11 @@ mod tests {
         for (column, row) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
             let mut one = field(2, 2, |_, _| 1.0);
             one.elevation[row * 2 + column] = f32::NAN;
-            let surface = one.surface("three").unwrap();
+            let surface = Surface::over(&one, "three").unwrap();
             assert_eq!(surface.geometry.positions.len(), 3);
             assert!(normals(&surface)[0].y > 0.0);
             one.elevation[(1 - row) * 2 + column] = f32::INFINITY;
-            assert!(one.surface("two").is_err());
+            assert!(Surface::over(&one, "two").is_err());
         }
     }
 
@@ -325,7 +234,7 @@ mod tests {
         for heights in [[0.0, 50.0, 50.0, 100.0], [50.0, 0.0, 100.0, 50.0]] {
             let mut tilted = field(2, 2, |_, _| 0.0);
             tilted.elevation = heights.to_vec();
-            let geometry = tilted.surface("tilted").unwrap().geometry;
+            let geometry = Surface::over(&tilted, "tilted").unwrap().geometry;
             let high = |i: &u32| geometry.positions[*i as usize][1].abs() < 1e-3;
             let level = geometry.indices.iter().filter(|i| high(i)).count();
             assert_eq!(level, 4, "both triangles share the level diagonal");
@@ -334,9 +243,10 @@ mod tests {
 
     #[test]
     fn dropped_cells_leave_a_hole_and_keep_their_nodes_for_others() {
-        let surface = field(4, 4, |_, _| 0.0)
-            .surface_without("gap", |column, row| column == 1 && row == 1)
-            .unwrap();
+        let surface = Surface::over_without(&field(4, 4, |_, _| 0.0), "gap", |column, row| {
+            column == 1 && row == 1
+        })
+        .unwrap();
         assert_eq!(surface.geometry.triangle_count(), 16);
         assert_eq!(surface.geometry.positions.len(), 16);
     }
@@ -344,10 +254,10 @@ mod tests {
     #[test]
     fn what_makes_no_surface_is_refused() {
         let good = field(3, 3, |_, _| 0.0);
-        let refused = |change: &dyn Fn(&mut HeightField), word: &str| {
+        let refused = |change: &dyn Fn(&mut Raster), word: &str| {
             let mut bad = good.clone();
             change(&mut bad);
-            let error = bad.surface("bad").unwrap_err().to_string();
+            let error = Surface::over(&bad, "bad").unwrap_err().to_string();
             assert!(error.contains(word), "{error}");
         };
         refused(&|bad| bad.columns = 1, "no cell");

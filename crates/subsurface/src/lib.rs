@@ -41,7 +41,6 @@ mod volume;
 
 pub use built_in::{BuiltIn, BuiltInOptions};
 pub use error::SubsurfaceError;
-pub use height_field::HeightField;
 pub use lens::{Facing, Lens, LensOptions};
 pub use model::{Fault, Model, ModelOptions, ModelVolume, View, Well};
 pub use prepare::{PrepareOptions, Prepared, Tile, prepare, prepare_all};

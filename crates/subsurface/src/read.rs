@@ -14,21 +14,20 @@
 
 mod bytes;
 mod drape;
-mod esri;
 mod faultroom;
-mod geotiff;
 mod gocad;
 mod irap;
 mod irap_ascii;
 mod picks;
 mod roff;
 mod roff_grid;
-mod text;
 mod triangles;
 
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
+
+use antumbra_scene::{Raster, RasterError, RasterFormat};
 
 use crate::corner_point::{CellProperty, Grid};
 use crate::error::SubsurfaceError;
@@ -107,16 +106,29 @@ pub fn surfaces_in(
     let stem = stem(path);
     let down = options.positive.unwrap_or(Positive::Down);
     let up = options.positive.unwrap_or(Positive::Up);
-    let horizon = |field: Result<crate::HeightField, String>| {
-        let surface = field?.surface(&stem).map_err(|error| error.to_string());
+    let horizon = |raster: Result<Raster, String>| {
+        let surface = Surface::over(&raster?, &stem).map_err(|error| error.to_string());
         surface.map(|surface| vec![surface])
+    };
+    let raster = |format| {
+        let mut raster = Raster::load_slice(format, bytes).map_err(|error| match error {
+            RasterError::Format { problem, .. } => problem,
+            other => other.to_string(),
+        })?;
+        if up == Positive::Down {
+            raster
+                .elevation
+                .iter_mut()
+                .for_each(|height| *height = -*height);
+        }
+        Ok(raster)
     };
     let kind = options.kind.unwrap_or(SurfaceKind::Fault);
     let read = match format {
         Format::IrapBinary => horizon(irap::read(bytes, down)),
         Format::IrapAscii => horizon(irap_ascii::read(bytes, down)),
-        Format::Esri => horizon(esri::read(bytes, up)),
-        Format::GeoTiff => horizon(geotiff::read(bytes, up)),
+        Format::Esri => horizon(raster(RasterFormat::Esri)),
+        Format::GeoTiff => horizon(raster(RasterFormat::GeoTiff)),
         Format::Roff => roff_grid::grid(bytes, down).and_then(|grid| {
             let surfaces = grid.surfaces(&stem, progress);
             surfaces.map_err(|error| error.to_string())

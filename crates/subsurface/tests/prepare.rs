@@ -3,10 +3,9 @@
 
 use std::collections::{HashMap, HashSet};
 
-use antumbra_scene::Geometry;
+use antumbra_scene::{Geometry, Raster};
 use antumbra_subsurface::{
-    HeightField, PrepareOptions, Prepared, SubsurfaceError, Surface, SurfaceKind, prepare,
-    prepare_all,
+    PrepareOptions, Prepared, SubsurfaceError, Surface, SurfaceKind, prepare, prepare_all,
 };
 use glam::{DVec2, Vec3};
 use proptest::prelude::*;
@@ -18,7 +17,7 @@ fn hills(side: u32, hole: impl Fn(u32, u32) -> bool) -> Surface {
         (x.sin() * 40.0 + (y * 1.3).cos() * 30.0 + (x * y / 9.0).sin() * 15.0) as f32
     };
     let nodes = (0..side).flat_map(|row| (0..side).map(move |column| (column, row)));
-    HeightField {
+    let raster = Raster {
         columns: side,
         rows: side,
         origin: DVec2::new(456_000.0, 5_926_000.0),
@@ -27,9 +26,8 @@ fn hills(side: u32, hole: impl Fn(u32, u32) -> bool) -> Surface {
         elevation: nodes
             .map(|(c, r)| if hole(c, r) { f32::NAN } else { height(c, r) })
             .collect(),
-    }
-    .surface("hills")
-    .unwrap()
+    };
+    Surface::over(&raster, "hills").unwrap()
 }
 
 fn options(tiles: u32, decimation: f64) -> PrepareOptions {

@@ -4,8 +4,8 @@ use super::chance::{Chance, Part};
 use super::fault::{Moved, broken_between, displace};
 use super::{HALF, Model};
 use crate::error::SubsurfaceError;
-use crate::height_field::HeightField;
 use crate::surface::Surface;
+use antumbra_scene::Raster;
 use glam::DVec2;
 use rayon::prelude::*;
 
@@ -27,7 +27,7 @@ pub(super) fn surface(model: &Model, horizon: usize) -> Result<Surface, Subsurfa
         Some(moved) => -moved.depth as f32,
         None => f32::NAN,
     });
-    let field = HeightField {
+    let field = Raster {
         columns: side,
         rows: side,
         origin: -HALF,
@@ -35,7 +35,7 @@ pub(super) fn surface(model: &Model, horizon: usize) -> Result<Surface, Subsurfa
         step_v: DVec2::new(0.0, step.y),
         elevation: elevation.collect(),
     };
-    field.surface_without(&name, |column, row| grid.is_broken(column, row))
+    Surface::over_without(&field, &name, |column, row| grid.is_broken(column, row))
 }
 
 /// How many triangles that surface has.

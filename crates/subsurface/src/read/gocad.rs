@@ -2,10 +2,10 @@
 
 use std::collections::HashMap;
 
+use antumbra_scene::raster::words::{number, text};
 use glam::DVec3;
 
 use super::Positive;
-use super::text::{number, text};
 use super::triangles;
 use crate::surface::{Surface, SurfaceKind};
 

@@ -3,12 +3,12 @@
 //! Three records of header (-996, rows, box, steps; columns, rotation and its centre; seven integers), then the values, columns
 //! fastest, in as many records as the writer liked.
 
+use antumbra_scene::Raster;
+use antumbra_scene::raster::words::nodes;
 use glam::DVec2;
 
 use super::Positive;
 use super::bytes::Bytes;
-use super::text::nodes;
-use crate::height_field::HeightField;
 
 /// The first record's length and the format's number.
 pub(super) const MAGIC: [u8; 8] = [0, 0, 0, 32, 0xff, 0xff, 0xfc, 0x1c];
@@ -16,7 +16,7 @@ pub(super) const MAGIC: [u8; 8] = [0, 0, 0, 32, 0xff, 0xff, 0xfc, 0x1c];
 /// From here on a value means that there is none.
 pub(super) const UNDEFINED: f64 = 9_999_900.0;
 
-pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<HeightField, String> {
+pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<Raster, String> {
     if !bytes.starts_with(&MAGIC) {
         return Err("it does not begin with a record of 32 bytes and -996".into());
     }
@@ -68,7 +68,7 @@ pub(super) struct Placed {
 }
 
 impl Placed {
-    pub(super) fn field(&self, columns: u32, rows: u32, elevation: Vec<f32>) -> HeightField {
+    pub(super) fn field(&self, columns: u32, rows: u32, elevation: Vec<f32>) -> Raster {
         let turn = DVec2::from_angle(self.degrees.to_radians());
         // Some writers turn about the first node and leave the centre at zero.
         let centre = match self.centre {
@@ -76,7 +76,7 @@ impl Placed {
             centre => centre,
         };
         let corner = centre + turn.rotate(self.corner - centre);
-        HeightField {
+        Raster {
             columns,
             rows,
             origin: corner,

@@ -1,13 +1,13 @@
 //! Irap ASCII surfaces: 19 numbers of header (`-996 rows step step`, the box, `columns rotation centre`, seven integers), then the values.
 
+use antumbra_scene::Raster;
+use antumbra_scene::raster::words::{Words, text};
 use glam::DVec2;
 
 use super::Positive;
 use super::irap::{Placed, height};
-use super::text::{Words, text};
-use crate::height_field::HeightField;
 
-pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<HeightField, String> {
+pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<Raster, String> {
     let text = text(bytes);
     let mut words = Words::new(&text);
     if words.number("the format's number")? != -996.0 {

@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
+use antumbra_scene::raster::words::{number, text};
 use glam::DVec3;
 
-use super::text::{number, text};
 use super::{Positive, Progress, ReadOptions, drape};
 use crate::assemble;
 use crate::surface::Surface;

@@ -3,8 +3,9 @@
 //! A value here is still the file's own bytes (or, in ASCII, its words), so that what is declared has been held against what is there
 //! before memory is asked for.
 
+use antumbra_scene::raster::words::{number, text};
+
 use super::bytes::Bytes;
-use super::text::{number, text};
 
 /// Keys in all tags together; real files have some dozens.
 const MOST_KEYS: usize = 1 << 16;

@@ -2,11 +2,10 @@
 
 use glam::DVec2;
 
-use super::Positive;
-use super::text::{Words, number, text};
-use crate::height_field::HeightField;
+use super::Raster;
+use super::words::{Words, number, text};
 
-pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<HeightField, String> {
+pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
     let text = text(bytes);
     let (header, rest) = header(&text)?;
     let columns = header.count("ncols")?;
@@ -31,13 +30,13 @@ pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<HeightField, Stri
     let values = Words::new(rest)
         .field(columns, rows, rest.len(), |value| value as f32 == nodata)
         .map_err(|problem| format!("after the header of {} lines: {problem}", header.lines))?;
-    Ok(HeightField {
+    Ok(Raster {
         columns,
         rows,
         origin: south_west + DVec2::new(0.0, step.y * f64::from(rows - 1)),
         step_u: DVec2::new(step.x, 0.0),
         step_v: DVec2::new(0.0, -step.y),
-        elevation: values.into_iter().map(|z| positive.up(z) as f32).collect(),
+        elevation: values.into_iter().map(|z| z as f32).collect(),
     })
 }
 

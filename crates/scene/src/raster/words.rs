@@ -1,29 +1,34 @@
-//! Numbers out of words, with the line they stand on.
+//! Numbers out of words, with the line they stand on: what readers of grids in text share.
 
 use std::borrow::Cow;
 use std::iter::Enumerate;
 use std::str::{Lines, SplitWhitespace};
 
 /// What a file of text says; bytes that are no UTF-8 stand for one character each.
-pub(super) fn text(bytes: &[u8]) -> Cow<'_, str> {
+#[must_use]
+pub fn text(bytes: &[u8]) -> Cow<'_, str> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     String::from_utf8_lossy(bytes)
 }
 
 /// A finite number or not; `None` when it is no number.
-pub(super) fn number(word: &str) -> Option<f64> {
+#[must_use]
+pub fn number(word: &str) -> Option<f64> {
     word.trim().parse().ok()
 }
 
 /// The words of a text, one after the other.
-pub(super) struct Words<'a> {
+#[derive(Debug)]
+pub struct Words<'a> {
     lines: Enumerate<Lines<'a>>,
     words: SplitWhitespace<'a>,
     line: usize,
 }
 
 impl<'a> Words<'a> {
-    pub(super) fn new(text: &'a str) -> Self {
+    /// All words of a text.
+    #[must_use]
+    pub fn new(text: &'a str) -> Self {
         Self {
             lines: text.lines().enumerate(),
             words: "".split_whitespace(),
@@ -31,7 +36,9 @@ impl<'a> Words<'a> {
         }
     }
 
-    pub(super) fn next(&mut self) -> Option<&'a str> {
+    /// The next word.
+    #[allow(clippy::should_implement_trait)]
+    pub fn next(&mut self) -> Option<&'a str> {
         loop {
             if let Some(word) = self.words.next() {
                 return Some(word);
@@ -42,14 +49,22 @@ impl<'a> Words<'a> {
         }
     }
 
-    pub(super) fn number(&mut self, what: &str) -> Result<f64, String> {
+    /// The next word as a number; `what` it is goes into the error.
+    ///
+    /// # Errors
+    /// The line, and what stands there instead.
+    pub fn number(&mut self, what: &str) -> Result<f64, String> {
         let word = self
             .next()
             .ok_or_else(|| format!("the file ends at line {} before {what}", self.line))?;
         number(word).ok_or_else(|| format!("line {}: {what} is `{word}`, no number", self.line))
     }
 
-    pub(super) fn count(&mut self, what: &str) -> Result<u32, String> {
+    /// The next word as a count.
+    ///
+    /// # Errors
+    /// As [`Words::number`].
+    pub fn count(&mut self, what: &str) -> Result<u32, String> {
         let value = self.number(what)?;
         if value.fract() != 0.0 || !(0.0..=f64::from(u32::MAX)).contains(&value) {
             return Err(format!("line {}: {what} is {value}, no count", self.line));
@@ -60,7 +75,10 @@ impl<'a> Words<'a> {
     /// As many values as a field of that size has, the undefined ones NaN.
     ///
     /// A value takes two bytes at least, itself and what parts it from the next: no more memory than twice the text's length is asked for.
-    pub(super) fn field(
+    ///
+    /// # Errors
+    /// As [`Words::number`], and where there are more or fewer.
+    pub fn field(
         &mut self,
         columns: u32,
         rows: u32,
@@ -89,7 +107,10 @@ impl<'a> Words<'a> {
 }
 
 /// How many nodes, if a file can hold that many.
-pub(super) fn nodes(columns: u32, rows: u32, most: usize) -> Result<usize, String> {
+///
+/// # Errors
+/// What it declares, and what it can hold.
+pub fn nodes(columns: u32, rows: u32, most: usize) -> Result<usize, String> {
     let nodes = u64::from(columns) * u64::from(rows);
     if columns < 2 || rows < 2 {
         return Err(format!(

@@ -6,9 +6,8 @@ use glam::DVec2;
 use tiff::decoder::{Decoder, DecodingResult, Limits};
 use tiff::tags::Tag;
 
-use super::Positive;
-use super::text::{nodes, number};
-use crate::height_field::HeightField;
+use super::Raster;
+use super::words::{nodes, number};
 
 /// Bytes of a decoded raster, and how many of them a byte of a compressed one can stand for.
 const MOST_BYTES: usize = 1 << 30;
@@ -20,7 +19,7 @@ const GEOGRAPHIC: u16 = 2;
 const RASTER_TYPE: u16 = 1025;
 const PIXEL_IS_POINT: u16 = 2;
 
-pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<HeightField, String> {
+pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
     let text = |error: tiff::TiffError| error.to_string();
     let mut limits = Limits::default();
     limits.decoding_buffer_size = MOST_BYTES;
@@ -43,7 +42,7 @@ pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<HeightField, Stri
     let nodata = nodata.map(|value| value as f32);
     let height = |value: f64| match nodata == Some(value as f32) {
         true => f32::NAN,
-        false => positive.up(value) as f32,
+        false => value as f32,
     };
     let elevation = heights(file.read_image().map_err(text)?, height);
     if elevation.len() != nodes {
@@ -52,7 +51,7 @@ pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<HeightField, Stri
             elevation.len()
         ));
     }
-    Ok(HeightField {
+    Ok(Raster {
         columns,
         rows,
         origin: placed.origin,

@@ -1,0 +1,246 @@
+//! Rasters: elevations on a regular grid, out of Esri ASCII grids, GeoTIFF and NumPy files.
+//!
+//! Files are hostile until read: what they declare is held against how long they are before any memory is asked for.
+
+mod esri;
+mod geotiff;
+mod npz;
+pub mod words;
+
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use glam::{DVec2, DVec3};
+use thiserror::Error;
+
+/// Bytes; no larger file is read.
+const LARGEST_FILE: u64 = 4 << 30;
+/// Metres; farther from zero than this is no place on Earth.
+const FARTHEST: f64 = 1e12;
+
+/// Elevations on a regular grid in the plan, which may be turned and of either handedness.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Raster {
+    /// Nodes along `step_u`.
+    pub columns: u32,
+    /// Nodes along `step_v`.
+    pub rows: u32,
+    /// Where node (0, 0) lies, metres east and north.
+    pub origin: DVec2,
+    /// The way from a column to the next, metres east and north.
+    pub step_u: DVec2,
+    /// The way from a row to the next, metres east and north.
+    pub step_v: DVec2,
+    /// Metres, positive up, `columns * rows` of them, a row after the other. What is not finite (NaN, by custom) or beyond 1e12 is a hole.
+    pub elevation: Vec<f32>,
+}
+
+/// The kinds of raster files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum RasterFormat {
+    /// Esri ASCII grid: `key value` lines in any order, then the values, north row first.
+    Esri,
+    /// GeoTIFF of one band.
+    GeoTiff,
+    /// NumPy arrays in a zip archive: the one with two dimensions is the elevation, north row first.
+    Npz,
+}
+
+impl RasterFormat {
+    /// The file name extensions that are known, for messages.
+    pub const EXTENSIONS: &'static [&'static str] = &["asc", "npz", "tif", "tiff"];
+
+    /// The format of a file with this extension, in either case of letters.
+    #[must_use]
+    pub fn from_extension(extension: &str) -> Option<Self> {
+        match extension.to_ascii_lowercase().as_str() {
+            "asc" => Some(Self::Esri),
+            "npz" => Some(Self::Npz),
+            "tif" | "tiff" => Some(Self::GeoTiff),
+            _ => None,
+        }
+    }
+
+    /// What people call it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Esri => "Esri ASCII raster",
+            Self::GeoTiff => "GeoTIFF",
+            Self::Npz => "NumPy archive",
+        }
+    }
+}
+
+/// Why a file gave no raster.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum RasterError {
+    /// The operating system refused.
+    #[error("cannot read {}: {source}", file.display())]
+    Io {
+        /// The file.
+        file: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// The extension tells no format.
+    #[error("{} ends in none of .{}: convert the file to one of them", file.display(), RasterFormat::EXTENSIONS.join(", ."))]
+    UnknownExtension {
+        /// The file.
+        file: PathBuf,
+    },
+    /// The bytes do not follow the format.
+    #[error("{}is no valid {}: {problem}", file.as_ref().map_or("this ".to_owned(), |file| format!("{} ", file.display())), format.name())]
+    Format {
+        /// The file; `None` when it was read from memory.
+        file: Option<PathBuf>,
+        /// What it should be.
+        format: RasterFormat,
+        /// What is wrong, and where.
+        problem: String,
+    },
+}
+
+impl Raster {
+    /// Reads a raster from a file; its format is told by the extension.
+    ///
+    /// # Errors
+    /// [`RasterError`]: what is wrong with the file, and where.
+    pub fn load(file: &Path) -> Result<Self, RasterError> {
+        let extension = file.extension().and_then(|extension| extension.to_str());
+        let format = extension.and_then(RasterFormat::from_extension);
+        let format = format.ok_or_else(|| RasterError::UnknownExtension { file: file.into() })?;
+        let bytes = contents(file).map_err(|source| RasterError::Io {
+            file: file.into(),
+            source,
+        })?;
+        read(format, &bytes).map_err(|problem| RasterError::Format {
+            file: Some(file.into()),
+            format,
+            problem,
+        })
+    }
+
+    /// Reads a raster from memory.
+    ///
+    /// # Errors
+    /// [`RasterError::Format`]: what is wrong, and where.
+    pub fn load_slice(format: RasterFormat, bytes: &[u8]) -> Result<Self, RasterError> {
+        read(format, bytes).map_err(|problem| RasterError::Format {
+            file: None,
+            format,
+            problem,
+        })
+    }
+
+    /// The elevation at a node; `None` in a hole and outside.
+    #[must_use]
+    pub fn at(&self, column: u32, row: u32) -> Option<f32> {
+        if column >= self.columns || row >= self.rows {
+            return None;
+        }
+        let index = row as usize * self.columns as usize + column as usize;
+        let height = self.elevation.get(index).copied();
+        height.filter(is_known)
+    }
+
+    /// Where a node lies in the world, Y up and Z south; `None` in a hole and outside.
+    #[must_use]
+    pub fn node(&self, column: u32, row: u32) -> Option<DVec3> {
+        let height = self.at(column, row)?;
+        let plan = self.plan(column, row);
+        Some(DVec3::new(plan.x, f64::from(height), -plan.y))
+    }
+
+    /// Where a node lies in the plan, metres east and north.
+    #[must_use]
+    pub fn plan(&self, column: u32, row: u32) -> DVec2 {
+        self.origin + self.step_u * f64::from(column) + self.step_v * f64::from(row)
+    }
+
+    /// The middle of the grid in the plan and of the known heights, in the world; `None` when there are none.
+    #[must_use]
+    pub fn middle(&self) -> Option<DVec3> {
+        let known = self.elevation.iter().filter(|height| is_known(height));
+        let (low, high) = known.fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), &h| {
+            (low.min(h), high.max(h))
+        });
+        let height = f64::midpoint(f64::from(low), f64::from(high));
+        let last = [self.columns, self.rows].map(|count| count.saturating_sub(1));
+        let plan = (self.plan(0, 0) + self.plan(last[0], last[1])) * 0.5;
+        (low <= high).then(|| DVec3::new(plan.x, height, -plan.y))
+    }
+
+    /// What no surface can be made of, in words; `None` for a raster that one can be made of, holes or not.
+    #[must_use]
+    pub fn problem(&self) -> Option<String> {
+        let (columns, rows) = (self.columns, self.rows);
+        if columns < 2 || rows < 2 {
+            return Some(format!(
+                "{columns} x {rows} nodes make no cell; give at least 2 x 2"
+            ));
+        }
+        let nodes = u64::from(columns) * u64::from(rows);
+        if nodes != self.elevation.len() as u64 || nodes > u64::from(u32::MAX) {
+            return Some(format!(
+                "{columns} x {rows} nodes, but {} elevations; give one each, at most {} of them",
+                self.elevation.len(),
+                u32::MAX
+            ));
+        }
+        let span = self.step_u * f64::from(columns) + self.step_v * f64::from(rows);
+        let area = self.step_u.perp_dot(self.step_v);
+        let far = self.origin.abs() + self.step_u.abs() * f64::from(columns) + span.abs();
+        if !far.is_finite() || far.max_element() > FARTHEST {
+            return Some(format!(
+                "origin {} and steps {}, {} reach beyond what can be drawn",
+                self.origin, self.step_u, self.step_v
+            ));
+        }
+        (area == 0.0 || !area.is_finite()).then(|| {
+            format!(
+                "steps {} and {} span no area; give two that are neither zero nor parallel",
+                self.step_u, self.step_v
+            )
+        })
+    }
+}
+
+/// A height that is a place on Earth.
+fn is_known(height: &f32) -> bool {
+    f64::from(height.abs()) <= FARTHEST
+}
+
+fn read(format: RasterFormat, bytes: &[u8]) -> Result<Raster, String> {
+    match format {
+        RasterFormat::Esri => esri::read(bytes),
+        RasterFormat::GeoTiff => geotiff::read(bytes),
+        RasterFormat::Npz => npz::read(bytes),
+    }
+}
+
+/// A whole file, unless it is too large or may have no end.
+fn contents(path: &Path) -> std::io::Result<Vec<u8>> {
+    let file = File::open(path)?;
+    let metadata = file.metadata()?;
+    if !metadata.is_file() {
+        return Err(std::io::Error::other(
+            "it is no regular file, so that its length is not known",
+        ));
+    }
+    let mut bytes = Vec::new();
+    if metadata.len() <= LARGEST_FILE {
+        let wanted = usize::try_from(metadata.len()).unwrap_or(usize::MAX);
+        bytes
+            .try_reserve_exact(wanted)
+            .map_err(std::io::Error::other)?;
+        file.take(LARGEST_FILE + 1).read_to_end(&mut bytes)?;
+    }
+    if metadata.len().max(bytes.len() as u64) > LARGEST_FILE {
+        let problem = format!("larger than {LARGEST_FILE} bytes; cut it into parts");
+        return Err(std::io::Error::other(problem));
+    }
+    Ok(bytes)
+}

@@ -1,0 +1,212 @@
+//! NumPy arrays in a zip archive (`numpy.savez`): elevations, and where they lie.
+//!
+//! The one array with two dimensions is the elevation, its first row the northernmost. Where it lies is told by arrays beside it, as they
+//! are customary: `dx` and `dy`, the cells' size, with `xmin` and `ymin` (or `ymax`), or `longitude` (`x`) and `latitude` (`y`), a number
+//! a column and row. Sizes that only fit on a globe are degrees: they become metres at the middle latitude, on a sphere of 6,371,008.8 m.
+//! Without any, a cell is a metre wide.
+
+use std::io::{Cursor, Read};
+
+use glam::DVec2;
+use zip::ZipArchive;
+
+use super::Raster;
+use super::words::nodes;
+
+/// Bytes of a decoded array, and how many of them a byte of a compressed one can stand for.
+const MOST_BYTES: u64 = 1 << 30;
+const MOST_PACKED: u64 = 1100;
+/// The most numbers of an array.
+const MOST_NUMBERS: usize = 1 << 27;
+/// Metres of a degree on a great circle.
+const DEGREE: f64 = 6_371_008.8 * std::f64::consts::PI / 180.0;
+
+/// An array.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Array {
+    pub shape: Vec<usize>,
+    pub values: Vec<f64>,
+}
+
+pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;
+    let mut arrays = Vec::new();
+    for index in 0..archive.len().min(64) {
+        let mut entry = archive.by_index(index).map_err(|error| error.to_string())?;
+        let name = entry.name().map_err(|error| error.to_string())?;
+        let Some(name) = name.strip_suffix(".npy").map(str::to_owned) else {
+            continue;
+        };
+        let most = entry
+            .compressed_size()
+            .saturating_mul(MOST_PACKED)
+            .min(MOST_BYTES);
+        let size = entry.size();
+        if size > most {
+            return Err(format!(
+                "array `{name}` is said to take {size} bytes, and {most} are the most that may be there"
+            ));
+        }
+        let mut contents = Vec::new();
+        let mut limited = entry.by_ref().take(size);
+        (limited.read_to_end(&mut contents)).map_err(|error| format!("array `{name}`: {error}"))?;
+        let array = array(&contents).map_err(|problem| format!("array `{name}`: {problem}"))?;
+        arrays.push((name, array));
+    }
+    raster(&arrays)
+}
+
+/// Reads one `.npy` array.
+pub(super) fn array(bytes: &[u8]) -> Result<Array, String> {
+    let cut = || "it is cut off".to_owned();
+    let rest = bytes
+        .strip_prefix(b"\x93NUMPY")
+        .ok_or("it does not begin as NumPy's do")?;
+    let (&[version, _], rest) = rest.split_first_chunk::<2>().ok_or_else(cut)?;
+    let (length, rest) = match version {
+        1 => {
+            let (length, rest) = rest.split_first_chunk().ok_or_else(cut)?;
+            (u32::from(u16::from_le_bytes(*length)), rest)
+        }
+        _ => {
+            let (length, rest) = rest.split_first_chunk().ok_or_else(cut)?;
+            (u32::from_le_bytes(*length), rest)
+        }
+    };
+    let (header, data) = rest.split_at_checked(length as usize).ok_or_else(cut)?;
+    let header = String::from_utf8_lossy(header);
+    let field = |name: &str| {
+        let after = header.split_once(&format!("'{name}':"))?.1;
+        Some(after.trim_start())
+    };
+    let kind = field("descr").and_then(|text| text.strip_prefix('\'')?.split_once('\''));
+    let kind = kind.ok_or("its header has no single type")?.0;
+    if field("fortran_order").is_some_and(|text| text.starts_with("True")) {
+        return Err("its columns come first; save it in C order".to_owned());
+    }
+    let shape = field("shape").and_then(|text| text.strip_prefix('(')?.split_once(')'));
+    let shape = shape.ok_or("its header has no shape")?.0.split(',');
+    let shape = shape.map(str::trim).filter(|size| !size.is_empty());
+    let shape: Vec<usize> = shape
+        .map(|size| size.parse().map_err(|_| format!("`{size}` is no size")))
+        .collect::<Result<_, _>>()?;
+    let count = shape
+        .iter()
+        .try_fold(1_usize, |all, size| all.checked_mul(*size));
+    let (read, size) = number(kind)?;
+    let whole = count.and_then(|count| count.checked_mul(size));
+    if whole != Some(data.len()) {
+        return Err(format!(
+            "{} bytes of {kind} are no array of {shape:?}",
+            data.len()
+        ));
+    }
+    if data.len() / size > MOST_NUMBERS {
+        return Err(format!(
+            "an array of {shape:?} has more than {MOST_NUMBERS} numbers; cut it into parts"
+        ));
+    }
+    let values = data.chunks_exact(size).map(read).collect();
+    Ok(Array { shape, values })
+}
+
+type ReadNumber = fn(&[u8]) -> f64;
+
+/// How to read a number of a type, and how many bytes it has.
+fn number(kind: &str) -> Result<(ReadNumber, usize), String> {
+    macro_rules! numbers {
+        ($($name:literal $big:literal $kind:ty),*) => {
+            match kind {
+                $(
+                    $name => Ok((|bytes| <$kind>::from_le_bytes(bytes.try_into().unwrap_or_default()) as f64, size_of::<$kind>())),
+                    $big => Ok((|bytes| <$kind>::from_be_bytes(bytes.try_into().unwrap_or_default()) as f64, size_of::<$kind>())),
+                )*
+                _ => Err(format!("its numbers are of type `{kind}`; save them as int or float")),
+            }
+        };
+    }
+    numbers!(
+        "|u1" ">u1" u8, "|i1" ">i1" i8, "<u2" ">u2" u16, "<i2" ">i2" i16, "<u4" ">u4" u32, "<i4" ">i4" i32,
+        "<u8" ">u8" u64, "<i8" ">i8" i64, "<f4" ">f4" f32, "<f8" ">f8" f64
+    )
+}
+
+fn raster(arrays: &[(String, Array)]) -> Result<Raster, String> {
+    let mut flat = arrays.iter().filter(|(_, array)| array.shape.len() == 2);
+    let (Some((_, heights)), None) = (flat.next(), flat.next()) else {
+        return Err("not one of its arrays has two dimensions, or several have".to_owned());
+    };
+    let size = |of: usize| u32::try_from(heights.shape[of]).map_err(|error| error.to_string());
+    let (rows, columns) = (size(0)?, size(1)?);
+    nodes(columns, rows, heights.values.len())?;
+    let named = |names: &[&str]| {
+        let mut found = arrays.iter().filter(|(name, array)| {
+            names.iter().any(|known| known.eq_ignore_ascii_case(name)) && !array.values.is_empty()
+        });
+        found.next().map(|(_, array)| array)
+    };
+    let single = |name: &str| named(&[name]).filter(|array| array.values.len() == 1);
+    let single = |name: &str| single(name).map(|array| array.values[0]);
+    // The first and the last node's place along an axis.
+    let ends = |names: &[&str], count: u32| {
+        let array = named(names).filter(|array| array.values.len() == count as usize);
+        array.map(|array| [array.values[0], array.values[count as usize - 1]])
+    };
+    let steps = |count: u32| f64::from(count - 1);
+    let axis = |ends: Option<[f64; 2]>,
+                step: Option<f64>,
+                low: Option<f64>,
+                high: Option<f64>,
+                count,
+                down| {
+        if let Some([first, last]) = ends {
+            return (first, (last - first) / steps(count));
+        }
+        let step = step.unwrap_or(1.0);
+        let low = low
+            .or(high.map(|high| high - step * steps(count)))
+            .unwrap_or(0.0);
+        // Middles of cells, where corners are told.
+        if down {
+            (low + step * steps(count), -step)
+        } else {
+            (low, step)
+        }
+    };
+    let (x, dx) = axis(
+        ends(&["longitude", "lon", "x"], columns),
+        single("dx"),
+        single("xmin"),
+        single("xmax"),
+        columns,
+        false,
+    );
+    let (y, dy) = axis(
+        ends(&["latitude", "lat", "y"], rows),
+        single("dy"),
+        single("ymin"),
+        single("ymax"),
+        rows,
+        true,
+    );
+    let (far, last) = ([x, x + dx * steps(columns)], [y, y + dy * steps(rows)]);
+    let told = named(&["dx", "longitude", "lon", "x"]).is_some();
+    let on_globe = told
+        && far.iter().all(|x| x.abs() <= 360.0)
+        && last.iter().all(|y| y.abs() <= 90.0)
+        && dx.abs().max(dy.abs()) < 5.0;
+    let scale = if on_globe {
+        let middle = f64::midpoint(last[0], last[1]).to_radians();
+        DVec2::new(DEGREE * middle.cos(), DEGREE)
+    } else {
+        DVec2::ONE
+    };
+    Ok(Raster {
+        columns,
+        rows,
+        origin: DVec2::new(x, y) * scale,
+        step_u: DVec2::new(dx, 0.0) * scale,
+        step_v: DVec2::new(0.0, dy) * scale,
+        elevation: heights.values.iter().map(|&height| height as f32).collect(),
+    })
+}
