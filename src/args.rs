@@ -46,7 +46,7 @@ pub enum Command {
 /// What decides a scene and how it is looked at.
 #[derive(Debug, Clone, ClapArgs)]
 pub struct ViewArgs {
-    /// A file (.glb, .gltf, .obj, .ply, .stl, CityJSON as .json or .jsonl) or a built-in scene (subsurface, grid, layer, turbine, city), with a size and settings if need be (grid:12,
+    /// A file (.glb, .gltf, .obj, .ply, .stl, CityJSON as .json or .jsonl) or a built-in scene (subsurface, terrain, grid, layer, turbine, city), with a size and settings if need be (grid:12,
     /// subsurface:200:tiles=5)
     pub scene: Option<String>,
     /// The camera path: orbit, flight, a view of the scene's (open and occluded of subsurface), or a JSON file of poses; where none is

@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
-use antumbra::cull::{Registry, Strategy};
+use antumbra::cull::Strategy;
 use antumbra::measure::compare::Contender;
+use antumbra::terrain::HorizonStrategy;
 
 use crate::args::CompareArgs;
 use crate::failure::Failure;
+use crate::strategies::registry;
 
 /// Waiting for each of more occludees than this takes minutes: only when asked for.
 const PATIENCE: usize = 500;
@@ -61,13 +63,19 @@ pub fn contenders(
     args: &CompareArgs,
     occludees: usize,
     stereo: bool,
+    horizon: Option<&HorizonStrategy>,
 ) -> Result<Contenders, Failure> {
-    let registry = Arc::new(Registry::built_in());
+    let registry = Arc::new(registry(horizon));
     let mut notes = Vec::new();
     let mut specs: Vec<(String, String)> = Vec::new();
     if args.strategies.is_empty() {
         let stereo: &[(&str, &str)] = if stereo { &STEREO } else { &[] };
-        for (label, spec) in STANDARD.iter().chain(stereo).copied() {
+        let own: &[(&str, &str)] = if horizon.is_some() {
+            &[("", "horizon")]
+        } else {
+            &[]
+        };
+        for (label, spec) in STANDARD.iter().chain(stereo).chain(own).copied() {
             if spec == "stop-and-wait" && occludees > PATIENCE {
                 notes.push(format!(
                     "stop-and-wait is left out: it would wait for {occludees} answers a frame, one by one. Ask for it with --strategies"

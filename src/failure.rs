@@ -8,6 +8,7 @@ use antumbra::measure::MeasureError;
 use antumbra::scene::builtin::BuiltinError;
 use antumbra::scene::{LoadError, SaveError, StereoError};
 use antumbra::subsurface::SubsurfaceError;
+use antumbra::terrain::TerrainError;
 use thiserror::Error;
 
 /// What went wrong, for a person to read.
@@ -25,6 +26,9 @@ pub enum Failure {
     /// A sub-surface model.
     #[error(transparent)]
     Subsurface(#[from] SubsurfaceError),
+    /// A terrain.
+    #[error(transparent)]
+    Terrain(#[from] TerrainError),
     /// A scene file.
     #[error("{}: {error}", path.display())]
     Load {

@@ -14,6 +14,9 @@ use antumbra::scene::{Aabb, Format, LoadOptions, Projection, Scene, Stereo, load
 use antumbra::subsurface::{
     BrickSource, BuiltIn, BuiltInOptions, Model, SectionPlaces, Sections, VolumeFile,
 };
+use antumbra::terrain::{self, HorizonStrategy, ShownTerrain, Terrain};
+
+use glam::DVec3;
 
 use crate::args::ViewArgs;
 use crate::failure::Failure;
@@ -35,6 +38,8 @@ pub struct Input {
     pub scene_seed: Option<u64>,
     /// Slices and lenses of a volume.
     pub sections: Option<Sections>,
+    /// The strategy that knows the scene's terrain.
+    pub horizon: Option<HorizonStrategy>,
 }
 
 /// Without a scene named, a software adapter gets a smaller one, so that the answer comes within a minute.
@@ -46,6 +51,9 @@ const NEAR: f64 = 5.0;
 
 /// Frames of the whole flight through the sub-surface model: half a minute of a screen's.
 const FLIGHT: usize = 1800;
+
+/// Metres of a flight above a terrain.
+const FLYING: f64 = 30.0;
 
 /// Bytes of a volume that are kept in memory.
 const BUDGET: usize = 64 << 20;
@@ -81,6 +89,9 @@ impl Input {
             size,
             stereo,
             scene_seed: found.seed,
+            horizon: found
+                .terrain
+                .map(|(terrain, shown)| HorizonStrategy::new(terrain, &shown)),
             sections: found.sections,
         })
     }
@@ -113,6 +124,8 @@ struct Found {
     /// What the scene brings its own views of.
     model: Option<Model>,
     sections: Option<Sections>,
+    /// What is known of its terrain.
+    terrain: Option<(Arc<Terrain>, ShownTerrain)>,
     /// Whether it is the whole built-in grid, which has an orbit of its own.
     whole_grid: bool,
 }
@@ -132,6 +145,7 @@ impl Found {
                 seed: None,
                 model: None,
                 sections: None,
+                terrain: None,
                 whole_grid: false,
             });
         }
@@ -147,11 +161,31 @@ impl Found {
         let settings: Vec<(&str, &str)> = words
             .map(|word| word.split_once('=').unwrap_or(("size", word)))
             .collect();
-        if name == "subsurface" {
-            Self::subsurface(&settings, bare)
-        } else {
-            Self::built_in(name, &settings)
+        match name {
+            "subsurface" => Self::subsurface(&settings, bare),
+            "terrain" => Self::terrain(&settings),
+            _ => Self::built_in(name, &settings),
         }
+    }
+
+    fn terrain(settings: &[(&str, &str)]) -> Result<Self, Failure> {
+        let mut options = terrain::BuiltInOptions::default();
+        for (key, value) in settings {
+            options.set(key, value)?;
+        }
+        let bar = progress::work("finding horizons", false);
+        bar.set_length(u64::from(options.prepare.sectors.count()));
+        let built = terrain::BuiltIn::new(&options, &|| bar.inc(1));
+        bar.finish_and_clear();
+        let built = built?;
+        Ok(Self {
+            scene: built.scene,
+            seed: Some(options.landscape.seed),
+            model: None,
+            sections: None,
+            terrain: Some((built.terrain, built.shown)),
+            whole_grid: false,
+        })
     }
 
     fn subsurface(settings: &[(&str, &str)], bare: bool) -> Result<Self, Failure> {
@@ -175,6 +209,7 @@ impl Found {
             seed: Some(options.model.seed),
             model: Some(built.model),
             sections: Some(built.sections),
+            terrain: None,
             whole_grid: false,
         })
     }
@@ -209,6 +244,7 @@ impl Found {
             },
             model: None,
             sections: None,
+            terrain: None,
             whole_grid: name == "grid" && size.is_none(),
         })
     }
@@ -217,7 +253,7 @@ impl Found {
 impl Found {
     /// The box around the scene; around nothing, one to look at.
     fn bounds(&self) -> Aabb {
-        let nothing = Aabb::new(glam::DVec3::NEG_ONE, glam::DVec3::ONE);
+        let nothing = Aabb::new(DVec3::NEG_ONE, DVec3::ONE);
         self.scene.bounds().unwrap_or(nothing)
     }
 
@@ -266,7 +302,8 @@ impl Script for FaceLenses<'_> {
 }
 
 fn built_in_names() -> Vec<&'static str> {
-    std::iter::once("subsurface")
+    ["subsurface", "terrain"]
+        .into_iter()
         .chain(builtin::names().iter().copied())
         .collect()
 }
@@ -284,6 +321,11 @@ fn path(
     {
         return Ok(path);
     }
+    if let Some((terrain, _)) = &found.terrain
+        && matches!(args.path.as_deref(), None | Some("flight"))
+    {
+        return over(terrain, frames);
+    }
     match args.path.as_deref() {
         // The grid's own orbit, whole grid or a part of it.
         None | Some("orbit") if found.whole_grid => Ok(Path::orbit(&Orbit::grid(frames))?),
@@ -291,6 +333,19 @@ fn path(
         Some("flight") => Ok(Path::flight(bounds, args.seed, frames)?),
         Some(file) => Ok(Path::load(file)?),
     }
+}
+
+/// A flight over a terrain.
+fn over(terrain: &Terrain, frames: usize) -> Result<Path, Failure> {
+    let projection = Projection::Perspective {
+        fov_y: 0.9,
+        near: 1.0,
+    };
+    let look = |[eye, target]: [DVec3; 2]| Pose::look_at(eye, target, None);
+    let poses = terrain.flight(FLYING, frames).into_iter().map(look);
+    let poses = poses.collect::<Result<Vec<_>, _>>();
+    let poses = poses.map_err(|error| Failure::Usage(format!("the flight: {error}")))?;
+    Ok(Path::new("flight", projection, poses)?)
 }
 
 /// A path that a sub-surface model brings along: its flight, or one of its views.

@@ -12,6 +12,7 @@
 //! | [`cull`] | strategies, visible sets, sample counts, the conformance kit |
 //! | [`measure`] | camera paths, comparisons, image errors, the report |
 //! | [`subsurface`] | horizons, faults, seismic slices and lenses made into a scene |
+//! | [`terrain`] | height fields, their horizons, groups of triangles that hide together |
 //!
 //! Drawing a scene under a strategy:
 //!
@@ -47,3 +48,4 @@ pub use antumbra_measure as measure;
 pub use antumbra_scene as scene;
 pub use antumbra_shaders as shaders;
 pub use antumbra_subsurface as subsurface;
+pub use antumbra_terrain as terrain;

@@ -9,6 +9,7 @@ mod eyes;
 mod failure;
 mod input;
 mod progress;
+mod strategies;
 
 use std::process::ExitCode;
 

@@ -17,12 +17,17 @@ use crate::progress::Bars;
 /// What stopped it; nothing half-written stays behind.
 pub fn run(args: CompareArgs) -> Result<(), Failure> {
     // Wrong words are found before anything is loaded.
-    contenders(&args, 0, false)?;
+    contenders(&args, 0, false, None)?;
     let gpu = Gpu::open(&args.view.adapter)?;
     let mut input = Input::open(&args.view, &gpu)?;
     // Each eye asks for itself.
     let occludees = input.scene.drawable_count() * input.views().len();
-    let contenders = contenders(&args, occludees, input.stereo.is_some())?;
+    let contenders = contenders(
+        &args,
+        occludees,
+        input.stereo.is_some(),
+        input.horizon.as_ref(),
+    )?;
     let options = CompareOptions {
         size: input.size,
         stereo: input.stereo,

@@ -1,6 +1,6 @@
 //! `antumbra graph`: a strategy's plan as a picture, with the times of one frame.
 
-use antumbra::cull::{Oracle, Registry, Stage, StageOptions};
+use antumbra::cull::{Oracle, Stage, StageOptions};
 use antumbra::draw::{Gpu, GpuScene};
 use antumbra::graph::Picture;
 
@@ -8,15 +8,18 @@ use crate::args::{Format, GraphArgs};
 use crate::eyes::inputs;
 use crate::failure::Failure;
 use crate::input::Input;
+use crate::strategies::registry;
 
 /// Prints the graph.
 ///
 /// # Errors
 /// What stopped it.
 pub fn run(args: GraphArgs) -> Result<(), Failure> {
-    let strategy = Registry::built_in().parse(&args.strategy)?;
+    // Wrong words are found before anything is loaded.
+    registry(None).parse(&args.strategy)?;
     let gpu = Gpu::open(&args.view.adapter)?;
     let mut input = Input::open(&args.view, &gpu)?;
+    let strategy = registry(input.horizon.as_ref()).parse(&args.strategy)?;
     let cameras = input.look(0)?;
     let scene = GpuScene::new(&gpu, &mut input.scene)?;
     let options = StageOptions {

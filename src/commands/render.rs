@@ -2,18 +2,20 @@
 
 use std::path::{Path, PathBuf};
 
-use antumbra::cull::{Members, Oracle, Registry, Stage, StageError, StageOptions, Verdict};
+use antumbra::cull::{Members, Oracle, Stage, StageError, StageOptions, Strategy, Verdict};
 use antumbra::draw::{Gpu, GpuScene, read_back};
 use antumbra::measure::image_error::save_png;
 use antumbra::measure::sketch_picture::save_sketch;
 use antumbra::measure::stereo_picture::{Part, join};
 use antumbra::scene::Camera;
+use antumbra::terrain::HorizonStrategy;
 use image::{Rgba, RgbaImage};
 
 use crate::args::RenderArgs;
 use crate::eyes::inputs;
 use crate::failure::Failure;
 use crate::input::Input;
+use crate::strategies::registry;
 
 /// Draws and writes it.
 ///
@@ -22,13 +24,11 @@ use crate::input::Input;
 pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
     // Where two pictures are to be laid out there are two.
     args.view.eyes.stereo |= args.layout.is_some();
-    let mut strategy = Registry::built_in().parse(&args.strategy)?;
-    if args.sketch.is_some() {
-        // A strategy without such a knob says which it has.
-        strategy.set("sketch", "true")?;
-    }
+    // Wrong words are found before anything is loaded.
+    chosen(&args, None)?;
     let gpu = Gpu::open(&args.view.adapter)?;
     let mut input = Input::open(&args.view, &gpu)?;
+    let strategy = chosen(&args, input.horizon.as_ref())?;
     let cameras = input.look(args.pose as usize)?;
     let scene = GpuScene::new(&gpu, &mut input.scene)?;
     let mut stage = Stage::new(&scene, strategy, input.views(), StageOptions::default())?;
@@ -136,4 +136,17 @@ fn shine_through(image: &mut RgbaImage, ids: &[u32]) {
         let mix = |from: u8, to: u32| ((u32::from(from) * (100 - share) + to * share) / 100) as u8;
         (*r, *g, *b) = (mix(*r, 255), mix(*g, 0), mix(*b, 200));
     }
+}
+
+/// The strategy asked for, with a sketch if one is.
+fn chosen(
+    args: &RenderArgs,
+    horizon: Option<&HorizonStrategy>,
+) -> Result<Box<dyn Strategy>, Failure> {
+    let mut strategy = registry(horizon).parse(&args.strategy)?;
+    if args.sketch.is_some() {
+        // A strategy without such a knob says which it has.
+        strategy.set("sketch", "true")?;
+    }
+    Ok(strategy)
 }

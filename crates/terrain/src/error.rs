@@ -1,0 +1,60 @@
+//! What can go wrong with a height field: what, where, and what to do.
+
+use thiserror::Error;
+
+use crate::field::Fault;
+
+/// Why there is no such terrain.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum TerrainError {
+    /// A mesh that is not single-valued over the plan, or not a surface.
+    #[error("this is no height field: {}", list(faults, *total))]
+    NotAHeightField {
+        /// The first of its faults.
+        faults: Vec<Fault>,
+        /// How many there are in all.
+        total: usize,
+    },
+    /// More than can be numbered.
+    #[error("{count} {what} are more than {most}; divide the field into blocks")]
+    TooMany {
+        /// Of what.
+        what: &'static str,
+        /// How many there are.
+        count: usize,
+        /// How many there may be.
+        most: usize,
+    },
+    /// A raster that no field can be made of.
+    #[error("no field can be made of this raster: {problem}")]
+    BadRaster {
+        /// What is wrong, and what to do.
+        problem: String,
+    },
+    /// The scene refused something.
+    #[error(transparent)]
+    Scene(#[from] antumbra_scene::SceneError),
+    /// A setting out of its range.
+    #[error("{what} cannot be {value}: {problem}")]
+    Setting {
+        /// Its name.
+        what: &'static str,
+        /// What was asked for.
+        value: String,
+        /// What is possible.
+        problem: &'static str,
+    },
+}
+
+fn list(faults: &[Fault], total: usize) -> String {
+    let mut text = faults
+        .iter()
+        .map(ToString::to_string)
+        .collect::<Vec<_>>()
+        .join("; ");
+    if let Some(more) = total.checked_sub(faults.len()).filter(|more| *more > 0) {
+        text.push_str(&format!("; and {more} more"));
+    }
+    text
+}

@@ -1,0 +1,42 @@
+//! Height fields and their horizons. Nothing here needs a GPU.
+//!
+//! The system is that of Edmondson, *Hierarchical Occlusion Culling for Arbitrarily-Meshed Height Fields*, 2004, after Stewart, *Fast
+//! Horizon Computation at All Points of a Terrain with Visibility and Shading Applications*, 1998.
+//!
+//! - [`Field`] is a triangle mesh that is single-valued over the plan; what is not is refused with the place of every fault.
+//! - [`horizon`] finds, for every vertex and sector of directions, below which slope and beyond which distance nobody sees it.
+
+mod built_in;
+mod circle;
+mod crystal;
+mod cull;
+mod error;
+pub mod field;
+mod fractal;
+mod ground;
+mod groups;
+pub mod horizon;
+mod packed;
+mod region;
+mod show;
+mod sight;
+mod strategy;
+mod terrain;
+mod tin;
+
+pub use built_in::{BuiltIn, BuiltInOptions};
+pub use circle::Circle;
+pub use crystal::{Crystals, GroupOptions};
+pub use cull::{Arc, Eye};
+pub use error::TerrainError;
+pub use field::{Fault, Field, NONE, Outline};
+pub use fractal::FractalOptions;
+pub use ground::Ground;
+pub use groups::{Group, Groups};
+pub use horizon::{Horizon, Horizons, Method, Scope, Sectors};
+pub use region::Region;
+pub use show::ShownTerrain;
+pub use sight::Sights;
+pub use strategy::Horizon as HorizonStrategy;
+pub use terrain::{Terrain, TerrainOptions};
+pub use tin::Detail;

@@ -1,0 +1,162 @@
+//! A prepared terrain as entities of a scene: one a crystal, and some for what is always drawn.
+
+use std::collections::HashMap;
+
+use antumbra_scene::{Aabb, Drawable, EntityKey, Geometry, MaterialKey, Mesh, Scene};
+use glam::{DAffine3, DVec3, Vec3};
+
+use crate::error::TerrainError;
+use crate::field::{Field, NONE};
+use crate::packed::order;
+use crate::terrain::Terrain;
+
+/// Triangles of an entity that is always drawn.
+const ALWAYS: usize = 1024;
+
+/// A terrain in a scene. Moving `root` would make its horizons those of another place.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ShownTerrain {
+    /// The entity that all others hang below.
+    pub root: EntityKey,
+    /// The crystals' entities and their groups.
+    pub groups: Vec<(EntityKey, u32)>,
+    /// Entities of the triangles of no group.
+    pub always: Vec<EntityKey>,
+}
+
+impl ShownTerrain {
+    /// All its entities that show something: the group of each, [`NONE`] for those always drawn, and the box around it in the world.
+    pub(crate) fn entities(
+        &self,
+        terrain: &Terrain,
+    ) -> impl Iterator<Item = (EntityKey, (u32, Aabb))> {
+        let groups = terrain.groups();
+        let around = |triangles: &[u32]| {
+            let corners = triangles
+                .iter()
+                .flat_map(|&triangle| terrain.field().corners(triangle));
+            let place = |corner: DVec3| to_world(corner) + to_world(terrain.field().origin());
+            Aabb::from_points(corners.map(place)).unwrap_or(Aabb::new(DVec3::ZERO, DVec3::ZERO))
+        };
+        let shown = self.groups.iter().map(move |&(entity, group)| {
+            let range = groups.groups()[group as usize].triangles.clone();
+            let triangles = groups.order().get(range.start as usize..range.end as usize);
+            (entity, (group, around(triangles.unwrap_or_default())))
+        });
+        let rest = always(terrain);
+        let always: Vec<_> = self
+            .always
+            .iter()
+            .copied()
+            .zip(rest.chunks(ALWAYS))
+            .map(|(entity, triangles)| (entity, (NONE, around(triangles))))
+            .collect();
+        shown.chain(always).collect::<Vec<_>>().into_iter()
+    }
+}
+
+/// The triangles of no group, neighbours together.
+fn always(terrain: &Terrain) -> Vec<u32> {
+    let (field, groups) = (terrain.field(), terrain.groups());
+    let range = groups.always();
+    let rest = groups.order().get(range.start as usize..range.end as usize);
+    let rest = rest.unwrap_or_default();
+    let middle = |triangle: &u32| {
+        field
+            .corners(*triangle)
+            .into_iter()
+            .sum::<DVec3>()
+            .truncate()
+            / 3.0
+    };
+    let middles: Vec<_> = rest.iter().map(middle).collect();
+    order(&middles)
+        .into_iter()
+        .map(|at| rest[at as usize])
+        .collect()
+}
+
+/// From metres east, north and up to the world, Y up and Z south.
+pub(crate) fn to_world(place: DVec3) -> DVec3 {
+    DVec3::new(place.x, place.z, -place.y)
+}
+
+/// The way back.
+pub(crate) fn from_world(place: DVec3) -> DVec3 {
+    DVec3::new(place.x, -place.z, place.y)
+}
+
+impl Terrain {
+    /// Puts the terrain into a scene.
+    ///
+    /// # Errors
+    /// [`TerrainError::Scene`] when the scene is full, or for an unknown material.
+    pub fn show(
+        &self,
+        scene: &mut Scene,
+        material: MaterialKey,
+    ) -> Result<ShownTerrain, TerrainError> {
+        let (field, groups) = (self.field(), self.groups());
+        let place = DAffine3::from_translation(to_world(field.origin()));
+        let root = scene.spawn(None, place)?;
+        scene.set_entity_name(root, "terrain")?;
+        let normals = normals(field);
+        let mut add = |name: String, triangles: &[u32]| {
+            let entity = scene.spawn(Some(root), DAffine3::IDENTITY)?;
+            scene.set_entity_name(entity, name.as_str())?;
+            let mesh = scene.add_mesh(Mesh::new(name, geometry(field, &normals, triangles)))?;
+            scene.set_drawable(entity, Drawable { mesh, material })?;
+            Ok::<_, TerrainError>(entity)
+        };
+        let row = |range: std::ops::Range<u32>| {
+            let row = groups.order().get(range.start as usize..range.end as usize);
+            row.unwrap_or_default()
+        };
+        let mut shown = Vec::new();
+        for (number, group) in groups.groups().iter().enumerate() {
+            if group.is_leaf() {
+                let entity = add(format!("group {number}"), row(group.triangles.clone()))?;
+                shown.push((entity, number as u32));
+            }
+        }
+        let mut rest = Vec::new();
+        for (number, triangles) in always(self).chunks(ALWAYS).enumerate() {
+            rest.push(add(format!("always {number}"), triangles)?);
+        }
+        Ok(ShownTerrain {
+            root,
+            groups: shown,
+            always: rest,
+        })
+    }
+}
+
+/// Unit normals of all vertices, each triangle counting by its area.
+fn normals(field: &Field) -> Vec<[f32; 3]> {
+    let mut sums = vec![DVec3::ZERO; field.points().len()];
+    for (triangle, corners) in field.triangles().iter().enumerate() {
+        let [a, b, c] = field.corners(triangle as u32);
+        for &corner in corners {
+            sums[corner as usize] += (b - a).cross(c - a);
+        }
+    }
+    let unit = |sum: DVec3| to_world(sum.normalize_or(DVec3::Z)).as_vec3().to_array();
+    sums.into_iter().map(unit).collect()
+}
+
+fn geometry(field: &Field, normals: &[[f32; 3]], triangles: &[u32]) -> Geometry {
+    let mut names: HashMap<u32, u32> = HashMap::new();
+    let mut geometry = Geometry::default();
+    for &triangle in triangles {
+        for corner in field.triangles()[triangle as usize] {
+            let name = *names.entry(corner).or_insert_with(|| {
+                let place: Vec3 = to_world(field.point(corner)).as_vec3();
+                geometry.positions.push(place.to_array());
+                geometry.normals.push(normals[corner as usize]);
+                geometry.positions.len() as u32 - 1
+            });
+            geometry.indices.push(name);
+        }
+    }
+    geometry
+}

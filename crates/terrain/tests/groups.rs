@@ -1,0 +1,257 @@
+//! Groups that are said to be hidden, against lines of sight to places all over them.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod support;
+
+use antumbra_terrain::{
+    Arc, Circle, Crystals, Eye, Field, GroupOptions, Groups, Horizons, Method, NONE, Region, Scope,
+    Sectors, Sights,
+};
+use glam::{DVec2, DVec3};
+use proptest::prelude::*;
+use rand_pcg::Pcg32;
+use rand_pcg::rand_core::{Rng, SeedableRng};
+
+/// Corners, middles of sides, and chance places of a triangle.
+fn places(field: &Field, triangle: u32, chance: &mut Pcg32) -> Vec<DVec3> {
+    let [a, b, c] = field.corners(triangle);
+    let mut places = vec![a, b, c, (a + b) / 2.0, (b + c) / 2.0, (c + a) / 2.0];
+    for _ in 0..3 {
+        let [u, v] = [support::number(chance), support::number(chance)];
+        let (u, v) = if u + v > 1.0 {
+            (1.0 - u, 1.0 - v)
+        } else {
+            (u, v)
+        };
+        places.push(a + (b - a) * u + (c - a) * v);
+    }
+    places
+}
+
+fn options() -> GroupOptions {
+    GroupOptions {
+        seeds: 60,
+        most: 200,
+        smallest: 4,
+        ..GroupOptions::for_triangles(2048)
+    }
+}
+
+fn made(field: &Field, sectors: Sectors, method: Method) -> (Horizons, Groups) {
+    let horizons = Horizons::find(field, sectors, method, Scope::Surface, &|| ());
+    let groups = Groups::make(field, &horizons, &options()).unwrap();
+    (horizons, groups)
+}
+
+fn seen(groups: &Groups, eye: DVec3, sight: Arc) -> Vec<bool> {
+    let mut drawn = vec![false; groups.order().len()];
+    let mut draw = |triangles: std::ops::Range<u32>| {
+        for at in triangles {
+            drawn[groups.order()[at as usize] as usize] = true;
+        }
+    };
+    Eye::new(groups, eye, sight)
+        .each_seen(|group| draw(groups.groups()[group as usize].triangles.clone()));
+    draw(groups.always());
+    drawn
+}
+
+#[test]
+fn no_place_of_a_hidden_group_is_seen() {
+    let field = support::shaken(5, 30.0, 300.0, 42);
+    let sights = Sights::new(&field);
+    let (_, groups) = made(&field, Sectors::new(32, 4).unwrap(), Method::Sound);
+    let mut chance = Pcg32::seed_from_u64(1);
+    let (mut culled, mut hidden) = (0, 0);
+    for _ in 0..30 {
+        let below = field.point(chance.next_u32() % field.points().len() as u32);
+        let eye = below + DVec3::Z * (0.5 + 20.0 * support::number(&mut chance));
+        for (triangle, drawn) in seen(&groups, eye, Arc::ALL).into_iter().enumerate() {
+            let places = places(&field, triangle as u32, &mut chance);
+            let visible = places.iter().any(|&place| !sights.is_blocked(eye, place));
+            assert!(drawn || !visible, "triangle {triangle} is seen from {eye}");
+            culled += usize::from(!drawn);
+            hidden += usize::from(!visible);
+        }
+    }
+    assert!(culled * 20 > hidden, "{culled} of {hidden}");
+}
+
+#[test]
+fn whoever_looks_one_way_sees_no_less_of_it() {
+    let field = support::shaken(4, 30.0, 150.0, 7);
+    let (_, groups) = made(&field, Sectors::new(16, 4).unwrap(), Method::Sound);
+    let mut chance = Pcg32::seed_from_u64(2);
+    for _ in 0..50 {
+        let below = field.point(chance.next_u32() % field.points().len() as u32);
+        let eye = below + DVec3::Z * 3.0;
+        let around = seen(&groups, eye, Arc::ALL);
+        let middle = DVec2::from_angle(support::number(&mut chance) * 7.0);
+        let half = support::number(&mut chance) * 2.0;
+        let ahead = seen(&groups, eye, Arc::around(middle, half));
+        for (triangle, (around, ahead)) in around.into_iter().zip(ahead).enumerate() {
+            let within = places(&field, triangle as u32, &mut chance)
+                .iter()
+                .any(|&place| middle.angle_to(place.truncate() - eye.truncate()).abs() <= half);
+            assert!(ahead || !around || !within, "triangle {triangle}");
+        }
+    }
+}
+
+#[test]
+fn groups_hold_every_triangle_once_and_their_parts() {
+    let field = support::shaken(5, 30.0, 300.0, 11);
+    let (_, groups) = made(&field, Sectors::new(8, 2).unwrap(), Method::Sound);
+    let mut order = groups.order().to_vec();
+    order.sort_unstable();
+    assert!(order.into_iter().eq(0..2048));
+    let mut parts = vec![0; groups.groups().len()];
+    for (number, group) in groups.groups().iter().enumerate() {
+        let places = groups.order()[group.triangles.start as usize..group.triangles.end as usize]
+            .iter()
+            .flat_map(|&triangle| field.corners(triangle));
+        for place in places {
+            let far = place.truncate().distance(group.circle.middle);
+            assert!(far <= group.circle.radius);
+            assert!((group.heights[0]..=group.heights[1]).contains(&place.z));
+        }
+        if let [first, second] = group.children
+            && !group.is_leaf()
+        {
+            let [a, b] = [first, second].map(|child| groups.groups()[child as usize].clone());
+            assert_eq!(a.triangles.start, group.triangles.start);
+            assert_eq!(a.triangles.end, b.triangles.start);
+            assert_eq!(b.triangles.end, group.triangles.end);
+            parts[first as usize] += 1;
+            parts[second as usize] += 1;
+            assert!(first as usize > number && second as usize > number);
+        } else {
+            assert!(group.triangles.len() >= 4);
+        }
+    }
+    for &top in groups.tops() {
+        parts[top as usize] += 1;
+    }
+    assert!(parts.into_iter().all(|parts| parts == 1));
+    let covered: usize = groups
+        .tops()
+        .iter()
+        .map(|&top| groups.groups()[top as usize].triangles.len())
+        .sum();
+    assert_eq!(covered, groups.always().start as usize);
+}
+
+#[test]
+fn crystals_stay_on_their_side_of_a_ridge() {
+    let mut heights = vec![vec![0.0; 33]; 33];
+    for (row, line) in heights.iter_mut().enumerate() {
+        line.fill(300.0 - 20.0 * (row as f64 - 16.0).abs());
+    }
+    let field = support::grid(&heights, 30.0, 1.0);
+    let sectors = Sectors::new(16, 4).unwrap();
+    let horizons = Horizons::find(&field, sectors, Method::Sound, Scope::Surface, &|| ());
+    let crystals = Crystals::grow(&field, &horizons, &options()).unwrap();
+    let middle = |triangle: usize| {
+        field
+            .corners(triangle as u32)
+            .iter()
+            .map(|corner| corner.y)
+            .sum::<f64>()
+            / 3.0
+    };
+    let mut sides = vec![[0_u32; 2]; crystals.count as usize];
+    for (triangle, &group) in crystals
+        .of
+        .iter()
+        .enumerate()
+        .filter(|(_, group)| **group != NONE)
+    {
+        sides[group as usize][usize::from(middle(triangle) > 0.0)] += 1;
+    }
+    let mixed = sides
+        .iter()
+        .filter(|[south, north]| south.min(north) > &8)
+        .count();
+    assert!(mixed * 10 <= sides.len(), "{sides:?}");
+}
+
+#[test]
+fn the_same_seed_grows_the_same_groups_and_bad_numbers_are_refused() {
+    let field = support::shaken(4, 30.0, 150.0, 9);
+    let sectors = Sectors::new(8, 2).unwrap();
+    let (horizons, first) = made(&field, sectors, Method::Sound);
+    let second = Groups::make(&field, &horizons, &options()).unwrap();
+    assert!(first == second);
+    let other = GroupOptions {
+        seed: 2,
+        ..options()
+    };
+    assert!(first != Groups::make(&field, &horizons, &other).unwrap());
+    for bad in [
+        GroupOptions {
+            seeds: 0,
+            ..options()
+        },
+        GroupOptions {
+            most: 3,
+            ..options()
+        },
+        GroupOptions {
+            widest: f64::NAN,
+            ..options()
+        },
+        GroupOptions {
+            widest: 0.0,
+            ..options()
+        },
+    ] {
+        let error = Groups::make(&field, &horizons, &bad)
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains("give"), "{error}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn what_a_region_hides_is_hidden_from_each_of_its_vertices(seed in 0_u64..10_000, count in 1_usize..60) {
+        let mut chance = Pcg32::seed_from_u64(seed);
+        let sectors = Sectors::new(8, 1).unwrap();
+        let mut number = |low: f64, high: f64| low + (high - low) * support::number(&mut chance);
+        let vertices: Vec<_> = (0..count)
+            .map(|_| {
+                let point = DVec3::new(number(-500.0, 500.0), number(-500.0, 500.0), number(0.0, 200.0));
+                let horizon = antumbra_terrain::Horizon {
+                    slope: number(-0.5, 0.8) as f32,
+                    distance: number(1.0, 900.0) as f32,
+                };
+                (point, horizon)
+            })
+            .collect();
+        let region = Region::around(vertices.clone(), &sectors, 3);
+        let halves: Vec<Region> = [&vertices[..count / 2], &vertices[count / 2..]]
+            .into_iter()
+            .filter(|half| !half.is_empty())
+            .map(|half| Region::around(half.to_vec(), &sectors, 3))
+            .collect();
+        let both = Region::all(&halves);
+        let circle = Circle::around(&vertices.iter().map(|(point, _)| point.truncate()).collect::<Vec<_>>());
+        for _ in 0..400 {
+            let eye = DVec3::new(number(-6000.0, 1000.0), number(-1000.0, 6000.0), number(-500.0, 800.0));
+            // All vertices have it in the sector.
+            let inside = vertices.iter().all(|(point, _)| sectors.containing((eye - *point).truncate()) == Some(3));
+            prop_assert!(circle.radius < 1000.0);
+            let along = sectors.central(3).dot(eye.truncate());
+            for region in [&region, &both] {
+                if inside && region.hides(along, eye.z) {
+                    for (point, horizon) in &vertices {
+                        let to = eye - *point;
+                        prop_assert!(horizon.hides(to.truncate().length(), to.z));
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,247 @@
+//! Horizons against lines of sight, and against their definitions.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod support;
+
+use antumbra_terrain::{Field, Horizon, Horizons, Method, Scope, Sectors, Sights};
+use glam::{DVec2, DVec3};
+use proptest::prelude::*;
+use rand_pcg::Pcg32;
+use rand_pcg::rand_core::{Rng, SeedableRng};
+
+fn find(field: &Field, sectors: (u32, u32), method: Method, scope: Scope) -> Horizons {
+    let sectors = Sectors::new(sectors.0, sectors.1).unwrap();
+    Horizons::find(field, sectors, method, scope, &|| ())
+}
+
+/// Pairs of a vertex and a camera: what is, and what a table says.
+#[derive(Debug, Default)]
+struct Tally {
+    hidden: usize,
+    found: usize,
+    wrong: usize,
+}
+
+fn tally(field: &Field, horizons: &Horizons, pairs: usize, seed: u64) -> Tally {
+    let sights = Sights::new(field);
+    let mut chance = Pcg32::seed_from_u64(seed);
+    let vertices = field.points().len() as u32;
+    let mut tally = Tally::default();
+    for _ in 0..pairs {
+        let vertex = chance.next_u32() % vertices;
+        let below = field.point(chance.next_u32() % vertices);
+        let up = [0.5, 2.0, 20.0, 100.0][(chance.next_u32() % 4) as usize];
+        let aside = DVec2::new(support::number(&mut chance), support::number(&mut chance)) - 0.5;
+        let camera = below + (aside * 3.0).extend(up);
+        let blocked = sights.is_blocked(field.point(vertex), camera);
+        let culled = horizons.hides(field, vertex, camera);
+        tally.hidden += usize::from(blocked);
+        tally.found += usize::from(blocked && culled);
+        tally.wrong += usize::from(!blocked && culled);
+    }
+    tally
+}
+
+#[test]
+fn sound_horizons_cull_nothing_visible_and_find_most_of_what_is_hidden() {
+    let field = support::shaken(5, 30.0, 200.0, 42);
+    for (sectors, least) in [((8, 4), 0.55), ((16, 16), 0.7), ((64, 4), 0.8)] {
+        let horizons = find(&field, sectors, Method::Sound, Scope::Vertices);
+        let points = tally(&field, &horizons, 20_000, 1);
+        assert_eq!(points.wrong, 0, "{sectors:?}");
+        let share = points.found as f64 / points.hidden as f64;
+        assert!(share > least, "{sectors:?}: {share}");
+        let horizons = find(&field, sectors, Method::Sound, Scope::Surface);
+        let surface = tally(&field, &horizons, 20_000, 1);
+        assert_eq!(surface.wrong, 0, "{sectors:?}");
+        assert!(surface.found <= points.found);
+        assert!(surface.found * 5 > points.found, "{sectors:?}: {surface:?}");
+    }
+}
+
+#[test]
+fn the_thesis_culls_what_is_visible_where_sectors_are_wide() {
+    let field = support::shaken(5, 30.0, 200.0, 42);
+    let horizons = find(&field, (8, 1), Method::Thesis, Scope::Vertices);
+    let wide = tally(&field, &horizons, 20_000, 1);
+    assert!(wide.wrong > 100, "{wide:?}");
+    let horizons = find(&field, (8, 8), Method::Thesis, Scope::Vertices);
+    let narrow = tally(&field, &horizons, 20_000, 1);
+    assert!(narrow.wrong * 10 < wide.wrong, "{narrow:?} {wide:?}");
+}
+
+/// The steepest line from a vertex to any edge along a direction.
+fn steepest(field: &Field, vertex: u32, way: DVec2) -> Option<(f64, f64)> {
+    let from = field.point(vertex);
+    let crossings = field.edges().iter().filter_map(|&half| {
+        let [a, b] = field.ends(half);
+        let [left, right] = [a, b].map(|end| way.perp_dot((end - from).truncate()));
+        if left * right > 0.0 || left == right {
+            return None;
+        }
+        let at = a.lerp(b, left / (left - right)) - from;
+        let far = way.dot(at.truncate());
+        (far > 0.01).then(|| (at.z / far, far))
+    });
+    crossings.max_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+#[test]
+fn rays_find_the_steepest_line_of_all() {
+    let field = support::shaken(4, 30.0, 120.0, 3);
+    let sectors = Sectors::new(37, 1).unwrap();
+    let horizons = Horizons::find(&field, sectors, Method::Rays, Scope::Vertices, &|| ());
+    for vertex in 0..field.points().len() as u32 {
+        for sector in 0..37 {
+            let found = horizons.at(vertex, sector);
+            match steepest(&field, vertex, sectors.middle(sector, 0)) {
+                Some((slope, far)) => {
+                    assert!(
+                        (f64::from(found.slope) - slope).abs() < 1e-5,
+                        "{found:?} {slope}"
+                    );
+                    let same = (f64::from(found.distance) - far).abs() < 0.01;
+                    assert!(same, "{found:?} {far}");
+                }
+                None => assert_eq!(found, Horizon::OPEN),
+            }
+        }
+    }
+}
+
+#[test]
+fn the_thesis_finds_the_highest_vertex_of_each_sub_sector() {
+    let field = support::shaken(4, 30.0, 120.0, 4);
+    let sectors = Sectors::new(8, 3).unwrap();
+    let horizons = Horizons::find(&field, sectors, Method::Thesis, Scope::Vertices, &|| ());
+    for vertex in 0..field.points().len() as u32 {
+        let from = field.point(vertex);
+        for sector in 0..8 {
+            let mut lowest = f64::INFINITY;
+            for part in 0..3 {
+                let [first, last] = [part, part + 1].map(|part| sectors.ray(sector, part));
+                let middle = sectors.middle(sector, part);
+                let others = (0..field.points().len() as u32).filter(|&other| other != vertex);
+                // By order along the ends, as there: two vertices side by side along an end are so whatever rounding does.
+                let beside = |way: DVec2, to: DVec3| {
+                    way.perp_dot(to.truncate()) - way.perp_dot(from.truncate())
+                };
+                let inside = others
+                    .map(|other| field.point(other))
+                    .filter(|&to| beside(first, to) >= 0.0 && beside(last, to) <= 0.0);
+                let steep = inside.map(|to| {
+                    (to.z - from.z) / (middle.dot(to.truncate()) - middle.dot(from.truncate()))
+                });
+                lowest = lowest.min(steep.fold(f64::NEG_INFINITY, f64::max));
+            }
+            let found = f64::from(horizons.at(vertex, sector).slope);
+            assert!(
+                found == lowest || (found - lowest).abs() < 1e-5,
+                "{found} {lowest}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_same_field_has_the_same_horizons() {
+    let field = support::shaken(4, 30.0, 120.0, 5);
+    for method in Method::ALL {
+        let [first, second] = [(), ()].map(|()| find(&field, (16, 4), method, Scope::Surface));
+        assert!(first == second);
+    }
+}
+
+/// Fields that rounding and special cases go wrong at.
+fn awkward(kind: u32, seed: u64) -> Field {
+    let mut heights = support::fractal(4, 0.5, seed);
+    let side = heights.len();
+    let each = |heights: &mut Vec<Vec<f64>>, height: &dyn Fn(usize, usize) -> f64| {
+        for (row, line) in heights.iter_mut().enumerate() {
+            for (column, place) in line.iter_mut().enumerate() {
+                *place = height(row, column);
+            }
+        }
+    };
+    match kind {
+        0 => each(&mut heights, &|_, _| 1.0),
+        1 => each(&mut heights, &|row, column| 0.1 * (row + 2 * column) as f64),
+        2 => each(&mut heights, &|row, _| f64::from(row == side / 2)),
+        3 => each(&mut heights, &|row, column| f64::from(row > column)),
+        4 => each(&mut heights, &|row, column| {
+            ((row / 3 + column / 3) % 2) as f64
+        }),
+        _ => {}
+    }
+    let regular = support::grid(&heights, 30.0, 120.0);
+    match kind {
+        // A cliff: one edge of a square moved to almost nothing.
+        5 => {
+            let points = regular.points().iter().map(|&point| {
+                let high = point.x > 0.0;
+                let x = if high { point.x - 29.999 } else { point.x };
+                DVec3::new(x, point.y, point.z + f64::from(high) * 300.0)
+            });
+            Field::new(points.collect(), regular.triangles().to_vec()).unwrap()
+        }
+        6 => {
+            let far = DVec3::new(732_441.123, 4_061_870.456, 812.7);
+            let points = regular.points().iter().map(|&point| point * 0.01 + far);
+            Field::new(points.collect(), regular.triangles().to_vec()).unwrap()
+        }
+        7 => {
+            let triangles = regular.triangles().iter().filter(|corners| {
+                corners
+                    .iter()
+                    .any(|&corner| regular.point(corner).truncate().length() > 70.0)
+            });
+            Field::new(regular.points().to_vec(), triangles.copied().collect()).unwrap()
+        }
+        8 => Field::new(
+            vec![
+                DVec3::ZERO,
+                DVec3::new(9.0, 0.0, 4.0),
+                DVec3::new(0.0, 9.0, 1.0),
+            ],
+            vec![[0, 1, 2]],
+        )
+        .unwrap(),
+        _ => regular,
+    }
+}
+
+/// Whether somebody has the sky above: no claim is about anybody below the surface.
+fn is_above(field: &Field, camera: DVec3) -> bool {
+    let below = antumbra_terrain::Ground::new(field).below(field, camera.truncate());
+    below.is_none_or(|(_, height)| height < camera.z)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn awkward_fields_have_sound_horizons(kind in 0_u32..10, seed in 0_u64..1000, sectors in 0_usize..3, surface: bool) {
+        let field = awkward(kind, seed);
+        let sectors = [(4, 1), (8, 3), (16, 4)][sectors];
+        let scope = if surface { Scope::Surface } else { Scope::Vertices };
+        let horizons = find(&field, sectors, Method::Sound, scope);
+        let sights = Sights::new(&field);
+        let mut chance = Pcg32::seed_from_u64(seed);
+        let vertices = field.points().len() as u32;
+        let size = (field.plan_bounds()[1] - field.plan_bounds()[0]).length();
+        for _ in 0..2000 {
+            let vertex = chance.next_u32() % vertices;
+            // Straight above vertices, and so along edges, or anywhere.
+            let below = field.point(chance.next_u32() % vertices);
+            let mut camera = below + DVec3::Z * size * 0.05 * support::number(&mut chance);
+            if chance.next_u32().is_multiple_of(2) {
+                let aside = DVec2::new(support::number(&mut chance), support::number(&mut chance)) - 0.5;
+                camera += (aside * size * 0.1).extend(0.0);
+            }
+            if horizons.hides(&field, vertex, camera) && is_above(&field, camera) {
+                let blocked = sights.is_blocked(field.point(vertex), camera);
+                prop_assert!(blocked, "vertex {vertex} at {} is seen from {camera}", field.point(vertex));
+            }
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! Fields over rasters, and the landscape out of nothing.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use antumbra_scene::Raster;
+use antumbra_terrain::{Detail, Field, FractalOptions, Ground};
+use glam::DVec2;
+
+fn landscape(order: u32, seed: u64) -> Raster {
+    FractalOptions {
+        order,
+        seed,
+        ..FractalOptions::default()
+    }
+    .raster()
+    .unwrap()
+}
+
+#[test]
+fn a_landscape_follows_its_seed_and_keeps_its_relief() {
+    let raster = landscape(5, 1);
+    assert_eq!((raster.columns, raster.rows), (33, 33));
+    assert!(raster == landscape(5, 1));
+    assert!(raster != landscape(5, 2));
+    let low = raster.elevation.iter().copied().fold(f32::MAX, f32::min);
+    let high = raster.elevation.iter().copied().fold(f32::MIN, f32::max);
+    assert!(low == 0.0 && (high - 1500.0).abs() < 0.01);
+    // Hills of every width: posts side by side differ by less than posts far apart, and all differ.
+    let apart = |step: usize| {
+        let pairs = raster.elevation.iter().zip(&raster.elevation[step..]);
+        pairs.map(|(a, b)| (a - b).abs()).sum::<f32>() / (1089 - step) as f32
+    };
+    assert!(apart(1) > 1.0 && apart(8) > 1.5 * apart(1));
+    for bad in [
+        FractalOptions {
+            order: 0,
+            ..Default::default()
+        },
+        FractalOptions {
+            order: 14,
+            ..Default::default()
+        },
+        FractalOptions {
+            cell: -1.0,
+            ..Default::default()
+        },
+        FractalOptions {
+            relief: f64::NAN,
+            ..Default::default()
+        },
+        FractalOptions {
+            roughness: 1.0,
+            ..Default::default()
+        },
+    ] {
+        assert!(bad.raster().unwrap_err().to_string().contains("give"));
+    }
+}
+
+#[test]
+fn all_posts_are_vertices_of_the_whole_field() {
+    let raster = landscape(4, 3);
+    let field = Field::over(&raster, Detail::Full).unwrap();
+    assert_eq!(field.points().len(), 17 * 17);
+    assert_eq!(field.triangles().len(), 16 * 16 * 2);
+    assert!(field.outline().whole);
+}
+
+#[test]
+fn no_post_is_farther_away_than_asked_for() {
+    let raster = landscape(6, 4);
+    for error in [5.0, 40.0] {
+        let field = Field::over(&raster, Detail::Error(error)).unwrap();
+        let ground = Ground::new(&field);
+        for row in 0..raster.rows {
+            for column in 0..raster.columns {
+                let place = raster.plan(column, row) - field.origin().truncate();
+                let (_, height) = ground.below(&field, place).unwrap();
+                let post = f64::from(raster.at(column, row).unwrap()) - field.origin().z;
+                assert!((height - post).abs() <= error + 1e-3);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_number_of_vertices_is_met() {
+    let raster = landscape(7, 5);
+    for wanted in [200, 1000, 5000] {
+        let field = Field::over(&raster, Detail::Vertices(wanted)).unwrap();
+        let missed = field.points().len().abs_diff(wanted);
+        assert!(missed * 50 <= wanted, "{wanted}: {}", field.points().len());
+        assert!(field.outline().whole);
+    }
+    assert!(Field::over(&raster, Detail::Vertices(3)).is_err());
+    assert!(Field::over(&raster, Detail::Error(f64::NAN)).is_err());
+}
+
+#[test]
+fn unknown_posts_are_holes_with_their_whole_rim() {
+    let mut raster = landscape(5, 6);
+    for row in 10..15 {
+        for column in 12..20 {
+            raster.elevation[row * 33 + column] = f32::NAN;
+        }
+    }
+    raster.elevation[0] = f32::INFINITY;
+    for detail in [Detail::Full, Detail::Error(60.0), Detail::Vertices(400)] {
+        let field = Field::over(&raster, detail).unwrap();
+        assert_eq!(field.outline().rings.len(), 2, "{detail:?}");
+        let ground = Ground::new(&field);
+        for row in 0..33 {
+            for column in 0..33 {
+                let place = raster.plan(column, row) - field.origin().truncate();
+                let below = ground.below(&field, place);
+                assert_eq!(
+                    below.is_some(),
+                    raster.at(column, row).is_some(),
+                    "{column} {row}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn rasters_without_a_surface_are_refused() {
+    let mut raster = landscape(2, 7);
+    let refused = |raster: &Raster, word: &str| {
+        for detail in [Detail::Full, Detail::Error(1.0), Detail::Vertices(9)] {
+            let error = Field::over(raster, detail).unwrap_err().to_string();
+            assert!(error.contains(word), "{error}");
+        }
+    };
+    raster.elevation.fill(f32::NAN);
+    refused(&raster, "unknown");
+    raster.elevation[3] = 1.0;
+    refused(&raster, "known");
+    raster.step_u = DVec2::ZERO;
+    refused(&raster, "no area");
+    let mut flat = landscape(3, 8);
+    flat.elevation.fill(7.0);
+    assert_eq!(
+        Field::over(&flat, Detail::Error(0.5))
+            .unwrap()
+            .triangles()
+            .len(),
+        2
+    );
+    assert_eq!(
+        Field::over(&flat, Detail::Full).unwrap().triangles().len(),
+        128
+    );
+}
