@@ -23,7 +23,7 @@ pub struct BuiltInOptions {
     pub landscape: FractalOptions,
     /// Vertices of the field.
     pub vertices: usize,
-    /// How it is prepared.
+    /// How it is prepared; its groups grow from the landscape's seed.
     pub prepare: TerrainOptions,
 }
 
@@ -39,19 +39,6 @@ impl Default for BuiltInOptions {
 }
 
 impl BuiltInOptions {
-    /// The settings by name, for messages: what [`Self::set`] knows.
-    pub const KEYS: [&str; 9] = [
-        "size",
-        "seed",
-        "order",
-        "relief",
-        "roughness",
-        "sectors",
-        "parts",
-        "method",
-        "seeds",
-    ];
-
     /// Sets one by name. `size` is the number of vertices; `sectors` and `parts` are those of horizons, `seeds` those of groups.
     ///
     /// # Errors
@@ -121,7 +108,16 @@ impl BuiltIn {
     pub fn new(options: &BuiltInOptions, done: &(dyn Fn() + Sync)) -> Result<Self, TerrainError> {
         let raster = options.landscape.raster()?;
         let field = Field::over(&raster, Detail::Vertices(options.vertices))?;
-        let terrain = Terrain::prepare(field, &options.prepare, done)?;
+        let groups = options.prepare.groups;
+        let groups = groups.unwrap_or(GroupOptions::for_triangles(field.triangles().len()));
+        let prepare = TerrainOptions {
+            groups: Some(GroupOptions {
+                seed: options.landscape.seed,
+                ..groups
+            }),
+            ..options.prepare
+        };
+        let terrain = Terrain::prepare(field, &prepare, done)?;
         let mut scene = Scene::new();
         scene.set_name("terrain");
         let shown = terrain.show_lit(&mut scene)?;

@@ -1,37 +1,38 @@
 //! Which groups somebody may see: from the top of the hierarchy down, a place against a region a sector (Edmondson, sections 5.1 and 5.3).
 //! No queries, no answers to wait for.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
 use crate::field::NONE;
 use crate::groups::Groups;
-use crate::horizon::Sectors;
+
+/// Radians that rounding may turn a direction by.
+const ROUNDING: f64 = 1e-9;
 
 /// Directions in the plan, from one counter-clockwise to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arc {
     /// The middle direction.
     middle: DVec2,
-    /// The cosine and the sine of half the angle between its ends.
-    half: [f64; 2],
+    /// Half the angle between its ends, radians.
+    half: f64,
 }
 
 impl Arc {
     /// All directions.
     pub const ALL: Self = Self {
         middle: DVec2::X,
-        half: [-1.0, 0.0],
+        half: PI,
     };
 
     /// Directions around a middle one, to `half` radians on either side.
     #[must_use]
     pub fn around(middle: DVec2, half: f64) -> Self {
-        let half = half.clamp(0.0, PI);
         Self {
-            middle: middle.normalize_or(DVec2::X),
-            half: [half.cos(), half.sin()],
+            middle,
+            half: half.clamp(0.0, PI),
         }
     }
 }
@@ -55,10 +56,8 @@ impl<'a> Eye<'a> {
         let each = || 0..sectors.count();
         // What is seen in a direction sees the eye in the opposite one: a sector counts if it has any such.
         let faced = |sector| {
-            let width = 2.0 * sectors.half();
-            let back = -sight.middle;
-            let turn = sectors.central(sector).angle_to(back).abs();
-            turn <= sectors.half() + sight.half[1].atan2(sight.half[0]) + 1e-9 * width
+            let turn = sectors.central(sector).angle_to(-sight.middle).abs();
+            turn <= sectors.half() + sight.half + ROUNDING
         };
         Self {
             groups,
@@ -86,7 +85,7 @@ impl<'a> Eye<'a> {
         let side = |sine: f64| DVec2::new(cosine, sine).rotate(way);
         let regions = groups.regions(group);
         let sectors = groups.sectors();
-        let [first, last] = [side(-sine), side(sine)].map(|way| sector(sectors, way));
+        let [first, last] = [side(-sine), side(sine)].map(|way| sectors.about(way) as usize);
         let count = regions.len();
         let span = (last + count - first) % count;
         (0..=span).all(|step| {
@@ -95,7 +94,7 @@ impl<'a> Eye<'a> {
         })
     }
 
-    /// Calls for every group that may be seen: crystals, and whole groups of groups where nothing of them was hidden would be told one by one.
+    /// Calls for every crystal that may be seen.
     pub fn each_seen(&self, mut seen: impl FnMut(u32)) {
         let mut open: Vec<u32> = self.groups.tops().iter().rev().copied().collect();
         while let Some(group) = open.pop() {
@@ -110,10 +109,4 @@ impl<'a> Eye<'a> {
             }
         }
     }
-}
-
-/// The sector of a direction; at an end one of the two, give or take what rounding does.
-fn sector(sectors: &Sectors, way: DVec2) -> usize {
-    let turn = way.to_angle().rem_euclid(TAU) / TAU;
-    ((turn * f64::from(sectors.count())) as usize).min(sectors.count() as usize - 1)
 }

@@ -42,7 +42,7 @@ impl Field {
     /// # Errors
     /// [`TerrainError::NotAHeightField`] with every fault's place, [`TerrainError::TooMany`].
     pub fn new(points: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Self, TerrainError> {
-        check::make(points, triangles)
+        check::make(points, triangles, true)
     }
 
     /// The field as it is drawn: with every vertex where 32 bits put it. Horizons of anything else would be true of another surface.
@@ -56,9 +56,10 @@ impl Field {
             return Ok(self);
         }
         let points = self.points.iter().map(round).collect();
-        let rounded = Self::new(points, self.triangles)?;
+        // About the same origin: what is moved may have to be rounded again.
+        let rounded = check::make(points, self.triangles, false)?;
         Ok(Self {
-            origin: self.origin + rounded.origin,
+            origin: self.origin,
             ..rounded
         })
     }

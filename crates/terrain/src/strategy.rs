@@ -144,7 +144,8 @@ impl Strategy for Horizon {
     }
 
     fn conservative(&self) -> bool {
-        true
+        let known = self.known.as_ref();
+        known.is_none_or(|known| known.terrain.is_sound())
     }
 
     fn declare(
@@ -166,7 +167,11 @@ impl Strategy for Horizon {
             move |ctx, table, frame, verdicts| {
                 seen.follow(table, &known);
                 seen.look(&known.terrain, frame);
-                for &slot in ctx.get(candidates)?.inside() {
+                let candidates = ctx.get(candidates)?;
+                for &slot in candidates.inside() {
+                    verdicts.set(slot, Verdict::Untested);
+                }
+                for slot in candidates.testable() {
                     verdicts.set(slot, seen.verdict(slot));
                 }
                 Ok(())

@@ -27,6 +27,7 @@ pub struct Terrain {
     field: Field,
     groups: Groups,
     ground: Ground,
+    method: Method,
 }
 
 impl Terrain {
@@ -55,6 +56,7 @@ impl Terrain {
             ground: Ground::new(&field),
             field,
             groups,
+            method: options.method,
         })
     }
 
@@ -68,6 +70,12 @@ impl Terrain {
     #[must_use]
     pub fn groups(&self) -> &Groups {
         &self.groups
+    }
+
+    /// Whether nobody sees what is said to be hidden from them: [`Method::Sound`] alone promises so.
+    #[must_use]
+    pub fn is_sound(&self) -> bool {
+        self.method == Method::Sound
     }
 
     /// Whether horizons may be believed from a place, metres east, north and up of the field's origin, with nothing of the surface nearer

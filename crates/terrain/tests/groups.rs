@@ -58,7 +58,7 @@ fn seen(groups: &Groups, eye: DVec3, sight: Arc) -> Vec<bool> {
 
 #[test]
 fn no_place_of_a_hidden_group_is_seen() {
-    let field = support::shaken(5, 30.0, 300.0, 42);
+    let field = support::ridged(5, 30.0, 150.0, 42);
     let sights = Sights::new(&field);
     let (_, groups) = made(&field, Sectors::new(32, 4).unwrap(), Method::Sound);
     let mut chance = Pcg32::seed_from_u64(1);
@@ -75,6 +75,67 @@ fn no_place_of_a_hidden_group_is_seen() {
         }
     }
     assert!(culled * 20 > hidden, "{culled} of {hidden}");
+}
+
+/// A wall with a notch narrower than any triangle behind it.
+fn notched() -> Field {
+    let points = [
+        [-300, -2100, 0],
+        [300, -2100, 0],
+        [-300, 0, 50],
+        [-5, 0, 50],
+        [0, 0, 0],
+        [5, 0, 50],
+        [300, 0, 50],
+        [-100, 20, 0],
+        [100, 20, 0],
+        [-100, 60, 0],
+        [100, 60, 0],
+    ];
+    let triangles = [
+        [0, 1, 4],
+        [0, 4, 3],
+        [0, 3, 2],
+        [1, 6, 5],
+        [1, 5, 4],
+        [4, 8, 7],
+        [3, 4, 7],
+        [2, 3, 7],
+        [4, 5, 8],
+        [5, 6, 8],
+        [7, 8, 10],
+        [7, 10, 9],
+    ];
+    let points = points.map(|at| DVec3::from(at.map(f64::from)));
+    Field::new(points.to_vec(), triangles.to_vec()).unwrap()
+}
+
+#[test]
+fn a_triangle_seen_between_its_hidden_corners_is_drawn() {
+    let field = notched();
+    let behind = |at: DVec3| at.y + field.origin().y >= 20.0;
+    let eye = DVec3::new(0.0, -2000.0, 100.0) - field.origin();
+    let place = DVec3::new(0.0, 21.0, 0.0) - field.origin();
+    assert!(!Sights::new(&field).is_blocked(eye, place));
+    let alone = GroupOptions {
+        seeds: 12,
+        most: 12,
+        smallest: 1,
+        ..options()
+    };
+    let [vertices, surface] = [Scope::Vertices, Scope::Surface].map(|scope| {
+        let sectors = Sectors::new(32, 4).unwrap();
+        let horizons = Horizons::find(&field, sectors, Method::Sound, scope, &|| ());
+        let groups = Groups::make(&field, &horizons, &alone).unwrap();
+        let drawn = seen(&groups, eye, Arc::ALL);
+        (0..12)
+            .filter(|&triangle| field.corners(triangle).into_iter().all(behind))
+            .map(|triangle| drawn[triangle as usize])
+            .collect::<Vec<_>>()
+    });
+    // All corners are hidden; who looks at vertices alone would draw neither of the two behind.
+    assert_eq!(vertices, [false, false]);
+    assert!(surface.contains(&true), "{surface:?}");
 }
 
 #[test]
@@ -150,7 +211,11 @@ fn crystals_stay_on_their_side_of_a_ridge() {
     let field = support::grid(&heights, 30.0, 1.0);
     let sectors = Sectors::new(16, 4).unwrap();
     let horizons = Horizons::find(&field, sectors, Method::Sound, Scope::Surface, &|| ());
-    let crystals = Crystals::grow(&field, &horizons, &options()).unwrap();
+    let few = GroupOptions {
+        seeds: 6,
+        ..options()
+    };
+    let crystals = Crystals::grow(&field, &horizons, &few).unwrap();
     let middle = |triangle: usize| {
         field
             .corners(triangle as u32)
@@ -168,11 +233,9 @@ fn crystals_stay_on_their_side_of_a_ridge() {
     {
         sides[group as usize][usize::from(middle(triangle) > 0.0)] += 1;
     }
-    let mixed = sides
-        .iter()
-        .filter(|[south, north]| south.min(north) > &8)
-        .count();
-    assert!(mixed * 10 <= sides.len(), "{sides:?}");
+    // A few triangles reach over its crest.
+    let of_one_side = |[south, north]: &[u32; 2]| south.min(north) * 10 <= *south.max(north);
+    assert!(sides.iter().all(of_one_side), "{sides:?}");
 }
 
 #[test]

@@ -20,9 +20,11 @@ const FARTHEST: f64 = 1e9;
 /// The most triangles: half-edges are numbered with 32 bits.
 const MOST: usize = (u32::MAX / 3 - 1) as usize;
 
+/// `centred`: the origin moves into the field's middle, and its corners with it.
 pub(super) fn make(
     points: Vec<DVec3>,
     mut triangles: Vec<[u32; 3]>,
+    centred: bool,
 ) -> Result<Field, TerrainError> {
     for (what, count) in [("triangles", triangles.len()), ("corners", points.len())] {
         if count > MOST {
@@ -45,7 +47,7 @@ pub(super) fn make(
     let mut faults = two_heights;
     faults.extend(turns(&points, &mut triangles));
     refuse(faults)?;
-    let (origin, points, triangles) = compact(points, triangles);
+    let (origin, points, triangles) = compact(points, triangles, centred);
     let there = |triangle: usize| middle(&points, triangles[triangle]) + origin;
     let across = match counterparts(&triangles) {
         Ok(across) => across,
@@ -158,8 +160,12 @@ fn turns(points: &[DVec3], triangles: &mut [[u32; 3]]) -> Vec<Fault> {
         .collect()
 }
 
-/// Drops corners of no triangle, and moves the origin into the middle.
-fn compact(points: Vec<DVec3>, mut triangles: Vec<[u32; 3]>) -> (DVec3, Vec<DVec3>, Vec<[u32; 3]>) {
+/// Drops corners of no triangle, and moves the origin into the middle if wanted.
+fn compact(
+    points: Vec<DVec3>,
+    mut triangles: Vec<[u32; 3]>,
+    centred: bool,
+) -> (DVec3, Vec<DVec3>, Vec<[u32; 3]>) {
     let mut names = vec![NONE; points.len()];
     let mut kept: Vec<DVec3> = Vec::new();
     for corner in triangles.iter_mut().flatten() {
@@ -175,10 +181,10 @@ fn compact(points: Vec<DVec3>, mut triangles: Vec<[u32; 3]>) -> (DVec3, Vec<DVec
         |(low, high), &point| (low.min(point), high.max(point)),
     );
     // A whole number of metres, so that coordinates that were whole numbers stay so.
-    let origin = if kept.is_empty() {
-        DVec3::ZERO
-    } else {
+    let origin = if centred && !kept.is_empty() {
         ((low + high) / 2.0).round()
+    } else {
+        DVec3::ZERO
     };
     for point in &mut kept {
         *point -= origin;

@@ -70,22 +70,19 @@ pub(crate) fn around(field: &Field, half: u32) -> Vec<u32> {
         let back = before(at);
         edges.push(back);
         at = field.across(back);
-        if at == NONE || at == half {
+        if at == half {
+            return edges;
+        }
+        if at == NONE {
             break;
         }
     }
+    // A border kept the walk from coming round: clockwise from the first.
     let mut at = field.across(half);
-    // Clockwise from the first, where a border kept the walk from coming round.
-    while at != NONE && at != before(half) && edges.len() < MOST {
+    while at != NONE {
         let out = super::next(at);
-        if edges.contains(&out) {
-            break;
-        }
         edges.push(out);
         at = field.across(out);
     }
     edges
 }
-
-/// The most edges at a vertex that are looked at.
-const MOST: usize = 256;

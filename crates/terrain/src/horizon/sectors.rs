@@ -89,14 +89,20 @@ impl Sectors {
         DVec2::from_angle(turn * TAU)
     }
 
+    /// The sector that a direction lies in; at an end one of the two, give or take what rounding does to an angle.
+    #[must_use]
+    pub fn about(&self, way: DVec2) -> u32 {
+        let turn = way.to_angle().rem_euclid(TAU) / TAU;
+        (turn * f64::from(self.count)) as u32 % self.count
+    }
+
     /// The sector that a direction lies in, its ends included; `None` for no direction.
     #[must_use]
     pub fn containing(&self, way: DVec2) -> Option<u32> {
         if way == DVec2::ZERO || !way.is_finite() {
             return None;
         }
-        let turn = way.to_angle().rem_euclid(TAU) / TAU;
-        let guess = (turn * f64::from(self.count)) as u32 % self.count;
+        let guess = self.about(way);
         // The angle is rounded; what counts is on which side of a sector's ends a direction lies.
         let holds = |sector: &u32| {
             let [first, last] = [0, self.parts].map(|part| self.ray(*sector, part));

@@ -1,7 +1,7 @@
 //! Fields for tests.
 #![allow(dead_code)]
 
-use antumbra_terrain::Field;
+use antumbra_terrain::{Field, FractalOptions};
 use glam::DVec3;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::{Rng, SeedableRng};
@@ -11,45 +11,19 @@ pub fn number(chance: &mut Pcg32) -> f64 {
     f64::from(chance.next_u32()) / f64::from(u32::MAX)
 }
 
-/// Heights of a fractal landscape, `2^order + 1` posts along a side, by midpoint displacement.
+/// Heights of a fractal landscape, from 0 to 1, `2^order + 1` posts along a side.
 pub fn fractal(order: u32, roughness: f64, seed: u64) -> Vec<Vec<f64>> {
-    let side = (1_usize << order) + 1;
-    let mut chance = Pcg32::seed_from_u64(seed);
-    let mut heights = vec![vec![0.0; side]; side];
-    let mut step = side - 1;
-    let mut swing = 1.0;
-    while step > 1 {
-        let half = step / 2;
-        for odd in [true, false] {
-            for row in (0..side).step_by(half) {
-                for column in (0..side).step_by(half) {
-                    let (r, c) = ((row / half) % 2, (column / half) % 2);
-                    let wanted = if odd { r == 1 && c == 1 } else { r + c == 1 };
-                    if !wanted {
-                        continue;
-                    }
-                    let around: [(isize, isize); 4] = if odd {
-                        [(-1, -1), (-1, 1), (1, -1), (1, 1)]
-                    } else {
-                        [(-1, 0), (0, -1), (0, 1), (1, 0)]
-                    };
-                    let known: Vec<f64> = around
-                        .iter()
-                        .filter_map(|(dr, dc)| {
-                            let row = row.checked_add_signed(dr * half as isize)?;
-                            let column = column.checked_add_signed(dc * half as isize)?;
-                            heights.get(row)?.get(column).copied()
-                        })
-                        .collect();
-                    let mean = known.iter().sum::<f64>() / known.len() as f64;
-                    heights[row][column] = mean + swing * (number(&mut chance) - 0.5);
-                }
-            }
-        }
-        step = half;
-        swing *= roughness;
-    }
-    heights
+    let options = FractalOptions {
+        order,
+        cell: 1.0,
+        relief: 1.0,
+        roughness,
+        seed,
+    };
+    let raster = options.raster().unwrap();
+    let rows = raster.elevation.chunks(raster.columns as usize);
+    rows.map(|row| row.iter().map(|height| f64::from(*height)).collect())
+        .collect()
 }
 
 /// A field over a regular grid of heights.
@@ -83,10 +57,25 @@ pub fn grid(heights: &[Vec<f64>], cell: f64, scale: f64) -> Field {
     Field::new(points.collect(), triangles).unwrap()
 }
 
-/// The same with its vertices moved about in the plan, so that nothing is regular.
+/// A fractal landscape with its vertices moved about in the plan, so that nothing is regular.
 pub fn shaken(order: u32, cell: f64, scale: f64, seed: u64) -> Field {
-    let heights = fractal(order, 0.55, seed);
-    let regular = grid(&heights, cell, scale);
+    shake(&fractal(order, 0.55, seed), cell, scale, seed)
+}
+
+/// The same with ridges across it, behind which much is hidden.
+pub fn ridged(order: u32, cell: f64, scale: f64, seed: u64) -> Field {
+    let mut heights = fractal(order, 0.55, seed);
+    for (row, line) in heights.iter_mut().enumerate() {
+        let ridge = 0.5 + 0.5 * (row as f64 * std::f64::consts::TAU / 11.0).cos();
+        line.iter_mut()
+            .for_each(|height| *height = 0.3 * *height + ridge);
+    }
+    shake(&heights, cell, scale, seed)
+}
+
+/// A field over a grid of heights with its inner vertices moved about in the plan.
+fn shake(heights: &[Vec<f64>], cell: f64, scale: f64, seed: u64) -> Field {
+    let regular = grid(heights, cell, scale);
     let mut chance = Pcg32::seed_from_u64(seed + 1);
     let [low, high] = regular.plan_bounds();
     let points = regular.points().iter().map(|&point| {
