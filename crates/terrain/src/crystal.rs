@@ -1,12 +1,13 @@
 //! Crystals: triangles that are hidden together, grown from chance seeds (Edmondson, sections 5.2.3 and 6.3).
 //!
 //! Every seed grows triangle by triangle, breadth first, all at the same pace, until it meets others or would grow over a ridge: a
-//! triangle joins only if none of its corners lies beyond the horizon of the lowest vertex so far. So crystals grow away from ridges, which
+//! triangle joins only if none of its corners lies beyond the horizons of the edges at the lowest vertex so far. So crystals grow away from ridges, which
 //! stay behind as orphans; fewer seeds are cast over those, and so on. What is too small in the end is joined to another of its kind that it
 //! met, or left to what is always drawn.
 
 use std::collections::{BTreeMap, VecDeque};
 
+use glam::DVec3;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -102,6 +103,7 @@ impl Crystals {
             field,
             horizons,
             of: vec![NONE; triangles],
+            around: Spokes::new(field),
             lowest: Vec::new(),
             collisions: BTreeMap::new(),
         };
@@ -210,6 +212,8 @@ struct Growth<'a> {
     field: &'a Field,
     horizons: &'a Horizons,
     of: Vec<u32>,
+    /// The edges at each vertex.
+    around: Spokes,
     /// The lowest vertex of each group.
     lowest: Vec<u32>,
     collisions: BTreeMap<(u32, u32), u32>,
@@ -266,11 +270,8 @@ impl Growth<'_> {
         }
         let lowest = self.lowest[group as usize];
         let corners = self.field.triangles()[triangle as usize];
-        let beyond = corners.iter().any(|&corner| {
-            self.horizons
-                .hides(self.field, lowest, self.field.point(corner))
-        });
-        if beyond {
+        let beyond = |corner: u32| self.is_beyond(lowest, self.field.point(corner));
+        if corners.into_iter().any(beyond) {
             return false;
         }
         self.of[triangle as usize] = group;
@@ -279,6 +280,17 @@ impl Growth<'_> {
             self.lowest[group as usize] = lower;
         }
         true
+    }
+
+    /// Whether a place is hidden from all edges at a vertex. What the vertex alone does not see is beyond any ripple of the ground.
+    fn is_beyond(&self, vertex: u32, place: DVec3) -> bool {
+        let away = place - self.field.point(vertex);
+        let far = away.truncate().length();
+        let sector = self.horizons.sectors().containing(away.truncate());
+        sector.is_some_and(|sector| {
+            let hides = |&edge: &u32| self.horizons.along(edge, sector).hides(far, away.z);
+            self.around.of(vertex).iter().all(hides)
+        })
     }
 
     fn lower(&self, [a, b, c]: [u32; 3]) -> u32 {
@@ -290,5 +302,40 @@ impl Growth<'_> {
             }
         };
         lower(lower(a, b), c)
+    }
+}
+
+/// The edges that meet at each vertex.
+#[derive(Debug)]
+struct Spokes {
+    /// Where each vertex's edges begin, and one more.
+    first: Vec<u32>,
+    edges: Vec<u32>,
+}
+
+impl Spokes {
+    fn new(field: &Field) -> Self {
+        let ends = |half: &u32| [field.start(*half), field.end(*half)];
+        let mut first = vec![0; field.points().len() + 1];
+        for end in field.edges().iter().flat_map(ends) {
+            first[end as usize + 1] += 1;
+        }
+        for at in 1..first.len() {
+            first[at] += first[at - 1];
+        }
+        let mut free = first.clone();
+        let mut edges = vec![NONE; field.edges().len() * 2];
+        for (edge, half) in (0..).zip(field.edges()) {
+            for end in ends(half) {
+                edges[free[end as usize] as usize] = edge;
+                free[end as usize] += 1;
+            }
+        }
+        Self { first, edges }
+    }
+
+    fn of(&self, vertex: u32) -> &[u32] {
+        let [first, last] = [vertex, vertex + 1].map(|at| self.first[at as usize] as usize);
+        &self.edges[first..last]
     }
 }

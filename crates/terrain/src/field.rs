@@ -94,6 +94,19 @@ impl Field {
         &self.edges
     }
 
+    /// For each half-edge, the number of its edge in [`Self::edges`].
+    #[must_use]
+    pub(crate) fn edge_numbers(&self) -> Vec<u32> {
+        let mut numbers = vec![NONE; self.across.len()];
+        for (number, &half) in (0..).zip(&self.edges) {
+            numbers[half as usize] = number;
+            if let Some(other) = numbers.get_mut(self.across(half) as usize) {
+                *other = number;
+            }
+        }
+        numbers
+    }
+
     /// The half-edge that runs the other way; [`NONE`] at the border.
     #[must_use]
     pub fn across(&self, half: u32) -> u32 {

@@ -85,14 +85,17 @@ impl Groups {
         let [low, high] = field.plan_bounds();
         let widest = options.widest * (high - low).element_product();
         tree.join(crystals.collisions.clone(), widest);
+        let numbers = field.edge_numbers();
         let leaf_regions: Vec<Vec<Region>> = tree.members[..crystals.count as usize]
             .par_iter()
             .map(|members| {
-                let vertices = vertices(field, members);
+                let edges = edges(members, &numbers);
                 let region = |sector| {
-                    let each = vertices
-                        .iter()
-                        .map(|&vertex| (field.point(vertex), horizons.at(vertex, sector)));
+                    let each = edges.iter().flat_map(|&edge| {
+                        let horizon = horizons.along(edge, sector);
+                        let ends = field.ends(field.edges()[edge as usize]);
+                        ends.map(|end| (end, horizon))
+                    });
                     Region::around(each, &sectors, sector)
                 };
                 (0..sectors.count()).map(region).collect()
@@ -149,6 +152,18 @@ fn vertices(field: &Field, triangles: &[u32]) -> Vec<u32> {
     corners.sort_unstable();
     corners.dedup();
     corners
+}
+
+/// The edges of some triangles, each once, in order.
+fn edges(triangles: &[u32], numbers: &[u32]) -> Vec<u32> {
+    let sides = triangles.iter().flat_map(|&triangle| {
+        let first = triangle as usize * 3;
+        numbers.get(first..first + 3).unwrap_or_default()
+    });
+    let mut edges: Vec<u32> = sides.copied().collect();
+    edges.sort_unstable();
+    edges.dedup();
+    edges
 }
 
 /// Groups while they are joined: crystals first, each joined one after its parts.

@@ -93,28 +93,30 @@ impl FromStr for Method {
     }
 }
 
-/// What a horizon is said of.
+/// What horizons are found of.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Scope {
-    /// Each vertex alone.
+    /// Each vertex.
     Vertices,
-    /// Each vertex with its edges: where both ends of an edge are hidden from somebody, so is every place of the edge, and where all three
-    /// corners of a triangle are, so is the triangle. [`Method::Sound`] alone can say so.
+    /// Each vertex, and each edge with all its places: a triangle may be seen between corners that are not, but not between edges that
+    /// are not. [`Method::Sound`] alone looks at edges; the others take what both ends have.
     #[default]
     Surface,
 }
 
-/// A horizon for every vertex and sector.
+/// A horizon for every vertex, and perhaps every edge, and sector.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Horizons {
     sectors: Sectors,
     vertices: usize,
-    /// A row of vertices for each sector.
+    /// Vertices and edges.
+    places: usize,
+    /// For each sector a row of vertices and then of edges.
     table: Vec<Horizon>,
 }
 
 impl Horizons {
-    /// Finds the horizons of all vertices; `done` is told of every sector finished. Sectors run side by side.
+    /// Finds the horizons of a field; `done` is told of every sector finished. Sectors run side by side.
     pub fn find(
         field: &Field,
         sectors: Sectors,
@@ -123,22 +125,29 @@ impl Horizons {
         done: &(dyn Fn() + Sync),
     ) -> Self {
         let vertices = field.points().len();
-        let mut table = vec![Horizon::OPEN; vertices * sectors.count() as usize];
+        let edges = match scope {
+            Scope::Vertices => 0,
+            Scope::Surface => field.edges().len(),
+        };
+        let places = vertices + edges;
+        let mut table = vec![Horizon::OPEN; places * sectors.count() as usize];
         let finder: Box<dyn Finder> = match method {
             Method::Thesis => Box::new(thesis::Thesis::new(field)),
             Method::Rays => Box::new(rays::Rays::new(field)),
-            Method::Sound => Box::new(sound::Sound::new(field, scope)),
+            Method::Sound => Box::new(sound::Sound::new(field)),
         };
         table
-            .par_chunks_mut(vertices.max(1))
+            .par_chunks_mut(places.max(1))
             .enumerate()
             .for_each(|(sector, row)| {
-                finder.sector(&sectors, sector as u32, row);
+                let (vertices, edges) = row.split_at_mut(vertices);
+                finder.sector(&sectors, sector as u32, &mut Row { vertices, edges });
                 done();
             });
         Self {
             sectors,
             vertices,
+            places,
             table,
         }
     }
@@ -152,10 +161,22 @@ impl Horizons {
     /// The horizon of a vertex in a sector; [`Horizon::OPEN`] where there is no such.
     #[must_use]
     pub fn at(&self, vertex: u32, sector: u32) -> Horizon {
-        let row = sector as usize * self.vertices;
         let known = (vertex as usize) < self.vertices;
-        let horizon = self.table.get(row + vertex as usize).filter(|_| known);
+        let horizon = self.row(sector).get(vertex as usize).filter(|_| known);
         horizon.copied().unwrap_or(Horizon::OPEN)
+    }
+
+    /// The horizon of an edge, by its number in [`Field::edges`]: who is hidden by it from both ends is hidden from all places between.
+    #[must_use]
+    pub fn along(&self, edge: u32, sector: u32) -> Horizon {
+        let horizon = self.row(sector).get(self.vertices + edge as usize);
+        horizon.copied().unwrap_or(Horizon::OPEN)
+    }
+
+    fn row(&self, sector: u32) -> &[Horizon] {
+        let first = sector as usize * self.places;
+        let row = self.table.get(first..first + self.places);
+        row.unwrap_or_default()
     }
 
     /// Whether a vertex of this field is hidden from somebody at `from`, metres east, north and up of the field's origin.
@@ -170,8 +191,25 @@ impl Horizons {
     }
 }
 
+/// Horizons in one sector, [`Horizon::OPEN`] until found.
+struct Row<'a> {
+    vertices: &'a mut [Horizon],
+    /// Empty where edges are not asked for.
+    edges: &'a mut [Horizon],
+}
+
+impl Row<'_> {
+    /// Takes for each edge what both of its ends have.
+    fn of_ends(&mut self, field: &Field) {
+        for (horizon, &half) in self.edges.iter_mut().zip(field.edges()) {
+            let [a, b] = [field.start(half), field.end(half)];
+            *horizon = self.vertices[a as usize].and(self.vertices[b as usize]);
+        }
+    }
+}
+
 /// One of the three ways.
 trait Finder: Sync {
-    /// Fills in the horizons of all vertices in one sector.
-    fn sector(&self, sectors: &Sectors, sector: u32, row: &mut [Horizon]);
+    /// Fills in all horizons of one sector.
+    fn sector(&self, sectors: &Sectors, sector: u32, row: &mut Row<'_>);
 }

@@ -20,6 +20,7 @@ mod packed;
 mod region;
 mod show;
 mod sight;
+#[cfg(feature = "strategy")]
 mod strategy;
 mod terrain;
 mod tin;
@@ -37,6 +38,7 @@ pub use horizon::{Horizon, Horizons, Method, Scope, Sectors};
 pub use region::Region;
 pub use show::ShownTerrain;
 pub use sight::Sights;
+#[cfg(feature = "strategy")]
 pub use strategy::Horizon as HorizonStrategy;
 pub use terrain::{Terrain, TerrainOptions};
 pub use tin::Detail;

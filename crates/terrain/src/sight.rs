@@ -1,7 +1,8 @@
 //! Lines of sight over a field, judged by every edge that they cross: the truth that horizons are held against.
 //!
 //! Between two edges terrain and line of sight are both straight, so that a line is blocked exactly if it runs below an edge that it crosses.
-//! Heights are compared with 64 bits; a line that touches an edge to within a billionth of its length counts as free.
+//! Which side of an edge a line passes is decided with as many bits as it takes: Shewchuk, "Adaptive Precision Floating-Point Arithmetic and
+//! Fast Robust Geometric Predicates", 1997.
 
 use glam::{DVec2, DVec3};
 
@@ -29,25 +30,36 @@ impl<'a> Sights<'a> {
         }
     }
 
-    /// Whether terrain stands above the line between two places, metres east, north and up of the field's origin. Edges that the line ends at do not count.
+    /// Whether terrain stands above the line between two places, metres east, north and up of the field's origin. Terrain that only
+    /// touches the line does not, nor do edges that the line ends at.
     #[must_use]
     pub fn is_blocked(&self, from: DVec3, to: DVec3) -> bool {
-        let way = to - from;
-        let plan = way.truncate();
+        let plan = (to - from).truncate();
         let wanted = |extent: &Extent| is_crossed(extent, from.truncate(), plan);
         !self.boxes.all(wanted, |edge| {
             let [a, b] = self.field.ends(self.field.edges()[edge as usize]);
-            let [left, right] = [a, b].map(|end| plan.perp_dot((end - from).truncate()));
-            if left * right > 0.0 || left == right {
+            let [left, right] = [a, b].map(|end| turn(from, to, end));
+            let beside = left * right > 0.0 || left == right;
+            if beside || turn(a, b, from) * turn(a, b, to) >= 0.0 {
                 return true;
             }
-            let at = a.lerp(b, left / (left - right));
-            let along = plan.dot((at - from).truncate()) / plan.length_squared();
-            let slack = 1e-9;
-            let between = along > slack && along < 1.0 - slack;
-            !(between && at.z > from.z + way.z * along + slack * plan.length())
+            let [from, to, a, b] = [from, to, a, b].map(|at| robust::Coord3D {
+                x: at.x,
+                y: at.y,
+                z: at.z,
+            });
+            let below = robust::orient3d(from, to, a, b);
+            // The sign of what is below the edge, if the edge runs from the line's left to its right.
+            let across = if left == 0.0 { -right } else { left };
+            below * across.signum() >= 0.0
         })
     }
+}
+
+/// On which side of the line from one place to another a third lies in the plan: positive on its left, and never of the wrong sign.
+fn turn(from: DVec3, to: DVec3, at: DVec3) -> f64 {
+    let [from, to, at] = [from, to, at].map(|at| robust::Coord { x: at.x, y: at.y });
+    robust::orient2d(from, to, at)
 }
 
 /// Whether a line from a place meets a box.

@@ -4,7 +4,7 @@
 //! only if the line to its highest and nearest corner rises above what was already found: best-first search over a packed tree. The
 //! tree is packed once; for each direction its boxes are fitted anew, which costs less than a tenth of the questions asked of them.
 
-use glam::DVec2;
+use glam::{DVec2, Vec4};
 
 use crate::field::{Field, NONE};
 use crate::packed::{WIDTH, order};
@@ -60,79 +60,70 @@ impl Edges {
     }
 }
 
-/// One number for each of four.
-type Four = [f32; WIDTH];
-
 /// Four edges: along, across and up, of one end and the other.
 #[derive(Debug, Clone, Copy)]
 struct FourEdges {
-    along: [Four; 2],
-    across: [Four; 2],
-    up: [Four; 2],
+    along: [Vec4; 2],
+    across: [Vec4; 2],
+    up: [Vec4; 2],
 }
 
 /// Four boxes: from and to along, from and to across, and the highest place.
 #[derive(Debug, Clone, Copy)]
 struct FourBoxes {
-    along: [Four; 2],
-    across: [Four; 2],
-    top: Four,
+    along: [Vec4; 2],
+    across: [Vec4; 2],
+    top: Vec4,
 }
 
-const NOWHERE: f32 = f32::NAN;
 /// Below every slope.
 const LOWEST: f32 = f32::MIN;
 
+/// The most nodes that are open at a time: a row's children for each of the rows that half-edges' numbers have room for, and one more.
+const OPEN: usize = (WIDTH - 1) * 16 + WIDTH + 1;
+
 impl FourEdges {
     const NONE: Self = Self {
-        along: [[NOWHERE; WIDTH]; 2],
-        across: [[NOWHERE; WIDTH]; 2],
-        up: [[NOWHERE; WIDTH]; 2],
+        along: [Vec4::NAN; 2],
+        across: [Vec4::NAN; 2],
+        up: [Vec4::NAN; 2],
     };
 
     /// How steeply the line from a vertex to each edge rises, where the vertex's line crosses it.
     #[inline(always)]
-    fn slopes(&self, [along, across, up]: [f32; 3], close: f32) -> Four {
-        let mut slopes = [LOWEST; WIDTH];
-        for (k, slope) in slopes.iter_mut().enumerate() {
-            let [left, right] = [across - self.across[0][k], self.across[1][k] - across];
-            let share = left / (left + right);
-            let far = self.along[0][k] + (self.along[1][k] - self.along[0][k]) * share - along;
-            let rise = self.up[0][k] + (self.up[1][k] - self.up[0][k]) * share - up;
-            let crosses = left * right >= 0.0 && far > close;
-            let steep = rise / far;
-            *slope = if crosses { steep } else { LOWEST };
-        }
-        slopes
+    fn slopes(&self, [along, across, up]: [Vec4; 3], close: Vec4) -> Vec4 {
+        let [left, right] = [across - self.across[0], self.across[1] - across];
+        let share = left / (left + right);
+        let far = self.along[0] + (self.along[1] - self.along[0]) * share - along;
+        let rise = self.up[0] + (self.up[1] - self.up[0]) * share - up;
+        let crosses = (left * right).cmpge(Vec4::ZERO) & far.cmpgt(close);
+        Vec4::select(crosses, rise / far, Vec4::splat(LOWEST))
     }
 }
 
 impl FourBoxes {
     const NONE: Self = Self {
-        along: [[f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]],
-        across: [[f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]],
-        top: [f32::NEG_INFINITY; WIDTH],
+        along: [Vec4::INFINITY, Vec4::NEG_INFINITY],
+        across: [Vec4::INFINITY, Vec4::NEG_INFINITY],
+        top: Vec4::NEG_INFINITY,
     };
 
     /// No line from a vertex to what is in each box rises more steeply; [`LOWEST`] for boxes that the vertex's line misses.
     #[inline(always)]
-    fn bounds(&self, [along, across, up]: [f32; 3], close: f32) -> Four {
-        let mut bounds = [LOWEST; WIDTH];
-        for (k, bound) in bounds.iter_mut().enumerate() {
-            let near = (self.along[0][k] - along).max(close);
-            let far = self.along[1][k] - along;
-            let rise = self.top[k] - up;
-            let steep = rise / if rise >= 0.0 { near } else { far };
-            let crosses = self.across[0][k] <= across && across <= self.across[1][k] && far > close;
-            *bound = if crosses { steep } else { LOWEST };
-        }
-        bounds
+    fn bounds(&self, [along, across, up]: [Vec4; 3], close: Vec4) -> Vec4 {
+        let near = (self.along[0] - along).max(close);
+        let far = self.along[1] - along;
+        let rise = self.top - up;
+        let steep = rise / Vec4::select(rise.cmpge(Vec4::ZERO), near, far);
+        let beside = across.cmpge(self.across[0]) & across.cmple(self.across[1]);
+        Vec4::select(beside & far.cmpgt(close), steep, Vec4::splat(LOWEST))
     }
 
     /// Fits box `k` around four edges.
     fn fit_edges(&mut self, k: usize, edges: &FourEdges) {
-        for end in 0..2 {
-            for i in 0..WIDTH {
+        // Where there are fewer than four, the rest is no number, and no number is never smaller or larger.
+        for i in 0..WIDTH {
+            for end in 0..2 {
                 self.along[0][k] = self.along[0][k].min(edges.along[end][i]);
                 self.along[1][k] = self.along[1][k].max(edges.along[end][i]);
                 self.across[0][k] = self.across[0][k].min(edges.across[end][i]);
@@ -144,13 +135,11 @@ impl FourBoxes {
 
     /// Fits box `k` around four boxes.
     fn fit_boxes(&mut self, k: usize, boxes: &Self) {
-        for i in 0..WIDTH {
-            self.along[0][k] = self.along[0][k].min(boxes.along[0][i]);
-            self.along[1][k] = self.along[1][k].max(boxes.along[1][i]);
-            self.across[0][k] = self.across[0][k].min(boxes.across[0][i]);
-            self.across[1][k] = self.across[1][k].max(boxes.across[1][i]);
-            self.top[k] = self.top[k].max(boxes.top[i]);
-        }
+        self.along[0][k] = boxes.along[0].min_element();
+        self.along[1][k] = boxes.along[1].max_element();
+        self.across[0][k] = boxes.across[0].min_element();
+        self.across[1][k] = boxes.across[1].max_element();
+        self.top[k] = boxes.top.max_element();
     }
 }
 
@@ -161,24 +150,31 @@ pub(super) struct Bearing<'a> {
     /// The vertices: along, across to the left, up.
     vertices: Vec<[f32; 3]>,
     fours: Vec<FourEdges>,
-    /// Boxes around four edges each, four of them together; then around four of those, up to one.
-    levels: Vec<Vec<FourBoxes>>,
+    /// A tree with four children a node: those of `node` are `WIDTH * node + 1` and its neighbours, and what would come behind the last
+    /// row of boxes are the edges. Rows begin where full ones would, and end where there is no more.
+    boxes: Vec<FourBoxes>,
+    /// The first node that stands for four edges.
+    leaves: u32,
+    /// Nodes that may hold something higher, each with its bound.
+    open: Vec<(u32, f32)>,
 }
 
 impl<'a> Bearing<'a> {
     pub fn new(edges: &'a Edges) -> Self {
-        let mut levels = Vec::new();
-        let mut count = edges.ends.len().div_ceil(WIDTH);
-        let fours = vec![FourEdges::NONE; count];
-        while count > 1 || levels.is_empty() {
-            count = count.div_ceil(WIDTH);
-            levels.push(vec![FourBoxes::NONE; count]);
+        let fours = edges.ends.len().div_ceil(WIDTH);
+        let (mut leaves, mut row) = (0, 1);
+        while row < fours || leaves == 0 {
+            leaves += row;
+            row *= WIDTH;
         }
+        let parent = (leaves + fours.saturating_sub(1) - 1) / WIDTH;
         Self {
             edges,
             vertices: Vec::new(),
-            fours,
-            levels,
+            fours: vec![FourEdges::NONE; fours],
+            boxes: vec![FourBoxes::NONE; parent + 1],
+            leaves: leaves as u32,
+            open: vec![(0, 0.0); OPEN],
         }
     }
 
@@ -200,77 +196,64 @@ impl<'a> Bearing<'a> {
                 }
             }
         }
-        let mut below: Option<&[FourBoxes]> = None;
-        for level in &mut self.levels {
-            level.fill(FourBoxes::NONE);
-            for (node, boxes) in level.iter_mut().enumerate() {
-                for k in 0..WIDTH {
-                    let child = node * WIDTH + k;
-                    match below {
-                        None => {
-                            let four = self.fours.get(child);
-                            four.into_iter().for_each(|four| boxes.fit_edges(k, four));
-                        }
-                        Some(below) => {
-                            let four = below.get(child);
-                            four.into_iter().for_each(|four| boxes.fit_boxes(k, four));
-                        }
-                    }
-                }
-            }
-            below = Some(level);
+        self.boxes.fill(FourBoxes::NONE);
+        let parent = |node: usize| ((node - 1) / WIDTH, (node - 1) % WIDTH);
+        for (at, four) in self.fours.iter().enumerate() {
+            let (node, k) = parent(self.leaves as usize + at);
+            self.boxes[node].fit_edges(k, four);
+        }
+        for node in (1..self.boxes.len()).rev() {
+            let (above, k) = parent(node);
+            let boxes = self.boxes[node];
+            self.boxes[above].fit_boxes(k, &boxes);
         }
     }
 
     /// The edge, as its half-edge, to which the line from a vertex rises most steeply; [`NONE`] if nothing lies that way. Edges that
     /// may stand as high, because they do from a neighbour or did in a neighbouring direction, make it faster.
-    pub fn highest(&self, vertex: u32, likely: [u32; 2]) -> u32 {
-        let eye = self.vertices[vertex as usize];
-        let close = self.edges.close;
+    pub fn highest(&mut self, vertex: u32, likely: [u32; 2]) -> u32 {
+        let eye = self.vertices[vertex as usize].map(Vec4::splat);
+        let close = Vec4::splat(self.edges.close);
         let (mut best, mut found) = (LOWEST, NONE);
+        let mut look = |four: u32, best: &mut f32| {
+            let slopes = self.fours[four as usize].slopes(eye, close);
+            let highest = slopes.max_element();
+            if highest > *best {
+                *best = highest;
+                found = four * WIDTH as u32 + slopes.max_position() as u32;
+            }
+        };
         for half in likely {
             let place = self.edges.places.get(half as usize).copied();
-            let Some(place) = place.filter(|place| *place != NONE) else {
-                continue;
-            };
-            let slopes = self.fours[place as usize / WIDTH].slopes(eye, close);
-            for (k, &slope) in slopes.iter().enumerate() {
-                if slope > best {
-                    (best, found) = (slope, (place / WIDTH as u32) * WIDTH as u32 + k as u32);
-                }
+            if let Some(place) = place.filter(|place| *place != NONE) {
+                look(place / WIDTH as u32, &mut best);
             }
         }
-        let mut open = [(0_u32, 0_u32, 0.0_f32); 64];
+        let open = self.open.as_mut_slice();
+        open[0] = (0, f32::INFINITY);
         let mut count = 1;
-        open[0] = (self.levels.len() as u32, 0, f32::INFINITY);
         while count > 0 {
             count -= 1;
-            let (level, node, bound) = open[count];
+            let (node, bound) = open[count];
             if bound <= best {
                 continue;
             }
-            if level == 0 {
-                let slopes = self.fours[node as usize].slopes(eye, close);
-                for (k, &slope) in slopes.iter().enumerate() {
-                    if slope > best {
-                        (best, found) = (slope, node * WIDTH as u32 + k as u32);
-                    }
-                }
+            if node >= self.leaves {
+                look(node - self.leaves, &mut best);
                 continue;
             }
-            let bounds = self.levels[level as usize - 1][node as usize].bounds(eye, close);
-            let first = count;
-            for (k, &bound) in bounds.iter().enumerate() {
-                if bound > best {
-                    // The steepest last, so that it is opened first.
-                    let mut at = count;
-                    while at > first && open[at - 1].2 > bound {
-                        open[at] = open[at - 1];
-                        at -= 1;
-                    }
-                    open[at] = (level - 1, node * WIDTH as u32 + k as u32, bound);
-                    count += 1;
+            let bounds = self.boxes[node as usize].bounds(eye, close);
+            // Without a branch that depends on the terrain; then the steepest is put last, to be opened first.
+            let (mut steepest, mut last) = (LOWEST, count);
+            for (k, bound) in bounds.to_array().into_iter().enumerate() {
+                open[count] = (node * WIDTH as u32 + 1 + k as u32, bound);
+                if bound > steepest {
+                    (steepest, last) = (bound, count);
                 }
+                count += usize::from(bound > best);
+            }
+            if steepest > best {
+                open.swap(last, count - 1);
             }
         }
         match found {

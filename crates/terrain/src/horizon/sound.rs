@@ -7,7 +7,7 @@ use super::bearing::{Bearing, Edges};
 use super::bundle::{Bundle, Claim};
 use super::crossing::resolve;
 use super::rays::look;
-use super::{Finder, Horizon, Scope, Sectors};
+use super::{Finder, Horizon, Row, Sectors};
 use crate::field::{Field, NONE};
 
 /// A slope so much smaller than what was computed is below what is true: heights are a thousand kilometres at most, and so are distances.
@@ -16,15 +16,13 @@ const ROUNDING: f64 = 1e-9;
 pub(super) struct Sound<'a> {
     field: &'a Field,
     edges: Edges,
-    scope: Scope,
 }
 
 impl<'a> Sound<'a> {
-    pub fn new(field: &'a Field, scope: Scope) -> Self {
+    pub fn new(field: &'a Field) -> Self {
         Self {
             field,
             edges: Edges::new(field),
-            scope,
         }
     }
 
@@ -42,10 +40,11 @@ impl<'a> Sound<'a> {
             if claim.slope == f64::NEG_INFINITY {
                 continue;
             }
-            let names = match self.scope {
-                Scope::Vertices => [bundle as u32; 2],
-                Scope::Surface => {
-                    let half = field.edges()[bundle];
+            // Vertices first, then edges.
+            let names = match bundle.checked_sub(field.points().len()) {
+                None => [bundle as u32; 2],
+                Some(edge) => {
+                    let half = field.edges()[edge];
                     [field.start(half), field.end(half)]
                 }
             };
@@ -69,47 +68,29 @@ impl<'a> Sound<'a> {
 }
 
 impl Finder for Sound<'_> {
-    fn sector(&self, sectors: &Sectors, sector: u32, row: &mut [Horizon]) {
+    fn sector(&self, sectors: &Sectors, sector: u32, row: &mut Row<'_>) {
         let field = self.field;
         let mut bearing = Bearing::new(&self.edges);
-        let mut seen = [vec![NONE; row.len()], vec![NONE; row.len()]];
-        let bundles = match self.scope {
-            Scope::Vertices => row.len(),
-            Scope::Surface => field.edges().len(),
-        };
+        let vertices = field.points().len();
+        let mut seen = [vec![NONE; vertices], vec![NONE; vertices]];
         let all = Claim {
             slope: f64::INFINITY,
             distance: 0.0,
         };
-        let mut claims = vec![all; bundles];
+        let mut claims = vec![all; row.vertices.len() + row.edges.len()];
         bearing.turn(field, sectors.ray(sector, 0));
-        look(&bearing, &mut seen[0]);
+        look(&mut bearing, &mut seen[0]);
         for part in 0..sectors.parts() {
             let [before, after] = &mut seen;
             after.copy_from_slice(before);
             bearing.turn(field, sectors.ray(sector, part + 1));
-            look(&bearing, after);
+            look(&mut bearing, after);
             self.narrow(sectors, [sector, part], [before, after], &mut claims);
             seen.swap(0, 1);
         }
-        match self.scope {
-            Scope::Vertices => {
-                for (horizon, claim) in row.iter_mut().zip(&claims) {
-                    *horizon = rounded(*claim);
-                }
-            }
-            Scope::Surface => {
-                row.fill(Horizon {
-                    slope: f32::INFINITY,
-                    distance: 0.0,
-                });
-                for (claim, &half) in claims.iter().zip(field.edges()) {
-                    for vertex in [field.start(half), field.end(half)] {
-                        let horizon = &mut row[vertex as usize];
-                        *horizon = horizon.and(rounded(*claim));
-                    }
-                }
-            }
+        let places = row.vertices.iter_mut().chain(row.edges.iter_mut());
+        for (horizon, claim) in places.zip(&claims) {
+            *horizon = rounded(*claim);
         }
     }
 }

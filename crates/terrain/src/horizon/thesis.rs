@@ -7,7 +7,7 @@
 
 use glam::DVec2;
 
-use super::{Finder, Horizon, Sectors};
+use super::{Finder, Horizon, Row, Sectors};
 use crate::field::Field;
 
 pub(super) struct Thesis<'a> {
@@ -122,9 +122,9 @@ impl Thesis<'_> {
 }
 
 impl Finder for Thesis<'_> {
-    fn sector(&self, sectors: &Sectors, sector: u32, row: &mut [Horizon]) {
-        let mut hulls = vec![Hull::new(); row.len() + 1];
-        row.fill(Horizon {
+    fn sector(&self, sectors: &Sectors, sector: u32, row: &mut Row<'_>) {
+        let mut hulls = vec![Hull::new(); row.vertices.len() + 1];
+        row.vertices.fill(Horizon {
             slope: f32::INFINITY,
             distance: 0.0,
         });
@@ -134,8 +134,9 @@ impl Finder for Thesis<'_> {
                 sectors.middle(sector, part),
                 sectors.ray(sector, part + 1),
             ];
-            self.part(ways, &mut hulls, row);
+            self.part(ways, &mut hulls, row.vertices);
         }
+        row.of_ends(self.field);
     }
 }
 

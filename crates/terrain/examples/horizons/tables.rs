@@ -1,0 +1,76 @@
+//! The thesis's tables 2 and 3: how long its seven sector settings take, and what groups come of them.
+
+use std::error::Error;
+
+use antumbra_terrain::{Crystals, Field, GroupOptions, Horizons, Method, Scope, Sectors};
+
+use crate::clock::Clock;
+
+/// Sectors and sub-sectors of each.
+pub const SETTINGS: [[u32; 2]; 7] = [[8, 1], [8, 2], [8, 4], [8, 8], [16, 4], [32, 2], [64, 1]];
+
+/// The methods in the order of the columns.
+const METHODS: [(Method, Scope); 4] = [
+    (Method::Thesis, Scope::Vertices),
+    (Method::Rays, Scope::Vertices),
+    (Method::Sound, Scope::Vertices),
+    (Method::Sound, Scope::Surface),
+];
+
+/// The thesis's grouping: seeds by the size of its two terrains, twice as many groups at most.
+pub fn groups(field: &Field) -> GroupOptions {
+    let seeds = if field.points().len() < 50_000 {
+        100
+    } else {
+        500
+    };
+    GroupOptions {
+        seeds,
+        most: seeds * 2,
+        ..GroupOptions::for_triangles(field.triangles().len())
+    }
+}
+
+pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
+    println!(
+        "| sectors / sub-sectors | thesis | rays | sound, vertices | sound, surface |\n|---|---|---|---|---|"
+    );
+    let mut found: Vec<Vec<Horizons>> = Vec::new();
+    for [count, parts] in SETTINGS {
+        let sectors = Sectors::new(count, parts)?;
+        let mut row = Vec::new();
+        print!("| {count} / {parts} |");
+        for (method, scope) in METHODS {
+            let clock = Clock::start();
+            row.push(Horizons::find(field, sectors, method, scope, &|| ()));
+            print!(" {:.3} ({:.2}) |", clock.wall(), clock.work());
+        }
+        println!();
+        found.push(row);
+    }
+    println!("\nSeconds by the wall (of processors).\n");
+    println!(
+        "| sectors / sub-sectors | by | orphan passes | final orphans | final groups | over 130 triangles | seconds |\n|---|---|---|---|---|---|---|"
+    );
+    let options = groups(field);
+    for ([count, parts], row) in SETTINGS.into_iter().zip(&found) {
+        for (horizons, (method, scope)) in row.iter().zip(METHODS) {
+            let clock = Clock::start();
+            let crystals = Crystals::grow(field, horizons, &options)?;
+            let seconds = clock.wall();
+            let large = crystals
+                .sizes()
+                .into_iter()
+                .filter(|size| *size > 130)
+                .count();
+            println!(
+                "| {count} / {parts} | {method}, {scope:?} | {} | {} | {} | {large} | {seconds:.3} |",
+                crystals.passes,
+                crystals.orphans(),
+                crystals.count,
+            );
+        }
+    }
+    println!();
+    Ok(())
+}
