@@ -9,6 +9,7 @@ use crate::field::Field;
 use crate::ground::Ground;
 use crate::groups::Groups;
 use crate::horizon::{Horizons, Method, Scope, Sectors};
+use crate::rim::Rim;
 
 /// How a terrain is prepared.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -27,6 +28,7 @@ pub struct Terrain {
     field: Field,
     groups: Groups,
     ground: Ground,
+    rim: Rim,
     method: Method,
 }
 
@@ -54,6 +56,7 @@ impl Terrain {
         let groups = Groups::make(&field, &horizons, &groups)?;
         Ok(Self {
             ground: Ground::new(&field),
+            rim: Rim::of(&field),
             field,
             groups,
             method: options.method,
@@ -78,17 +81,13 @@ impl Terrain {
         self.method == Method::Sound
     }
 
-    /// Whether horizons may be believed from a place, metres east, north and up of the field's origin, with nothing of the surface nearer
-    /// than `clearance` metres: whoever stands below the surface sees it from the wrong side, whoever stands outside or looks across
-    /// a gap may see under it, and what a near plane cuts away hides nothing.
+    /// Whether horizons may be believed from a place, metres east, north and up of the field's origin: whether nothing of the surface below
+    /// it, or beside it within `clearance` metres, is as high or within those of it. Whoever stands below the surface sees it from the
+    /// wrong side, and what a near plane cuts away hides nothing. The place may lie outside of the field: see [`Rim`].
     #[must_use]
     pub fn trusts(&self, at: DVec3, clearance: f64) -> bool {
-        let plan = at.truncate();
-        let over = self.ground.below(&self.field, plan);
-        let near = self.ground.highest_near(&self.field, plan, clearance);
-        self.field.outline().whole
-            && over.is_some()
-            && near.is_some_and(|highest| highest + clearance < at.z)
+        let near = self.highest_near(at.truncate(), clearance);
+        near.is_none_or(|highest| highest + clearance < at.z)
     }
 
     /// The highest place of the surface within some metres of a place in the plan: see [`Ground::highest_near`].
@@ -100,7 +99,16 @@ impl Terrain {
     /// Somebody at a place who looks in some directions; `None` where horizons say nothing: see [`Self::trusts`].
     #[must_use]
     pub fn eye(&self, at: DVec3, sight: Arc, clearance: f64) -> Option<Eye<'_>> {
-        self.trusts(at, clearance)
-            .then(|| Eye::new(&self.groups, at, sight))
+        let eye = || {
+            let eye = Eye::new(&self.groups, at, sight);
+            let within = self.rim.is_whole() && self.is_over(at.truncate());
+            if within { eye } else { eye.past(&self.rim) }
+        };
+        self.trusts(at, clearance).then(eye)
+    }
+
+    /// Whether a place in the plan lies over the field.
+    fn is_over(&self, place: DVec2) -> bool {
+        self.ground.below(&self.field, place).is_some()
     }
 }
