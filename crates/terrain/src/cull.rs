@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
+use crate::circle::Circle;
 use crate::field::NONE;
 use crate::groups::{Group, Groups};
 use crate::rim::Rim;
@@ -47,8 +48,8 @@ pub struct Eye<'a> {
     along: Vec<f64>,
     /// Sectors that lie opposite to where they look.
     faced: Vec<bool>,
-    /// Where their lines of sight may leave the surface.
-    rim: Option<&'a Rim>,
+    /// Where their lines of sight may leave the surface, and where the field's origin is in its coordinates.
+    rim: Option<(&'a Rim, DVec3)>,
 }
 
 impl<'a> Eye<'a> {
@@ -75,10 +76,11 @@ impl<'a> Eye<'a> {
     }
 
     /// Somebody who may look in over a border, or across holes: nothing is hidden from them by a line that leaves the surface from below.
+    /// The field's origin lies at `from` in the rim's coordinates.
     #[must_use]
-    pub fn past(self, rim: &'a Rim) -> Self {
+    pub fn past(self, rim: &'a Rim, from: DVec3) -> Self {
         Self {
-            rim: Some(rim),
+            rim: Some((rim, from)),
             ..self
         }
     }
@@ -108,7 +110,13 @@ impl<'a> Eye<'a> {
             let sector = (first + step) % count;
             !self.faced[sector] || regions[sector].hides(self.along[sector], self.at.z)
         });
-        let passed = |rim: &Rim| rim.is_passed(self.at, circle, heights[0]);
+        let passed = |(rim, from): (&Rim, DVec3)| {
+            let circle = Circle {
+                middle: circle.middle + from.truncate(),
+                ..*circle
+            };
+            rim.is_passed(self.at + from, &circle, heights[0] + from.z)
+        };
         hidden && self.rim.is_none_or(passed)
     }
 

@@ -6,10 +6,12 @@
 //! - [`Field`] is a triangle mesh that is single-valued over the plan; what is not is refused with the place of every fault.
 //! - [`horizon`] finds, for every vertex and sector of directions, below which slope and beyond which distance nobody sees it.
 
+mod blocks;
 mod built_in;
 mod circle;
 mod crystal;
 mod cull;
+mod cut;
 mod error;
 pub mod field;
 mod fractal;
@@ -25,10 +27,12 @@ mod strategy;
 mod terrain;
 mod tin;
 
+pub use blocks::Blocks;
 pub use built_in::{BuiltIn, BuiltInOptions};
 pub use circle::Circle;
 pub use crystal::{Crystals, GroupOptions};
 pub use cull::{Arc, Eye};
+pub use cut::Part;
 pub use error::TerrainError;
 pub use field::{Fault, Field, NONE, Outline};
 pub use fractal::FractalOptions;

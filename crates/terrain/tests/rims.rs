@@ -5,7 +5,7 @@ mod support;
 
 use std::sync::LazyLock;
 
-use antumbra_terrain::{Arc, Eye, Field, GroupOptions, Rim, Sectors, Terrain, TerrainOptions};
+use antumbra_terrain::{Arc, Field, GroupOptions, Rim, Sectors, Terrain, TerrainOptions};
 use glam::{DVec2, DVec3};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::{Rng, SeedableRng};
@@ -62,20 +62,6 @@ static FIELDS: LazyLock<[Terrain; 3]> = LazyLock::new(|| {
     [whole, holed, dented].map(prepared)
 });
 
-/// What is drawn, triangle by triangle.
-fn drawn(terrain: &Terrain, eye: &Eye<'_>) -> Vec<bool> {
-    let groups = terrain.groups();
-    let mut drawn = vec![false; groups.order().len()];
-    let mut draw = |range: std::ops::Range<u32>| {
-        for at in range {
-            drawn[groups.order()[at as usize] as usize] = true;
-        }
-    };
-    eye.each_seen(|group| draw(groups.groups()[group as usize].triangles.clone()));
-    draw(groups.always());
-    drawn
-}
-
 /// Triangles that were looked at, hidden, and culled.
 #[derive(Debug, Default)]
 struct Tally {
@@ -101,11 +87,13 @@ fn tally(terrain: &Terrain, eyes: &[DVec3], seed: u64) -> Tally {
             continue;
         };
         tally.believed += 1;
-        for (triangle, drawn) in drawn(terrain, &eye).into_iter().enumerate() {
+        let culled = support::culled(terrain, &eye);
+        for triangle in 0..field.triangles().len() as u32 {
             if chance.next_u32() % 8 > 0 {
                 continue;
             }
-            let places = support::places(field, triangle as u32, &mut chance);
+            let places = support::places(field, triangle, &mut chance);
+            let drawn = culled.binary_search(&triangle).is_err();
             let hidden = places.iter().all(|&place| truth.hides(at, place, NEAR));
             assert!(drawn || hidden, "triangle {triangle} is seen from {at}");
             tally.hidden += usize::from(hidden);

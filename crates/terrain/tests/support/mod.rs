@@ -3,7 +3,7 @@
 
 pub mod truth;
 
-use antumbra_terrain::{Field, FractalOptions};
+use antumbra_terrain::{Eye, Field, FractalOptions, Terrain};
 use glam::DVec3;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::{Rng, SeedableRng};
@@ -27,6 +27,22 @@ pub fn places(field: &Field, triangle: u32, chance: &mut Pcg32) -> Vec<DVec3> {
         places.push(a + (b - a) * u + (c - a) * v);
     }
     places
+}
+
+/// The triangles that are not drawn.
+pub fn culled(terrain: &Terrain, eye: &Eye<'_>) -> Vec<u32> {
+    let groups = terrain.groups();
+    let mut drawn = vec![false; groups.order().len()];
+    let mut draw = |range: std::ops::Range<u32>| {
+        for at in range {
+            drawn[groups.order()[at as usize] as usize] = true;
+        }
+    };
+    eye.each_seen(|group| draw(groups.groups()[group as usize].triangles.clone()));
+    draw(groups.always());
+    (0..drawn.len() as u32)
+        .filter(|&triangle| !drawn[triangle as usize])
+        .collect()
 }
 
 /// Heights of a fractal landscape, from 0 to 1, `2^order + 1` posts along a side.
