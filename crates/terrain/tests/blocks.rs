@@ -77,7 +77,9 @@ fn culled(blocks: &Blocks, eyes: &[DVec3]) -> usize {
                 if chance.next_u32() % 4 > 0 {
                     continue;
                 }
+                let shift = terrain.field().origin() - ISLAND.origin();
                 for place in support::places(terrain.field(), triangle, &mut chance) {
+                    let place = place + shift;
                     let hidden = truth.hides(at, place, NEAR);
                     assert!(hidden, "triangle {triangle} is seen from {at}");
                 }
@@ -197,6 +199,7 @@ fn blocks_about_other_origins_share_no_edge() {
     terrains[1] = Shared::new(other);
     let blocks = Blocks::join(terrains);
     assert!(!blocks.rim().is_whole());
+    assert!(culled(&blocks, &eyes(24, 3)) > 0);
     let [low, high] = blocks.rim().edges().iter().flatten().fold(
         [DVec2::INFINITY, DVec2::NEG_INFINITY],
         |[low, high], end| [low.min(end.truncate()), high.max(end.truncate())],

@@ -10,12 +10,14 @@ pub struct Truth {
 
 impl Truth {
     pub fn of<'a>(fields: impl IntoIterator<Item = &'a Field>) -> Self {
-        let all = |field: &'a Field| {
-            (0..field.triangles().len() as u32).map(move |triangle| field.corners(triangle))
-        };
-        Self {
-            triangles: fields.into_iter().flat_map(all).collect(),
+        let mut triangles = Vec::new();
+        let mut first = None;
+        for field in fields {
+            let shift = field.origin() - *first.get_or_insert(field.origin());
+            let all = 0..field.triangles().len() as u32;
+            triangles.extend(all.map(|at| field.corners(at).map(|corner| corner + shift)));
         }
+        Self { triangles }
     }
 
     /// Whether a triangle that is seen from above, and lies farther away than `near`, hides a place. What is seen from below hides
