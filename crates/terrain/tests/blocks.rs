@@ -9,7 +9,7 @@ use antumbra_terrain::{
     Arc, Blocks, Field, GroupOptions, Horizons, Method, Part, Scope, Sectors, Terrain,
     TerrainOptions,
 };
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -186,32 +186,54 @@ fn a_block_is_believed_only_beside_all_that_it_rests_on() {
     assert!(culled(&Blocks::join(vec![first, last]), &eyes) > 0);
 }
 
+/// The same place, or the same numbers, about an origin elsewhere.
+fn about(field: &Field, shift: DVec3, stays: bool) -> Shared<Terrain> {
+    let back = if stays { shift } else { DVec3::ZERO };
+    let points = field.points().iter().map(|point| *point - back);
+    let points = points.collect();
+    let field = Field::about(field.origin() + shift, points, field.triangles().to_vec());
+    Shared::new(prepared(Part::whole(field.unwrap())))
+}
+
 #[test]
 fn blocks_about_other_origins_share_no_edge() {
-    let moved = |terrain: &Terrain| {
-        let field = terrain.field();
-        let shift = DVec3::new(0.0, 512.0, 0.0);
-        let points = field.points().iter().map(|point| *point - shift).collect();
-        Field::about(field.origin() + shift, points, field.triangles().to_vec()).unwrap()
+    let ends = |terrains: &[Shared<Terrain>]| {
+        let border = |terrain: &Shared<Terrain>| terrain.field().outline().rings[0].len();
+        terrains.iter().map(border).sum::<usize>()
     };
-    let other = prepared(Part::whole(moved(&BLOCKS[0][1])));
-    let mut terrains = BLOCKS[0].clone();
-    terrains[1] = Shared::new(other);
-    let blocks = Blocks::join(terrains);
-    assert!(!blocks.rim().is_whole());
-    assert!(culled(&blocks, &eyes(24, 3)) > 0);
-    let [low, high] = blocks.rim().edges().iter().flatten().fold(
-        [DVec2::INFINITY, DVec2::NEG_INFINITY],
-        |[low, high], end| [low.min(end.truncate()), high.max(end.truncate())],
-    );
-    assert_eq!([low, high], ISLAND.plan_bounds());
-    let high = blocks
-        .highest_near(ISLAND.origin().truncate(), 2000.0)
-        .unwrap();
+    let shift = DVec3::new(0.0, 512.0, 0.0);
+    let halves: Vec<Shared<Terrain>> = BLOCKS[0][..2].to_vec();
+    let joined = Blocks::join(halves.clone()).rim().edges().len();
+    assert!(joined < ends(&halves));
+    for stays in [true, false] {
+        let apart = vec![halves[0].clone(), about(halves[1].field(), shift, stays)];
+        assert_eq!(
+            Blocks::join(apart.clone()).rim().edges().len(),
+            ends(&apart)
+        );
+    }
+    let far = about(halves[0].field(), DVec3::new(9e3, 1e4, -3e3), false);
+    let island = Shared::new(prepared(Part::whole(ISLAND.clone())));
+    // The same from beside another, in whose coordinates the rims are.
+    let [alone, beside] =
+        [vec![island.clone()], vec![far.clone(), island.clone()]].map(Blocks::join);
+    let mut seen = 0;
+    for at in eyes(30, 3) {
+        let last = |blocks: &Blocks| {
+            let eye = blocks.eyes(at + ISLAND.origin(), Arc::ALL, NEAR).last();
+            eye.unwrap().map(|eye| support::culled(&island, &eye))
+        };
+        let [a, b] = [&alone, &beside].map(last);
+        assert_eq!(a, b);
+        seen += a.map_or(0, |culled| culled.len());
+    }
+    assert!(seen > 1000, "{seen}");
+    let high = |blocks: &Blocks| blocks.highest_near(ISLAND.origin().truncate(), 2000.0);
+    assert_eq!(high(&alone), high(&beside));
     let truth = ISLAND
         .points()
         .iter()
         .map(|point| point.z)
         .fold(f64::MIN, f64::max);
-    assert!((high - truth - ISLAND.origin().z).abs() < 1e-6);
+    assert_eq!(high(&alone), Some(truth + ISLAND.origin().z));
 }
