@@ -126,6 +126,6 @@ impl Blocks {
 }
 
 /// The same for the same place: zero has two signs.
-fn bits(at: DVec3) -> [u64; 3] {
+pub(crate) fn bits(at: DVec3) -> [u64; 3] {
     (at + DVec3::ZERO).to_array().map(f64::to_bits)
 }

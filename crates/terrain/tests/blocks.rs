@@ -3,13 +3,15 @@
 
 mod support;
 
+use std::collections::HashMap;
 use std::sync::{Arc as Shared, LazyLock};
 
+use antumbra_scene::{Material, Scene};
 use antumbra_terrain::{
     Arc, Blocks, Field, GroupOptions, Horizons, Method, Part, Scope, Sectors, Terrain,
     TerrainOptions,
 };
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -166,6 +168,31 @@ fn blocks_cull_nothing_that_is_seen_and_more_with_a_margin() {
     assert!(bare > 500, "{bare} {wide} {whole}");
     assert!(wide * 10 > bare * 12, "{bare} {wide} {whole}");
     assert!(wide * 10 > whole * 7, "{bare} {wide} {whole}");
+}
+
+#[test]
+fn where_blocks_meet_light_goes_on() {
+    let steps = |blocks: &[Shared<Terrain>]| {
+        let mut scene = Scene::new();
+        let material = scene.add_material(Material::default());
+        let mut normals: HashMap<[u32; 3], Vec3> = HashMap::new();
+        let mut steps = 0;
+        for block in blocks {
+            let shown = block.show(&mut scene, material).unwrap();
+            for (entity, _) in shown.groups {
+                let mesh = scene.drawable(entity).unwrap().mesh;
+                let geometry = &scene.mesh(mesh).unwrap().levels[0];
+                for (at, normal) in geometry.positions.iter().zip(&geometry.normals) {
+                    let normal = Vec3::from(*normal);
+                    let other = *normals.entry(at.map(f32::to_bits)).or_insert(normal);
+                    steps += usize::from(other.distance(normal) > 1e-5);
+                }
+            }
+        }
+        steps
+    };
+    assert!(steps(&BLOCKS[0]) > 10);
+    assert_eq!(steps(&BLOCKS[1]), 0);
 }
 
 #[test]
