@@ -52,7 +52,7 @@ fn prepared(part: Part) -> Terrain {
 fn eyes(count: usize, seed: u64) -> Vec<DVec3> {
     let mut chance = Pcg32::seed_from_u64(seed);
     let mut between = |low: f64, high: f64| low + support::number(&mut chance) * (high - low);
-    let mut eye = |kind: usize| match kind % 3 {
+    let eye = |kind: usize| match kind % 3 {
         0 => DVec3::new(
             between(-450.0, 450.0),
             between(-450.0, 450.0),
@@ -61,7 +61,7 @@ fn eyes(count: usize, seed: u64) -> Vec<DVec3> {
         1 => DVec3::new(between(-2000.0, 2000.0), 500.0, between(-100.0, 200.0)),
         _ => DVec3::new(0.0, between(-450.0, 450.0), between(0.0, 160.0)),
     };
-    (0..count).map(|kind| eye(kind)).collect()
+    (0..count).map(eye).collect()
 }
 
 /// How many triangles are culled; none of those that are held against the truth may be seen.
