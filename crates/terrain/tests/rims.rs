@@ -188,6 +188,40 @@ fn nothing_that_is_seen_along_a_border_is_culled() {
 }
 
 #[test]
+fn nothing_that_is_seen_through_a_crack_is_culled() {
+    // The eastern half is 40 m higher, and half a cell farther north: no two corners meet.
+    let regular = support::grid(&support::ridges(5, 16), 30.0, 150.0);
+    let half = |sign: f64| without(&regular, |at| at.x * sign > 0.0);
+    let mut points = Vec::new();
+    let mut triangles = Vec::new();
+    for (field, shift) in [
+        (half(1.0), DVec3::ZERO),
+        (half(-1.0), DVec3::new(0.0, 15.0, 40.0)),
+    ] {
+        let first = points.len() as u32;
+        let place = |point: &DVec3| *point + field.origin() + shift;
+        points.extend(field.points().iter().map(place));
+        let named = field.triangles().iter();
+        triangles.extend(named.map(|corners| corners.map(|corner| first + corner)));
+    }
+    let terrain = prepared(Field::new(points, triangles).unwrap());
+    assert_eq!(terrain.field().outline().rings.len(), 2);
+    let mut chance = Pcg32::seed_from_u64(17);
+    let mut eye = |east: f64| {
+        let north = between(&mut chance, -480.0, 480.0);
+        let plan = DVec2::new(between(&mut chance, -east, east), north);
+        let highest = terrain.highest_near(plan, 30.0).unwrap();
+        plan.extend(highest + between(&mut chance, 0.3, 40.0))
+    };
+    // Everywhere, and just over the crack.
+    let eyes: Vec<DVec3> = (0..3 * EYES)
+        .map(|at| eye([480.0, 20.0, 0.0][at % 3]))
+        .collect();
+    let found = tally(&terrain, &eyes, 18);
+    assert!(found.found() > 0.1, "{found:?}");
+}
+
+#[test]
 fn only_a_convex_ring_is_whole() {
     let square = |low: f64, high: f64| {
         let at = |x, y| DVec3::new(x, y, 0.0);

@@ -114,7 +114,8 @@ pub fn island(order: u32, cell: f64, scale: f64, seed: u64) -> Field {
     shake(&heights, cell, scale, seed)
 }
 
-fn ridges(order: u32, seed: u64) -> Vec<Vec<f64>> {
+/// Heights of ridges from west to east.
+pub fn ridges(order: u32, seed: u64) -> Vec<Vec<f64>> {
     let mut heights = fractal(order, 0.55, seed);
     for (row, line) in heights.iter_mut().enumerate() {
         let ridge = 0.5 + 0.5 * (row as f64 * std::f64::consts::TAU / 11.0).cos();
