@@ -5,8 +5,10 @@ use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
+use crate::circle::Circle;
 use crate::field::NONE;
-use crate::groups::Groups;
+use crate::groups::{Group, Groups};
+use crate::rim::Rim;
 
 /// Radians that rounding may turn a direction by.
 const ROUNDING: f64 = 1e-9;
@@ -46,10 +48,13 @@ pub struct Eye<'a> {
     along: Vec<f64>,
     /// Sectors that lie opposite to where they look.
     faced: Vec<bool>,
+    /// Where their lines of sight may leave the surface, and where the field's origin is in its coordinates.
+    rim: Option<(&'a Rim, DVec3)>,
 }
 
 impl<'a> Eye<'a> {
-    /// Somebody above the surface at a place, metres east, north and up of the field's origin, who sees what lies in the directions of `sight`.
+    /// Somebody above the surface at a place, metres east, north and up of the field's origin, who sees what lies in the directions of `sight`,
+    /// and whose lines of sight leave the surface nowhere: see [`Self::past`].
     #[must_use]
     pub fn new(groups: &'a Groups, at: DVec3, sight: Arc) -> Self {
         let sectors = groups.sectors();
@@ -66,6 +71,17 @@ impl<'a> Eye<'a> {
                 .map(|sector| sectors.central(sector).dot(at.truncate()))
                 .collect(),
             faced: each().map(faced).collect(),
+            rim: None,
+        }
+    }
+
+    /// Somebody who may look in over a border, or across holes: nothing is hidden from them by a line that leaves the surface from below.
+    /// The field's origin lies at `from` in the rim's coordinates.
+    #[must_use]
+    pub fn past(self, rim: &'a Rim, from: DVec3) -> Self {
+        Self {
+            rim: Some((rim, from)),
+            ..self
         }
     }
 
@@ -73,7 +89,9 @@ impl<'a> Eye<'a> {
     #[must_use]
     pub fn is_hidden(&self, group: u32) -> bool {
         let groups = self.groups;
-        let circle = groups.groups()[group as usize].circle;
+        let Group {
+            circle, heights, ..
+        } = &groups.groups()[group as usize];
         let way = self.at.truncate() - circle.middle;
         let far = way.length();
         if far <= circle.radius {
@@ -88,10 +106,18 @@ impl<'a> Eye<'a> {
         let [first, last] = [side(-sine), side(sine)].map(|way| sectors.about(way) as usize);
         let count = regions.len();
         let span = (last + count - first) % count;
-        (0..=span).all(|step| {
+        let hidden = (0..=span).all(|step| {
             let sector = (first + step) % count;
             !self.faced[sector] || regions[sector].hides(self.along[sector], self.at.z)
-        })
+        });
+        let passed = |(rim, from): (&Rim, DVec3)| {
+            let circle = Circle {
+                middle: circle.middle + from.truncate(),
+                ..*circle
+            };
+            rim.is_passed(self.at + from, &circle, heights[0] + from.z)
+        };
+        hidden && self.rim.is_none_or(passed)
     }
 
     /// Calls for every crystal that may be seen.

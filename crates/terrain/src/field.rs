@@ -45,6 +45,19 @@ impl Field {
         check::make(points, triangles, true)
     }
 
+    /// The same with an origin of your own, which corners are metres east, north and up of.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn about(
+        origin: DVec3,
+        points: Vec<DVec3>,
+        triangles: Vec<[u32; 3]>,
+    ) -> Result<Self, TerrainError> {
+        let field = check::make(points, triangles, false)?;
+        Ok(Self { origin, ..field })
+    }
+
     /// The field as it is drawn: with every vertex where 32 bits put it. Horizons of anything else would be true of another surface.
     ///
     /// # Errors
@@ -57,11 +70,7 @@ impl Field {
         }
         let points = self.points.iter().map(round).collect();
         // About the same origin: what is moved may have to be rounded again.
-        let rounded = check::make(points, self.triangles, false)?;
-        Ok(Self {
-            origin: self.origin,
-            ..rounded
-        })
+        Self::about(self.origin, points, self.triangles)
     }
 
     /// Where the field's own coordinates begin: metres east, north and up.

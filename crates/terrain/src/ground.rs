@@ -36,6 +36,17 @@ impl Ground {
         found
     }
 
+    /// Whether the field has a triangle with just these corners, counter-clockwise from any of them.
+    #[must_use]
+    pub fn has(&self, field: &Field, [a, b, c]: &[DVec3; 3]) -> bool {
+        let turns = [[*a, *b, *c], [*b, *c, *a], [*c, *a, *b]];
+        let extent = Extent::around([a, b, c].map(|corner| corner.truncate()));
+        !self.boxes.all(
+            |own| own.touches(&extent),
+            |triangle| !turns.contains(&field.corners(triangle)),
+        )
+    }
+
     /// The highest place of the triangles that reach within so many metres of a place in the plan; no higher than what of them does.
     #[must_use]
     pub fn highest_near(&self, field: &Field, place: DVec2, reach: f64) -> Option<f64> {

@@ -152,6 +152,18 @@ impl Horizons {
         }
     }
 
+    /// Those of the first vertices.
+    #[must_use]
+    pub(crate) fn first(self, vertices: usize) -> Self {
+        let rows = self.table.chunks(self.vertices.max(1));
+        let kept = rows.flat_map(|row| row.iter().take(vertices).copied());
+        Self {
+            table: kept.collect(),
+            sectors: self.sectors,
+            vertices: vertices.min(self.vertices),
+        }
+    }
+
     /// The sectors.
     #[must_use]
     pub fn sectors(&self) -> &Sectors {

@@ -5,11 +5,14 @@
 //!
 //! - [`Field`] is a triangle mesh that is single-valued over the plan; what is not is refused with the place of every fault.
 //! - [`horizon`] finds, for every vertex and sector of directions, below which slope and beyond which distance nobody sees it.
+//! - A [`Terrain`] is a field with its horizons and groups; [`Blocks`] are several that lie beside each other.
 
+mod blocks;
 mod built_in;
 mod circle;
 mod crystal;
 mod cull;
+mod cut;
 mod error;
 pub mod field;
 mod fractal;
@@ -18,6 +21,7 @@ mod groups;
 pub mod horizon;
 mod packed;
 mod region;
+mod rim;
 mod show;
 mod sight;
 #[cfg(feature = "strategy")]
@@ -25,10 +29,12 @@ mod strategy;
 mod terrain;
 mod tin;
 
+pub use blocks::Blocks;
 pub use built_in::{BuiltIn, BuiltInOptions};
 pub use circle::Circle;
 pub use crystal::{Crystals, GroupOptions};
 pub use cull::{Arc, Eye};
+pub use cut::Part;
 pub use error::TerrainError;
 pub use field::{Fault, Field, NONE, Outline};
 pub use fractal::FractalOptions;
@@ -36,6 +42,7 @@ pub use ground::Ground;
 pub use groups::{Group, Groups};
 pub use horizon::{Horizon, Horizons, Method, Scope, Sectors};
 pub use region::Region;
+pub use rim::Rim;
 pub use show::ShownTerrain;
 pub use sight::Sights;
 #[cfg(feature = "strategy")]

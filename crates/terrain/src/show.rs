@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use antumbra_scene::{Aabb, Drawable, EntityKey, Geometry, MaterialKey, Mesh, Scene};
 use glam::{DAffine3, DVec3, Vec3};
 
+use crate::blocks::bits;
 use crate::error::TerrainError;
 use crate::field::{Field, NONE};
 use crate::packed::order;
@@ -100,7 +101,7 @@ impl Terrain {
         let place = DAffine3::from_translation(to_world(field.origin()));
         let root = scene.spawn(None, place)?;
         scene.set_entity_name(root, "terrain")?;
-        let normals = normals(field);
+        let normals = normals(self);
         let mut add = |name: String, triangles: &[u32]| {
             let entity = scene.spawn(Some(root), DAffine3::IDENTITY)?;
             scene.set_entity_name(entity, name.as_str())?;
@@ -131,13 +132,26 @@ impl Terrain {
     }
 }
 
-/// Unit normals of all vertices, each triangle counting by its area.
-fn normals(field: &Field) -> Vec<[f32; 3]> {
+/// Unit normals of all vertices, each triangle counting by its area, and those of the margin too: where blocks meet, light goes on.
+fn normals(terrain: &Terrain) -> Vec<[f32; 3]> {
+    let field = terrain.field();
     let mut sums = vec![DVec3::ZERO; field.points().len()];
     for (triangle, corners) in field.triangles().iter().enumerate() {
         let [a, b, c] = field.corners(triangle as u32);
         for &corner in corners {
             sums[corner as usize] += (b - a).cross(c - a);
+        }
+    }
+    let rings = field.outline().rings.iter().flatten();
+    let border: HashMap<[u64; 3], u32> = rings
+        .map(|&half| field.start(half))
+        .map(|vertex| (bits(field.point(vertex)), vertex))
+        .collect();
+    for &[a, b, c] in terrain.margin() {
+        for corner in [a, b, c] {
+            if let Some(&vertex) = border.get(&bits(corner)) {
+                sums[vertex as usize] += (b - a).cross(c - a);
+            }
         }
     }
     let unit = |sum: DVec3| to_world(sum.normalize_or(DVec3::Z)).as_vec3().to_array();

@@ -9,47 +9,70 @@ use antumbra_draw::{SceneTable, ViewFrame};
 use antumbra_scene::{Aabb, EntityKey, Projection};
 use glam::DVec3;
 
+use crate::blocks::Blocks;
 use crate::cull::Arc;
 use crate::field::NONE;
 use crate::show::{ShownTerrain, from_world};
 use crate::terrain::Terrain;
 
-/// The strategy `horizon` for one terrain; all else in a scene is drawn where it touches the frustum. By default it has no terrain, and
-/// refuses to be declared.
+/// The strategy `horizon` for a terrain, or for several beside each other; all else in a scene is drawn where it touches the frustum. By
+/// default it has none, and refuses to be declared.
 ///
-/// What it culls it culls behind the terrain as it was shown: where one of its entities is missing, moved or of a material that one can see
-/// through, all of it is drawn.
+/// What it culls it culls behind terrain as it was shown: of a terrain one of whose entities is missing, moved or of a material that one can
+/// see through, all is drawn, and nothing is hidden by it.
 #[derive(Debug, Clone, Default)]
 pub struct Horizon {
     known: Option<Shared<Known>>,
 }
 
-/// What is known of a terrain in a scene.
+/// What is known of terrains in a scene.
 #[derive(Debug)]
 struct Known {
-    terrain: Shared<Terrain>,
-    /// The group of each entity, [`NONE`] for those always drawn, and the box it is in.
-    entities: HashMap<EntityKey, (u32, Aabb)>,
+    terrains: Vec<Shared<Terrain>>,
+    /// How many entities show each.
+    entities_of: Vec<usize>,
+    /// The terrain and the group of each entity, [`NONE`] for those always drawn, and the box it is in.
+    entities: HashMap<EntityKey, (usize, u32, Aabb)>,
 }
 
 impl Horizon {
     /// For a terrain, as it was shown.
     #[must_use]
     pub fn new(terrain: Shared<Terrain>, shown: &ShownTerrain) -> Self {
-        let entities = shown.entities(&terrain).collect();
+        Self::over([(terrain, shown)])
+    }
+
+    /// For terrains that lie beside each other, each as it was shown: see [`Blocks`].
+    #[must_use]
+    pub fn over<'a>(blocks: impl IntoIterator<Item = (Shared<Terrain>, &'a ShownTerrain)>) -> Self {
+        let mut known = Known {
+            terrains: Vec::new(),
+            entities_of: Vec::new(),
+            entities: HashMap::new(),
+        };
+        for (block, (terrain, shown)) in blocks.into_iter().enumerate() {
+            let entities = shown.entities(&terrain);
+            let before = known.entities.len();
+            let numbered = entities.map(|(key, (group, bounds))| (key, (block, group, bounds)));
+            known.entities.extend(numbered);
+            known.entities_of.push(known.entities.len() - before);
+            known.terrains.push(terrain);
+        }
         Self {
-            known: Some(Shared::new(Known { terrain, entities })),
+            known: (!known.terrains.is_empty()).then(|| Shared::new(known)),
         }
     }
 }
 
-/// What of a terrain may be seen in a frame.
+/// What of the terrains may be seen in a frame.
 #[derive(Debug, Default)]
 struct Seen {
-    /// The group of each slot, whether all groups are where they were, and of which epoch that is.
+    /// The group of each slot, those of a terrain after those of the one before, and of which epoch that is.
     of: Vec<u32>,
-    intact: bool,
     epoch: Option<u64>,
+    /// Which terrains are whole and where they were, and those together.
+    intact: Vec<usize>,
+    blocks: Option<Blocks>,
     /// Whether each group may be seen.
     seen: Vec<bool>,
 }
@@ -61,32 +84,46 @@ impl Seen {
             return;
         }
         self.epoch = Some(table.epoch());
-        let mut there = 0;
-        let mut group = |slot| {
-            let (group, bounds) = known.entities.get(&table.occupant(slot)?.key)?;
-            there += usize::from(table.is_occluder(slot) && is_at(&table.bounds(slot), bounds));
-            Some(*group)
+        let firsts: Vec<u32> = firsts(&known.terrains).collect();
+        let mut there = vec![0; known.terrains.len()];
+        let mut number = |slot| {
+            let (block, group, bounds) = known.entities.get(&table.occupant(slot)?.key)?;
+            there[*block] +=
+                usize::from(table.is_occluder(slot) && is_at(&table.bounds(slot), bounds));
+            (*group != NONE).then(|| firsts[*block] + group)
         };
         self.of = (0..table.slots())
-            .map(|slot| group(slot).unwrap_or(NONE))
+            .map(|slot| number(slot).unwrap_or(NONE))
             .collect();
-        self.intact = there == known.entities.len();
+        let intact = (0..there.len()).filter(|&block| there[block] == known.entities_of[block]);
+        let intact: Vec<usize> = intact.collect();
+        if self.blocks.is_none() || intact != self.intact {
+            let whole = intact.iter().map(|&block| known.terrains[block].clone());
+            self.blocks = Some(Blocks::join(whole.collect()));
+            self.intact = intact;
+        }
     }
 
-    fn look(&mut self, terrain: &Terrain, view: &ViewFrame) {
-        let at = from_world(view.camera.position) - terrain.field().origin();
-        // Parallel lines of sight come from everywhere; horizons say who sees from one place.
-        let spread = spread(view).filter(|_| self.intact);
-        let eye = spread.and_then(|spread| {
-            let [wide, high] = spread;
-            let clearance = view.camera.near() * (1.0 + wide * wide + high * high).sqrt();
-            terrain.eye(at, sight(view, spread), clearance)
-        });
+    fn look(&mut self, known: &Known, view: &ViewFrame) {
+        let groups = known.terrains.iter().map(groups_of).sum::<u32>();
         self.seen.clear();
-        self.seen
-            .resize(terrain.groups().groups().len(), eye.is_none());
-        if let Some(eye) = eye {
-            eye.each_seen(|group| self.seen[group as usize] = true);
+        self.seen.resize(groups as usize, true);
+        // Parallel lines of sight come from everywhere; horizons say who sees from one place.
+        let (Some(spread), Some(blocks)) = (spread(view), &self.blocks) else {
+            return;
+        };
+        let at = from_world(view.camera.position);
+        let [wide, high] = spread;
+        let clearance = view.camera.near() * (1.0 + wide * wide + high * high).sqrt();
+        let eyes = blocks.eyes(at, sight(view, spread), clearance);
+        let mut eyes = self.intact.iter().zip(eyes).peekable();
+        for (block, first) in firsts(&known.terrains).enumerate() {
+            let eye = eyes.next_if(|(intact, _)| **intact == block);
+            if let Some((_, Some(eye))) = eye {
+                let end = first + groups_of(&known.terrains[block]);
+                self.seen[first as usize..end as usize].fill(false);
+                eye.each_seen(|group| self.seen[(first + group) as usize] = true);
+            }
         }
     }
 
@@ -98,6 +135,19 @@ impl Seen {
             None => Verdict::Untested,
         }
     }
+}
+
+fn groups_of(terrain: &Shared<Terrain>) -> u32 {
+    terrain.groups().groups().len() as u32
+}
+
+/// The numbers of the terrains' first groups.
+fn firsts(terrains: &[Shared<Terrain>]) -> impl Iterator<Item = u32> {
+    terrains.iter().scan(0, |next, terrain| {
+        let first = *next;
+        *next += groups_of(terrain);
+        Some(first)
+    })
 }
 
 /// Whether a box is where it was, give or take what rounding does to it.
@@ -145,7 +195,7 @@ impl Strategy for Horizon {
 
     fn conservative(&self) -> bool {
         let known = self.known.as_ref();
-        known.is_none_or(|known| known.terrain.is_sound())
+        known.is_none_or(|known| known.terrains.iter().all(|terrain| terrain.is_sound()))
     }
 
     fn declare(
@@ -166,7 +216,7 @@ impl Strategy for Horizon {
             },
             move |ctx, table, frame, verdicts| {
                 seen.follow(table, &known);
-                seen.look(&known.terrain, frame);
+                seen.look(&known, frame);
                 let candidates = ctx.get(candidates)?;
                 for &slot in candidates.inside() {
                     verdicts.set(slot, Verdict::Untested);

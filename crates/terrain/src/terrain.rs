@@ -4,11 +4,13 @@ use glam::{DVec2, DVec3};
 
 use crate::crystal::GroupOptions;
 use crate::cull::{Arc, Eye};
+use crate::cut::Part;
 use crate::error::TerrainError;
 use crate::field::Field;
 use crate::ground::Ground;
 use crate::groups::Groups;
 use crate::horizon::{Horizons, Method, Scope, Sectors};
+use crate::rim::Rim;
 
 /// How a terrain is prepared.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -27,6 +29,9 @@ pub struct Terrain {
     field: Field,
     groups: Groups,
     ground: Ground,
+    rim: Rim,
+    /// Corners of the triangles around it that its horizons rest on, and that are others' own.
+    margin: Vec<[DVec3; 3]>,
     method: Method,
 }
 
@@ -40,23 +45,42 @@ impl Terrain {
         options: &TerrainOptions,
         done: &(dyn Fn() + Sync),
     ) -> Result<Self, TerrainError> {
-        let field = field.rounded()?;
+        Self::prepare_part(Part::whole(field), options, done)
+    }
+
+    /// The same for a block of a field: horizons are found over it and its margin, groups are of its own triangles. One that has a margin is believed
+    /// only beside the blocks that this belongs to: see [`Blocks`](crate::Blocks).
+    ///
+    /// # Errors
+    /// As [`Self::prepare`].
+    pub fn prepare_part(
+        part: Part,
+        options: &TerrainOptions,
+        done: &(dyn Fn() + Sync),
+    ) -> Result<Self, TerrainError> {
+        let own = part.own();
+        let (field, around) = part.rounded()?.split()?;
         let default = GroupOptions::for_triangles(field.triangles().len());
         let groups = options.groups.unwrap_or(default);
         groups.check()?;
-        let horizons = Horizons::find(
-            &field,
-            options.sectors,
-            options.method,
-            Scope::Surface,
-            done,
-        );
-        let groups = Groups::make(&field, &horizons, &groups)?;
+        let TerrainOptions {
+            sectors, method, ..
+        } = *options;
+        let around = around.as_ref();
+        let over = around.unwrap_or(&field);
+        let horizons = Horizons::find(over, sectors, method, Scope::Surface, done);
+        let horizons = horizons.first(field.points().len());
+        let margin = around.map(|around| {
+            let rest = own as u32..around.triangles().len() as u32;
+            rest.map(|triangle| around.corners(triangle)).collect()
+        });
         Ok(Self {
+            groups: Groups::make(&field, &horizons, &groups)?,
             ground: Ground::new(&field),
+            rim: Rim::of(&field),
+            margin: margin.unwrap_or_default(),
             field,
-            groups,
-            method: options.method,
+            method,
         })
     }
 
@@ -64,6 +88,12 @@ impl Terrain {
     #[must_use]
     pub fn field(&self) -> &Field {
         &self.field
+    }
+
+    /// The corners of the triangles around it that its horizons rest on: those of its margin.
+    #[must_use]
+    pub fn margin(&self) -> &[[DVec3; 3]] {
+        &self.margin
     }
 
     /// Its groups.
@@ -78,17 +108,19 @@ impl Terrain {
         self.method == Method::Sound
     }
 
-    /// Whether horizons may be believed from a place, metres east, north and up of the field's origin, with nothing of the surface nearer
-    /// than `clearance` metres: whoever stands below the surface sees it from the wrong side, whoever stands outside or looks across
-    /// a gap may see under it, and what a near plane cuts away hides nothing.
+    /// Whether horizons may be believed from a place, metres east, north and up of the field's origin: whether nothing of the surface below
+    /// it, or beside it within `clearance` metres, is as high or within those of it. Whoever stands below the surface sees it from the
+    /// wrong side, and what a near plane cuts away hides nothing. The place may lie outside of the field: see [`Rim`]. Never, if the terrain has a
+    /// margin.
     #[must_use]
     pub fn trusts(&self, at: DVec3, clearance: f64) -> bool {
-        let plan = at.truncate();
-        let over = self.ground.below(&self.field, plan);
-        let near = self.ground.highest_near(&self.field, plan, clearance);
-        self.field.outline().whole
-            && over.is_some()
-            && near.is_some_and(|highest| highest + clearance < at.z)
+        self.margin.is_empty() && self.is_below(at, clearance)
+    }
+
+    /// Whether a place is above all of the surface that lies within so many metres in the plan, by more than those.
+    pub(crate) fn is_below(&self, at: DVec3, clearance: f64) -> bool {
+        let near = self.highest_near(at.truncate(), clearance);
+        near.is_none_or(|highest| highest + clearance < at.z)
     }
 
     /// The highest place of the surface within some metres of a place in the plan: see [`Ground::highest_near`].
@@ -100,7 +132,25 @@ impl Terrain {
     /// Somebody at a place who looks in some directions; `None` where horizons say nothing: see [`Self::trusts`].
     #[must_use]
     pub fn eye(&self, at: DVec3, sight: Arc, clearance: f64) -> Option<Eye<'_>> {
-        self.trusts(at, clearance)
-            .then(|| Eye::new(&self.groups, at, sight))
+        let eye = || {
+            let eye = Eye::new(&self.groups, at, sight);
+            let within = self.rim.is_whole() && self.is_over(at.truncate());
+            if within {
+                eye
+            } else {
+                eye.past(&self.rim, DVec3::ZERO)
+            }
+        };
+        self.trusts(at, clearance).then(eye)
+    }
+
+    /// Whether a place in the plan lies over the field.
+    pub(crate) fn is_over(&self, place: DVec2) -> bool {
+        self.ground.below(&self.field, place).is_some()
+    }
+
+    /// Whether one of its triangles has just these corners.
+    pub(crate) fn has(&self, corners: &[DVec3; 3]) -> bool {
+        self.ground.has(&self.field, corners)
     }
 }

@@ -12,22 +12,6 @@ use proptest::prelude::*;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
-/// Corners, middles of sides, and chance places of a triangle.
-fn places(field: &Field, triangle: u32, chance: &mut Pcg32) -> Vec<DVec3> {
-    let [a, b, c] = field.corners(triangle);
-    let mut places = vec![a, b, c, (a + b) / 2.0, (b + c) / 2.0, (c + a) / 2.0];
-    for _ in 0..3 {
-        let [u, v] = [support::number(chance), support::number(chance)];
-        let (u, v) = if u + v > 1.0 {
-            (1.0 - u, 1.0 - v)
-        } else {
-            (u, v)
-        };
-        places.push(a + (b - a) * u + (c - a) * v);
-    }
-    places
-}
-
 fn options() -> GroupOptions {
     GroupOptions {
         seeds: 60,
@@ -67,7 +51,7 @@ fn no_place_of_a_hidden_group_is_seen() {
         let below = field.point(chance.next_u32() % field.points().len() as u32);
         let eye = below + DVec3::Z * (0.5 + 20.0 * support::number(&mut chance));
         for (triangle, drawn) in seen(&groups, eye, Arc::ALL).into_iter().enumerate() {
-            let places = places(&field, triangle as u32, &mut chance);
+            let places = support::places(&field, triangle as u32, &mut chance);
             let visible = places.iter().any(|&place| !sights.is_blocked(eye, place));
             assert!(drawn || !visible, "triangle {triangle} is seen from {eye}");
             culled += usize::from(!drawn);
@@ -152,7 +136,7 @@ fn whoever_looks_one_way_sees_no_less_of_it() {
         let half = support::number(&mut chance) * 2.0;
         let ahead = seen(&groups, eye, Arc::around(middle, half));
         for (triangle, (around, ahead)) in around.into_iter().zip(ahead).enumerate() {
-            let within = places(&field, triangle as u32, &mut chance)
+            let within = support::places(&field, triangle as u32, &mut chance)
                 .iter()
                 .filter(|place| middle.angle_to((*place - eye).truncate()).abs() <= half)
                 .any(|&place| !sights.is_blocked(eye, place));

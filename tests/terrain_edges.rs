@@ -1,0 +1,171 @@
+//! Pictures of terrain from outside, over a hole, and in blocks: `horizon` culls, and no pixel of it is wrong.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use std::sync::Arc;
+
+use antumbra::cull::Registry;
+use antumbra::draw::{AdapterChoice, Gpu};
+use antumbra::measure::compare::{CompareOptions, Contender, compare};
+use antumbra::measure::path::{Path, Pose};
+use antumbra::measure::report::StrategyReport;
+use antumbra::scene::{Material, Projection, Scene};
+use antumbra::terrain::{
+    Field, GroupOptions, HorizonStrategy, Part, Sectors, ShownTerrain, Terrain, TerrainOptions,
+};
+use glam::{DVec2, DVec3};
+
+/// Posts along a side, 30 m apart.
+const POSTS: u32 = 41;
+
+/// An island with ridges from west to east that fall to its shore, and maybe a hole in the valley in its middle.
+fn island(hole: f64) -> Field {
+    let middle = DVec2::splat(f64::from(POSTS - 1) / 2.0);
+    let posts = || (0..POSTS).flat_map(|row| (0..POSTS).map(move |column| (row, column)));
+    let points = posts().map(|(row, column)| {
+        let at = DVec2::new(f64::from(column), f64::from(row));
+        let inland = (middle - (at - middle).abs()).min_element();
+        let ridge = 0.5 - 0.5 * ((at.y - middle.y) * 0.55).cos();
+        let bumps = 0.15 * (at.x * 1.3).sin() * (at.y * 0.9 + at.x * 0.4).cos();
+        let height = (ridge + bumps + 0.15) * (inland / 5.0).min(1.0);
+        (at * 30.0).extend(height * 130.0)
+    });
+    let cells = posts().filter(|(row, column)| row.max(column) < &(POSTS - 1));
+    let triangles = cells.flat_map(|(row, column)| {
+        let at = |r: u32, c: u32| (row + r) * POSTS + column + c;
+        let cell = DVec2::new(f64::from(column), f64::from(row)) + 0.5;
+        let both = [
+            [at(0, 0), at(0, 1), at(1, 1)],
+            [at(0, 0), at(1, 1), at(1, 0)],
+        ];
+        let there = cell.distance(middle) * 30.0 >= hole;
+        both.into_iter().filter(move |_| there)
+    });
+    Field::new(points.collect(), triangles.collect()).unwrap()
+}
+
+fn prepared(part: Part) -> Arc<Terrain> {
+    let triangles = part.own();
+    let options = TerrainOptions {
+        sectors: Sectors::new(32, 4).unwrap(),
+        groups: Some(GroupOptions {
+            seeds: triangles as u32 / 8,
+            most: triangles as u32 / 4,
+            smallest: 1,
+            ..GroupOptions::for_triangles(triangles)
+        }),
+        ..TerrainOptions::default()
+    };
+    Arc::new(Terrain::prepare_part(part, &options, &|| ()).unwrap())
+}
+
+fn show(scene: &mut Scene, terrain: &Terrain, double_sided: bool) -> ShownTerrain {
+    let material = scene.add_material(Material {
+        double_sided,
+        unlit: true,
+        ..Material::default()
+    });
+    terrain.show(scene, material).unwrap()
+}
+
+/// What `frustum` and `horizon` draw and get wrong, seen from some places towards others.
+fn compared(
+    mut scene: Scene,
+    horizon: HorizonStrategy,
+    looks: &[[[f64; 3]; 2]],
+) -> [StrategyReport; 2] {
+    let projection = Projection::Perspective {
+        fov_y: 0.9,
+        near: 1.0,
+    };
+    // East, north, up; the world has Y up and Z south.
+    let world = |[east, north, up]: [f64; 3]| DVec3::new(east, up, -north);
+    let poses = looks
+        .iter()
+        .map(|&[eye, target]| Pose::look_at(world(eye), world(target), None).unwrap());
+    let path = Path::new("looks", projection, poses.collect()).unwrap();
+    let contenders = [
+        Contender::of("", &Arc::new(Registry::built_in()), "frustum").unwrap(),
+        Contender::new("", move || Box::new(horizon.clone())),
+    ];
+    let options = CompareOptions {
+        size: [160, 120],
+        least_seconds: 0.0,
+        ..CompareOptions::default()
+    };
+    let gpu = Gpu::open(&AdapterChoice::Auto).unwrap();
+    let found = compare(&gpu, &mut scene, &path, &contenders, &options, &mut |_| ());
+    found.unwrap().report.strategies.try_into().unwrap()
+}
+
+/// Low and high, from all sides.
+fn from_outside() -> Vec<[[f64; 3]; 2]> {
+    let around = [
+        [-200.0, 600.0],
+        [600.0, -300.0],
+        [1500.0, 900.0],
+        [500.0, 1900.0],
+    ];
+    let looks = around.into_iter().flat_map(|[east, north]| {
+        [-20.0, 90.0].map(|up| [[east, north, up], [600.0, 600.0, 60.0]])
+    });
+    looks.collect()
+}
+
+fn is_right(found: &StrategyReport) {
+    assert_eq!(found.name, "horizon");
+    assert_eq!(found.error.wrong_pixels_percent.max, 0.0);
+    assert_eq!(found.error.false_culls.entities, 0);
+}
+
+#[test]
+fn from_outside_and_over_a_hole_no_pixel_is_wrong() {
+    let over_the_hole = [-40.0, 70.0, 110.0].into_iter().flat_map(|up| {
+        [[600.0, 1200.0], [1200.0, 500.0], [0.0, 0.0]]
+            .map(|[east, north]| [[600.0, 605.0, up], [east, north, 0.0]])
+    });
+    let over_the_hole: Vec<_> = over_the_hole.collect();
+    let terrain = prepared(Part::whole(island(70.0)));
+    let looks = [
+        (from_outside(), false),
+        (over_the_hole.clone(), false),
+        (over_the_hole, true),
+    ];
+    for (looks, double_sided) in looks {
+        let mut scene = Scene::new();
+        let shown = show(&mut scene, &terrain, double_sided);
+        let horizon = HorizonStrategy::new(terrain.clone(), &shown);
+        let [all, found] = compared(scene, horizon, &looks);
+        is_right(&found);
+        let [all, found] = [all, found].map(|strategy| strategy.drawn.triangles);
+        assert!(found < 0.9 * all, "{found} of {all}");
+    }
+}
+
+#[test]
+fn blocks_are_drawn_as_one_and_without_one_of_them_as_what_is_left() {
+    let field = island(0.0);
+    let drawn = [0.0, 200.0].map(|margin| {
+        let parts = field.cut(2, 2, margin).unwrap();
+        let blocks: Vec<Arc<Terrain>> = parts.into_iter().map(prepared).collect();
+        [None, Some(0), Some(3)].map(|gone| {
+            let mut scene = Scene::new();
+            let shown = blocks.iter().map(|block| show(&mut scene, block, false));
+            let shown: Vec<ShownTerrain> = shown.collect();
+            let horizon = HorizonStrategy::over(blocks.iter().cloned().zip(&shown));
+            if let Some(gone) = gone {
+                // Some of it is enough.
+                for (entity, _) in shown[gone].groups.iter().step_by(3) {
+                    scene.despawn(*entity);
+                }
+            }
+            let [all, found] = compared(scene, horizon, &from_outside());
+            is_right(&found);
+            found.drawn.triangles / all.drawn.triangles
+        })
+    });
+    let [bare, wide] = drawn;
+    assert!(bare[0] < 0.95 && wide[0] < bare[0], "{drawn:?}");
+    // Those that are left hide what they hide of themselves; with a margin they rest on what is gone.
+    assert!(bare[1] < 1.0 && bare[2] < 1.0, "{drawn:?}");
+    assert!(wide[1] == 1.0 && wide[2] == 1.0, "{drawn:?}");
+}
