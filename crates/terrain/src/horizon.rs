@@ -152,15 +152,20 @@ impl Horizons {
         }
     }
 
-    /// Those of the first vertices.
+    /// Those of a field that is the first part of this one: its triangles are the first here, and so are its vertices and edges.
     #[must_use]
-    pub(crate) fn first(self, vertices: usize) -> Self {
-        let rows = self.table.chunks(self.vertices.max(1));
-        let kept = rows.flat_map(|row| row.iter().take(vertices).copied());
+    pub(crate) fn first(self, part: &Field) -> Self {
+        let [vertices, edges] = [part.points().len(), part.edges().len()];
+        let rows = self.table.chunks(self.places.max(1));
+        let kept = rows.flat_map(|row| {
+            let (points, sides) = row.split_at(self.vertices);
+            points.iter().take(vertices).chain(sides.iter().take(edges))
+        });
         Self {
-            table: kept.collect(),
+            table: kept.copied().collect(),
             sectors: self.sectors,
-            vertices: vertices.min(self.vertices),
+            vertices,
+            places: vertices + edges,
         }
     }
 

@@ -69,7 +69,7 @@ impl Terrain {
         let around = around.as_ref();
         let over = around.unwrap_or(&field);
         let horizons = Horizons::find(over, sectors, method, Scope::Surface, done);
-        let horizons = horizons.first(field.points().len());
+        let horizons = horizons.first(&field);
         let margin = around.map(|around| {
             let rest = own as u32..around.triangles().len() as u32;
             rest.map(|triangle| around.corners(triangle)).collect()
