@@ -5,8 +5,10 @@ use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
+use crate::circle::Circle;
 use crate::field::NONE;
 use crate::groups::Groups;
+use crate::region::Region;
 
 /// Radians that rounding may turn a direction by.
 const ROUNDING: f64 = 1e-9;
@@ -72,8 +74,12 @@ impl<'a> Eye<'a> {
     /// Whether all of a group is hidden.
     #[must_use]
     pub fn is_hidden(&self, group: u32) -> bool {
-        let groups = self.groups;
-        let circle = groups.groups()[group as usize].circle;
+        let circle = &self.groups.groups()[group as usize].circle;
+        self.is_behind(circle, self.groups.regions(group))
+    }
+
+    /// Whether they are in the regions of all sectors that the directions to them from places of a circle lie in.
+    pub(crate) fn is_behind(&self, circle: &Circle, regions: &[Region]) -> bool {
         let way = self.at.truncate() - circle.middle;
         let far = way.length();
         if far <= circle.radius {
@@ -83,8 +89,7 @@ impl<'a> Eye<'a> {
         let sine = circle.radius / far;
         let cosine = (1.0 - sine * sine).sqrt();
         let side = |sine: f64| DVec2::new(cosine, sine).rotate(way);
-        let regions = groups.regions(group);
-        let sectors = groups.sectors();
+        let sectors = self.groups.sectors();
         let [first, last] = [side(-sine), side(sine)].map(|way| sectors.about(way) as usize);
         let count = regions.len();
         let span = (last + count - first) % count;

@@ -77,11 +77,7 @@ impl Finder for Sound<'_> {
             Scope::Vertices => row.len(),
             Scope::Surface => field.edges().len(),
         };
-        let all = Claim {
-            slope: f64::INFINITY,
-            distance: 0.0,
-        };
-        let mut claims = vec![all; bundles];
+        let mut claims = vec![Claim::ALL; bundles];
         bearing.turn(field, sectors.ray(sector, 0));
         look(&bearing, &mut seen[0]);
         for part in 0..sectors.parts() {
@@ -115,7 +111,7 @@ impl Finder for Sound<'_> {
 }
 
 /// The claim with fewer bits, and no more than it says.
-fn rounded(claim: Claim) -> Horizon {
+pub(super) fn rounded(claim: Claim) -> Horizon {
     let slope = claim.slope - ROUNDING * (1.0 + claim.slope.abs());
     let [mut low, mut far] = [slope, claim.distance].map(|number| number as f32);
     if f64::from(low) > slope {
