@@ -63,7 +63,7 @@ impl Horizon {
     }
 
     /// Prepares all entities of a scene but the terrain's own, so that they are culled where the terrain hides the boxes around them as of the last
-    /// [update](Scene::update); says how many were new or had moved. Until this is called again, what moves or comes is left to be drawn.
+    /// [update](Scene::update), which syncing the GPU's scene is one of; says how many were new or had moved. Until this is called again, what moves or comes is left to be drawn.
     ///
     /// It takes what [`Terrain::stand`] takes, and nothing where nobody is new; `done` is told of every sector finished. Frames go on meanwhile with
     /// what was known before, so that it may run beside them.

@@ -184,6 +184,8 @@ fn a_ridge_hides_what_is_lower_behind_it_and_nothing_on_it_or_before_it() {
         (200.0, -5.0, house, true),
         (200.0, -50.0, house, true),
         (700.0, 0.0, house, true),
+        // So wide under the ground that what is highest above its far side lies within it.
+        (200.0, -50.0, DVec3::new(100.0, 100.0, 10.0), true),
         // As high as the ridge is from here, and higher.
         (200.0, 0.0, house.with_z(120.0), false),
         (200.0, 90.0, house, false),
@@ -199,6 +201,11 @@ fn a_ridge_hides_what_is_lower_behind_it_and_nothing_on_it_or_before_it() {
         let of = at(&terrain, east, up, size);
         assert_eq!(is_hidden(&terrain, west, of), hidden, "{east} {up} {size}");
     }
+    // From higher up, over the ridge, the far side of a long one is seen where its near side is not.
+    let above = west + DVec3::Z * 125.0;
+    assert!(is_hidden(&terrain, above, at(&terrain, 80.0, 0.0, house)));
+    let long = DVec3::new(250.0, 12.0, 10.0);
+    assert!(!is_hidden(&terrain, above, at(&terrain, 200.0, 0.0, long)));
     // Seen along the ridge nothing stands before it.
     let south = at(&terrain, 200.0, 5.0, DVec3::ZERO)[0] - DVec3::Y * 400.0;
     assert!(!is_hidden(&terrain, south, at(&terrain, 200.0, 0.0, house)));
