@@ -77,7 +77,7 @@ impl Inner {
         std::iter::once(then).chain(own).collect()
     }
 
-    /// Turns a knob: `then` takes another strategy as it comes, all else is the inner one's.
+    /// Turns a knob: `then` takes another strategy as it comes, all else is the inner one's. An inner one that has a `then` itself keeps what it has.
     ///
     /// # Errors
     /// [`SettingError::Strategy`] for a name that is none or the outer one's, [`SettingError::Unknown`] of the strategy that has no such knob, which is the outer

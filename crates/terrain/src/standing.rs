@@ -24,8 +24,8 @@ impl Terrain {
     /// Finds what of the terrain hides some boxes, each from its lowest corner to its highest, metres east, north and up of the field's origin.
     /// Where they are does not matter, nor what of them is below the surface; what is no box, or farther away than a thousand kilometres, nothing hides.
     ///
-    /// All directions are turned to once, which takes about a second for 100,000 vertices, whether there is one box or a hundred; a thousand
-    /// take some more. `done` is told of every sector finished; sectors run side by side.
+    /// All directions are turned to once, which takes a second or two for 100,000 vertices, whether there is one box or a few; a thousand boxes take
+    /// about ten. `done` is told of every sector finished; sectors run side by side.
     #[must_use]
     pub fn stand(&self, boxes: &[[DVec3; 2]], done: &(dyn Fn() + Sync)) -> Vec<Stand> {
         let sectors = *self.groups().sectors();
