@@ -113,7 +113,7 @@ pub fn contenders(
             spec = format!("{spec}:{key}={value}");
         }
         let asks = registry
-            .make(&name)?
+            .parse(&spec)?
             .settings()
             .iter()
             .any(|setting| setting.key == "latency");

@@ -76,6 +76,7 @@ impl Input {
         found.add_sections(args)?;
         found.scene.ensure_proxies(&Default::default());
         found.scene.update();
+        let horizon = found.horizon();
         let bounds = found.bounds();
         let path = path(args, &found, &bounds, size, frames)?;
         let stereo = args.eyes.choose(&bounds, &path)?;
@@ -89,9 +90,7 @@ impl Input {
             size,
             stereo,
             scene_seed: found.seed,
-            horizon: found
-                .terrain
-                .map(|(terrain, shown)| HorizonStrategy::new(terrain, &shown)),
+            horizon,
             sections: found.sections,
         })
     }
@@ -251,6 +250,17 @@ impl Found {
 }
 
 impl Found {
+    /// The strategy of the scene's terrain, with all that stands on it prepared.
+    fn horizon(&self) -> Option<HorizonStrategy> {
+        let (terrain, shown) = self.terrain.as_ref()?;
+        let horizon = HorizonStrategy::new(Arc::clone(terrain), shown);
+        let bar = progress::work("finding horizons of entities", false);
+        bar.set_length(u64::from(terrain.groups().sectors().count()));
+        horizon.stand(&self.scene, &|| bar.inc(1));
+        bar.finish_and_clear();
+        Some(horizon)
+    }
+
     /// The box around the scene; around nothing, one to look at.
     fn bounds(&self) -> Aabb {
         let nothing = Aabb::new(DVec3::NEG_ONE, DVec3::ONE);

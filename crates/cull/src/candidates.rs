@@ -77,6 +77,17 @@ impl Candidates {
         self.exempt.extend(inside.iter().copied().filter(exempt));
     }
 
+    /// Slots of these that are not among others, ascending.
+    pub fn without<'a>(&'a self, others: &'a Self) -> impl Iterator<Item = u32> + 'a {
+        let gone = |slot: &u32| !others.contains(*slot);
+        self.inside.iter().copied().filter(gone)
+    }
+
+    /// Whether a slot is among them.
+    pub fn contains(&self, slot: u32) -> bool {
+        self.inside.binary_search(&slot).is_ok()
+    }
+
     /// Slots in the frustum, ascending.
     pub fn inside(&self) -> &[u32] {
         &self.inside

@@ -16,6 +16,7 @@ use antumbra_graph::{
 use antumbra_scene::hierarchy::Shape;
 
 use crate::candidates::Candidates;
+use crate::hand_on::HandedOn;
 use crate::order::back_to_front;
 use crate::samples::outside;
 use crate::strategy::VisibleSet;
@@ -171,7 +172,8 @@ impl<'g> FrameGraph<'g> {
         u64::from(self.shared.topology.slots.max(1)) * 4
     }
 
-    /// What of the scene lies in the view's frustum. Found once a view, however often it is asked for.
+    /// What of the scene lies in the view's frustum, and, where an outer strategy has [handed on](Self::hand_on), was left by it. Found once
+    /// a view, however often it is asked for.
     pub fn in_frustum(&mut self, view: &mut ViewNodes) -> Host<Candidates> {
         if let Some(found) = view.in_frustum {
             return found;
@@ -183,11 +185,26 @@ impl<'g> FrameGraph<'g> {
         found
     }
 
-    /// All of the scene, in the frustum or not.
+    /// All of the scene, in the frustum or not, but for what an outer strategy has taken away.
     pub fn everything(&mut self, view: &ViewNodes) -> Host<Candidates> {
-        self.candidates(view, "everything", |candidates, table, frame| {
+        let all = self.candidates(view, "everything", |candidates, table, frame| {
             candidates.take_all(table, frame)
-        })
+        });
+        let Some(HandedOn { inside, left }) = view.handed_on else {
+            return all;
+        };
+        let rest = self.graph.host::<Candidates>(view.named("rest"));
+        let mut node = self.graph.host_node(view.named("take away"));
+        node.group(CULL).read(inside).read(left).read(all);
+        let rest = node.write(rest);
+        node.run(move |ctx| {
+            let (inside, left) = (ctx.get(inside)?, ctx.get(left)?);
+            ctx.get_mut(rest)?.narrow(&*ctx.get(all)?, |slots| {
+                slots.retain(|slot| left.contains(*slot) || !inside.contains(*slot));
+            });
+            Ok(())
+        });
+        rest
     }
 
     fn candidates(
@@ -210,13 +227,13 @@ impl<'g> FrameGraph<'g> {
     }
 
     /// Some of the candidates: `keep` takes away from their slots, in any order. What is left may be the occluders of
-    /// [`Self::proxies_of`].
+    /// [`Self::proxies_of`], or all that another strategy judges ([`Self::hand_on`]).
     pub fn narrowed(
         &mut self,
         view: &ViewNodes,
         name: &str,
         candidates: Host<Candidates>,
-        keep: impl Fn(&SceneTable, &ViewFrame, &mut Vec<u32>) + Send + 'static,
+        mut keep: impl FnMut(&SceneTable, &ViewFrame, &mut Vec<u32>) + Send + 'static,
     ) -> Host<Candidates> {
         let inputs = view.inputs;
         let kept = self.graph.host::<Candidates>(view.named(name));
@@ -257,7 +274,11 @@ impl<'g> FrameGraph<'g> {
             .topology
             .transparent
             .then(|| self.unsubmitted(&view.named("visible transparent set")));
+        let handed_on = view.handed_on;
         let mut node = self.graph.host_node(view.named("choose visible set"));
+        if let Some(handed_on) = handed_on {
+            handed_on.read(&mut node);
+        }
         node.group(CULL).read(inputs.scene).read(inputs.view);
         reads(&mut node);
         let chosen = Chosen {
@@ -277,6 +298,9 @@ impl<'g> FrameGraph<'g> {
             let mut verdicts = ctx.get_mut(chosen.verdicts)?;
             outside(table, &mut verdicts);
             judge(ctx, table, &frame, &mut verdicts)?;
+            if let Some(handed_on) = handed_on {
+                handed_on.hide(ctx, &mut verdicts)?;
+            }
             let mut solid = ctx.get_mut(chosen.solid.list)?;
             let verdicts = &*verdicts;
             let drawn = |transparent| {

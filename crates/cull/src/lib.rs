@@ -8,6 +8,8 @@
 mod candidates;
 mod counting;
 mod frame_graph;
+mod hand_on;
+mod inner;
 pub mod kit;
 pub mod occupancy;
 mod on_gpu;
@@ -30,6 +32,7 @@ mod visible_samples;
 pub use candidates::{Asked, Candidates, Query, Stamp};
 pub use counting::{Counting, Counts, Proxies};
 pub use frame_graph::{CULL, Chosen, DRAW, FrameGraph};
+pub use inner::Inner;
 pub use oracle::{IdImage, Members, Oracle, Transparent};
 pub use registry::{Registry, RegistryError};
 pub use samples::{CountLayout, SampleRule, Samples, outside};

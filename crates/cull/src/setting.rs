@@ -32,6 +32,16 @@ pub enum SettingError {
         /// The knobs there are.
         known: Vec<&'static str>,
     },
+    /// A setting that names another strategy, and there is none of that name.
+    #[error("'{name}' is no strategy for the setting '{key}' (there are: {})", known.join(", "))]
+    Strategy {
+        /// The knob.
+        key: String,
+        /// What was asked for.
+        name: String,
+        /// Those there are.
+        known: Vec<String>,
+    },
     /// The value is outside its range, or not of its kind.
     #[error("'{value}' is no value for the setting '{key}': it takes {range}")]
     Value {

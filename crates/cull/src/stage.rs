@@ -19,6 +19,7 @@ use thiserror::Error;
 
 use crate::candidates::Asked;
 use crate::frame_graph::{CULL, FrameGraph, Shared};
+use crate::hand_on::{HandedOn, hide};
 use crate::samples::Samples;
 use crate::sketch::Sketch;
 use crate::strategy::{DeclareError, Strategy, VerdictSource};
@@ -169,6 +170,7 @@ struct BuiltView {
     targets: Targets,
     verdicts: VerdictSource,
     sketch: Option<Host<Sketch>>,
+    handed_on: Option<HandedOn>,
 }
 
 impl std::fmt::Debug for Stage {
@@ -349,8 +351,8 @@ impl Stage {
         let missing = || StageError::Input(format!("view {view}, which has no verdicts yet"));
         let built = self.built.views.get(view).ok_or_else(missing)?;
         let plan = &self.built.plan;
-        match built.verdicts {
-            VerdictSource::Host(verdicts) => Ok(plan.get(verdicts).ok_or_else(missing)?.clone()),
+        let mut verdicts = match built.verdicts {
+            VerdictSource::Host(verdicts) => plan.get(verdicts).ok_or_else(missing)?.clone(),
             VerdictSource::Gpu {
                 candidates,
                 asked,
@@ -365,9 +367,14 @@ impl Stage {
                 samples.take(asked, layout, &bytes);
                 let mut verdicts = Verdicts::default();
                 samples.judge(scene.table(), candidates, rule, &mut verdicts);
-                Ok(verdicts)
+                verdicts
             }
+        };
+        if let Some(HandedOn { inside, left }) = built.handed_on {
+            let [inside, left] = [inside, left].map(|list| plan.get(list).ok_or_else(missing));
+            hide(inside?, left?, &mut verdicts);
         }
+        Ok(verdicts)
     }
 }
 
@@ -406,6 +413,7 @@ fn build(
             targets,
             reference,
             in_frustum: None,
+            handed_on: None,
         };
         let set = strategy.declare(&mut FrameGraph::new(&mut graph, &mut shared), &mut nodes)?;
         // Writing an import keeps its writers; an output would ask more usages of its owner's texture.
@@ -414,6 +422,10 @@ fn build(
         }
         if let Some(sketch) = set.sketch {
             graph.output(sketch);
+        }
+        if let Some(HandedOn { inside, left }) = set.handed_on {
+            graph.output(inside);
+            graph.output(left);
         }
         match set.verdicts {
             VerdictSource::Host(verdicts) => graph.output(verdicts),
@@ -435,6 +447,7 @@ fn build(
             targets: nodes.targets,
             verdicts: set.verdicts,
             sketch: set.sketch,
+            handed_on: set.handed_on,
         });
     }
     let compile = CompileOptions {

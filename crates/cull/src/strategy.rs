@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use crate::candidates::Candidates;
 use crate::frame_graph::FrameGraph;
+use crate::hand_on::HandedOn;
 use crate::setting::{Setting, SettingError};
 use crate::sketch::Sketch;
 use crate::verdict::Verdicts;
@@ -112,6 +113,8 @@ pub enum DeclareError {
 pub struct VisibleSet {
     pub(crate) verdicts: VerdictSource,
     pub(crate) sketch: Option<Host<Sketch>>,
+    /// What was left to whoever found it, where another strategy came before.
+    pub(crate) handed_on: Option<HandedOn>,
 }
 
 /// Where a view's verdicts can be read.
@@ -134,6 +137,7 @@ impl From<VerdictSource> for VisibleSet {
         Self {
             verdicts,
             sketch: None,
+            handed_on: None,
         }
     }
 }

@@ -6,6 +6,7 @@
 mod frame_late;
 mod front;
 mod late_walk;
+mod left;
 mod looking;
 mod memory;
 mod queue;

@@ -6,6 +6,7 @@ use antumbra_draw::passes::ViewInputs;
 use antumbra_graph::{Host, Texture};
 
 use crate::candidates::Candidates;
+use crate::hand_on::HandedOn;
 
 /// The view's image so far: shaded passes draw into these and leave the next versions here.
 #[derive(Debug, Clone, Copy)]
@@ -28,6 +29,8 @@ pub struct ViewNodes {
     pub targets: Targets,
     pub(crate) reference: Option<Host<Arc<Vec<u32>>>>,
     pub(crate) in_frustum: Option<Host<Candidates>>,
+    /// What an outer strategy has left to the one that is declared.
+    pub(crate) handed_on: Option<HandedOn>,
 }
 
 impl ViewNodes {

@@ -13,6 +13,7 @@ use crate::field::Field;
 use crate::fractal::FractalOptions;
 use crate::horizon::{Method, Sectors};
 use crate::show::{ShownTerrain, to_world};
+use crate::spread::spread_boxes;
 use crate::terrain::{Terrain, TerrainOptions};
 use crate::tin::Detail;
 
@@ -23,6 +24,8 @@ pub struct BuiltInOptions {
     pub landscape: FractalOptions,
     /// Vertices of the field.
     pub vertices: usize,
+    /// Boxes that stand on it, at most [`Self::MOST_BOXES`].
+    pub boxes: usize,
     /// How it is prepared; its groups grow from the landscape's seed.
     pub prepare: TerrainOptions,
 }
@@ -33,12 +36,16 @@ impl Default for BuiltInOptions {
         Self {
             landscape: FractalOptions::default(),
             vertices: 100_000,
+            boxes: 0,
             prepare: TerrainOptions::default(),
         }
     }
 }
 
 impl BuiltInOptions {
+    /// The most boxes.
+    pub const MOST_BOXES: usize = 1_000_000;
+
     /// Sets one by name. `size` is the number of vertices; `sectors` and `parts` are those of horizons, `seeds` those of groups.
     ///
     /// # Errors
@@ -47,6 +54,16 @@ impl BuiltInOptions {
         let sectors = self.prepare.sectors;
         match key {
             "size" => self.vertices = read("size", value)?,
+            "boxes" => {
+                self.boxes = read("boxes", value)?;
+                if self.boxes > Self::MOST_BOXES {
+                    return Err(TerrainError::Setting {
+                        what: "the number of boxes",
+                        value: self.boxes.to_string(),
+                        problem: "give at most 1000000",
+                    });
+                }
+            }
             "seed" => self.landscape.seed = read("seed", value)?,
             "order" => self.landscape.order = read("order", value)?,
             "relief" => self.landscape.relief = read("relief", value)?,
@@ -70,7 +87,7 @@ impl BuiltInOptions {
                 return Err(TerrainError::Setting {
                     what: "a setting of the scene terrain",
                     value: format!("`{key}`"),
-                    problem: "there are: size, seed, order, relief, roughness, sectors, parts, method, seeds",
+                    problem: "there are: size, boxes, seed, order, relief, roughness, sectors, parts, method, seeds",
                 });
             }
         }
@@ -121,6 +138,8 @@ impl BuiltIn {
         let mut scene = Scene::new();
         scene.set_name("terrain");
         let shown = terrain.show_lit(&mut scene)?;
+        let seed = options.landscape.seed;
+        spread_boxes(&mut scene, &terrain, options.boxes, seed)?;
         Ok(Self {
             scene,
             terrain: Arc::new(terrain),

@@ -8,6 +8,7 @@ use glam::{DVec2, DVec3};
 use crate::circle::Circle;
 use crate::field::NONE;
 use crate::groups::{Group, Groups};
+use crate::region::Region;
 use crate::rim::Rim;
 
 /// Radians that rounding may turn a direction by.
@@ -88,10 +89,15 @@ impl<'a> Eye<'a> {
     /// Whether all of a group is hidden.
     #[must_use]
     pub fn is_hidden(&self, group: u32) -> bool {
-        let groups = self.groups;
         let Group {
             circle, heights, ..
-        } = &groups.groups()[group as usize];
+        } = &self.groups.groups()[group as usize];
+        self.is_behind(circle, heights[0], self.groups.regions(group))
+    }
+
+    /// Whether they are in the regions of all sectors that the directions to them from places of a circle lie in, and lines from there, no lower than
+    /// `low`, pass above the rim.
+    pub(crate) fn is_behind(&self, circle: &Circle, low: f64, regions: &[Region]) -> bool {
         let way = self.at.truncate() - circle.middle;
         let far = way.length();
         if far <= circle.radius {
@@ -101,8 +107,7 @@ impl<'a> Eye<'a> {
         let sine = circle.radius / far;
         let cosine = (1.0 - sine * sine).sqrt();
         let side = |sine: f64| DVec2::new(cosine, sine).rotate(way);
-        let regions = groups.regions(group);
-        let sectors = groups.sectors();
+        let sectors = self.groups.sectors();
         let [first, last] = [side(-sine), side(sine)].map(|way| sectors.about(way) as usize);
         let count = regions.len();
         let span = (last + count - first) % count;
@@ -115,7 +120,7 @@ impl<'a> Eye<'a> {
                 middle: circle.middle + from.truncate(),
                 ..*circle
             };
-            rim.is_passed(self.at + from, &circle, heights[0] + from.z)
+            rim.is_passed(self.at + from, &circle, low + from.z)
         };
         hidden && self.rim.is_none_or(passed)
     }

@@ -10,6 +10,7 @@ mod crossing;
 mod rays;
 mod sectors;
 mod sound;
+pub(crate) mod standing;
 mod thesis;
 mod walk;
 

@@ -22,8 +22,14 @@ pub mod horizon;
 mod packed;
 mod region;
 mod rim;
+#[cfg(feature = "strategy")]
+mod seen;
 mod show;
 mod sight;
+mod spread;
+mod standing;
+#[cfg(feature = "strategy")]
+mod stood;
 #[cfg(feature = "strategy")]
 mod strategy;
 mod terrain;
@@ -45,6 +51,7 @@ pub use region::Region;
 pub use rim::Rim;
 pub use show::ShownTerrain;
 pub use sight::Sights;
+pub use standing::Stand;
 #[cfg(feature = "strategy")]
 pub use strategy::Horizon as HorizonStrategy;
 pub use terrain::{Terrain, TerrainOptions};

@@ -123,6 +123,13 @@ impl Terrain {
         near.is_none_or(|highest| highest + clearance < at.z)
     }
 
+    /// The height of the surface at a place in the plan, metres; `None` outside of the field and in its holes.
+    #[must_use]
+    pub fn height(&self, place: DVec2) -> Option<f64> {
+        let below = self.ground.below(&self.field, place);
+        below.map(|(_, height)| height)
+    }
+
     /// The highest place of the surface within some metres of a place in the plan: see [`Ground::highest_near`].
     #[must_use]
     pub fn highest_near(&self, place: DVec2, reach: f64) -> Option<f64> {

@@ -6,6 +6,7 @@ use antumbra_graph::{BodyError, Host, HostBuilder, HostContext};
 use antumbra_scene::Topology;
 use antumbra_scene::hierarchy::Shape;
 
+use super::left::Left;
 use super::sight::Sight;
 use super::walk::How;
 use crate::frame_graph::{CULL, FrameGraph};
@@ -18,6 +19,8 @@ pub(super) struct Looking {
     pub inputs: ViewInputs,
     pub how: How,
     tree: Host<Tree>,
+    /// What an outer strategy has left of it.
+    left: Option<Host<Left>>,
     /// Whether any entity is made of lines or points.
     thin: bool,
 }
@@ -26,10 +29,12 @@ impl Looking {
     pub fn new(g: &mut FrameGraph<'_>, view: &ViewNodes, shape: Shape, how: How) -> Self {
         let line_like = |class: Class| class.topology() != Topology::Triangles;
         let thin = g.topology().classes().any(line_like);
+        let tree = g.tree(view, shape);
         Self {
             inputs: view.inputs(),
             how,
-            tree: g.tree(view, shape),
+            tree,
+            left: left_of(g, view, tree),
             thin,
         }
     }
@@ -40,6 +45,9 @@ impl Looking {
             .read(self.inputs.scene)
             .read(self.inputs.view)
             .read(self.tree);
+        if let Some(left) = self.left {
+            node.read(left);
+        }
     }
 
     /// Looks.
@@ -53,7 +61,26 @@ impl Looking {
             ctx.get(self.inputs.view)?,
             ctx.get(self.tree)?,
         );
+        let left = self.left.map(|left| ctx.get(left)).transpose()?;
         let sight = Sight::new(&scene.table, &tree, &frame, &self.how, self.thin);
-        act(&sight, &frame)
+        act(&sight.at_what_is(left.as_deref()), &frame)
     }
+}
+
+/// A host value that says what an outer strategy has left of a tree, where there is one.
+fn left_of(g: &mut FrameGraph<'_>, view: &ViewNodes, tree: Host<Tree>) -> Option<Host<Left>> {
+    let handed_on = view.handed_on?;
+    let scene = view.inputs().scene;
+    let left = g.graph().host::<Left>(view.named("left of the tree"));
+    let mut node = g.graph().host_node(view.named("find what is left"));
+    node.group(CULL).read(scene).read(tree).read(handed_on.left);
+    let left = node.write(left);
+    node.run(move |ctx| {
+        let (scene, tree) = (ctx.get(scene)?, ctx.get(tree)?);
+        let slots = scene.table.slots();
+        ctx.get_mut(left)?
+            .take(&tree, slots, &*ctx.get(handed_on.left)?);
+        Ok(())
+    });
+    Some(left)
 }

@@ -4,6 +4,7 @@ use antumbra_draw::boxes::GpuBox;
 use antumbra_draw::{SceneTable, ViewFrame};
 use antumbra_scene::hierarchy::HierarchyNode;
 
+use super::left::Left;
 use super::queue::Next;
 use super::walk::How;
 use crate::occupancy::{BlockRect, PixelRect, Place, Screen};
@@ -43,6 +44,8 @@ pub struct Sight<'a> {
     pub screen: Screen,
     /// Triangles below a node that is not opened.
     pub grain: u32,
+    /// What an outer strategy has left of it; all, where there is none.
+    left: Option<&'a Left>,
 }
 
 impl<'a> Sight<'a> {
@@ -59,13 +62,25 @@ impl<'a> Sight<'a> {
             tree,
             screen: Screen::new(view, how.block, thin),
             grain: how.grain,
+            left: None,
         }
+    }
+
+    /// The same with no more than what an outer strategy has left.
+    pub(super) fn at_what_is(self, left: Option<&'a Left>) -> Self {
+        Self { left, ..self }
     }
 
     /// A node with something in it.
     pub fn node(&self, number: u32) -> Option<&'a HierarchyNode> {
         let node = self.tree.hierarchy().node(number);
-        node.filter(|node| !node.bounds.is_empty())
+        let left = self.left.is_none_or(|left| left.has_node(number));
+        node.filter(|node| left && !node.bounds.is_empty())
+    }
+
+    /// Whether no outer strategy has taken a slot away.
+    fn is_left(&self, slot: u32) -> bool {
+        self.left.is_none_or(|left| left.has_slot(slot))
     }
 
     /// Whether a node is drawn or culled as one: a leaf, or so little that opening it would cost more queries than it can save.
@@ -77,12 +92,16 @@ impl<'a> Sight<'a> {
     pub fn slots(&self, number: u32, whole: bool) -> impl Iterator<Item = u32> + '_ {
         let slots = self.tree.hierarchy().leaves_below(number);
         let one = self.node(number).is_some_and(HierarchyNode::is_leaf);
-        slots.filter(move |slot| one || whole || self.screen.sees(&self.table.bounds(*slot)))
+        slots.filter(move |slot| {
+            self.is_left(*slot) && (one || whole || self.screen.sees(&self.table.bounds(*slot)))
+        })
     }
 
     /// The slots in the frustum that no test may cull, with the blocks they lie on.
     pub fn untested(&self) -> impl Iterator<Item = (u32, BlockRect)> + '_ {
-        self.tree.untested().iter().filter_map(|slot| {
+        let untested = self.tree.untested().iter();
+        let untested = untested.filter(|slot| self.is_left(**slot));
+        untested.filter_map(|slot| {
             let bounds = self.table.bounds(*slot);
             let pixels = match self.screen.place(&bounds, false) {
                 Place::Outside => return None,

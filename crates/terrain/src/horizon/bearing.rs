@@ -4,7 +4,7 @@
 //! only if the line to its highest and nearest corner rises above what was already found: best-first search over a packed tree. The
 //! tree is packed once; for each direction its boxes are fitted anew, which costs less than a tenth of the questions asked of them.
 
-use glam::{DVec2, Vec4};
+use glam::{DVec2, DVec3, Vec4};
 
 use crate::field::{Field, NONE};
 use crate::packed::{WIDTH, order};
@@ -212,8 +212,20 @@ impl<'a> Bearing<'a> {
     /// The edge, as its half-edge, to which the line from a vertex rises most steeply; [`NONE`] if nothing lies that way. Edges that
     /// may stand as high, because they do from a neighbour or did in a neighbouring direction, make it faster.
     pub fn highest(&mut self, vertex: u32, likely: [u32; 2]) -> u32 {
-        let eye = self.vertices[vertex as usize].map(Vec4::splat);
-        let close = Vec4::splat(self.edges.close);
+        self.highest_from(self.vertices[vertex as usize], self.edges.close, likely)
+    }
+
+    /// The same from any place, of what lies farther along the direction, which this one was turned to, than `beyond` metres.
+    pub fn highest_beyond(&mut self, way: DVec2, from: DVec3, beyond: f64) -> u32 {
+        let plan = from.truncate();
+        let eye = [way.dot(plan), way.perp_dot(plan), from.z].map(|number| number as f32);
+        let close = beyond.max(0.0) as f32 + self.edges.close;
+        self.highest_from(eye, close, [NONE; 2])
+    }
+
+    fn highest_from(&mut self, eye: [f32; 3], close: f32, likely: [u32; 2]) -> u32 {
+        let eye = eye.map(Vec4::splat);
+        let close = Vec4::splat(close);
         let (mut best, mut found) = (LOWEST, NONE);
         let mut look = |four: u32, best: &mut f32| {
             let slopes = self.fours[four as usize].slopes(eye, close);

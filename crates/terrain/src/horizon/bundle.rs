@@ -30,7 +30,13 @@ impl Claim {
         distance: f64::INFINITY,
     };
 
-    fn and(self, other: Self) -> Self {
+    /// Before anything has been looked at.
+    pub const ALL: Self = Self {
+        slope: f64::INFINITY,
+        distance: 0.0,
+    };
+
+    pub fn and(self, other: Self) -> Self {
         Self {
             slope: self.slope.min(other.slope),
             distance: self.distance.max(other.distance),
@@ -38,11 +44,13 @@ impl Claim {
     }
 }
 
-/// Lines of sight from an edge.
+/// Lines of sight from an edge, or from any place of a rectangle.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bundle {
-    /// The ends of the edge; twice the same for a vertex.
-    ends: [DVec3; 2],
+    /// The ends of the edge, twice the same for a vertex; or the corners of the rectangle.
+    ends: [DVec3; 4],
+    /// How many of them count.
+    count: usize,
     /// The first and the last direction, counter-clockwise: the rightmost and the leftmost.
     ways: [DVec2; 2],
     middle: DVec2,
@@ -58,12 +66,39 @@ impl Bundle {
         let edge = (ends[1] - ends[0]).truncate();
         let [right, left] = ways.map(|way| way.perp_dot(edge));
         Self {
-            ends,
+            ends: [ends[0], ends[1], ends[1], ends[1]],
+            count: 2,
             ways,
             middle: (ways[0] + ways[1]).normalize(),
             starts: [usize::from(right < 0.0), usize::from(left > 0.0)],
             aslant: right * left > 0.0 && right.abs().min(left.abs()) > ALONG * edge.length(),
         }
+    }
+
+    /// The lines from any place of a rectangle, or of whatever else is convex with four corners, between two directions less than a right angle apart.
+    pub fn around(corners: [DVec3; 4], ways: [DVec2; 2]) -> Self {
+        let outermost = |way: DVec2, sign: f64| {
+            let left = |at: usize| sign * way.perp_dot(corners[at].truncate());
+            (1..4).fold(0, |most, at| if left(at) > left(most) { at } else { most })
+        };
+        Self {
+            ends: corners,
+            count: 4,
+            ways,
+            middle: (ways[0] + ways[1]).normalize(),
+            starts: [outermost(ways[0], -1.0), outermost(ways[1], 1.0)],
+            aslant: false,
+        }
+    }
+
+    /// The first and the last direction.
+    pub fn ways(&self) -> [DVec2; 2] {
+        self.ways
+    }
+
+    /// The direction between them: walls stand ahead of all ends along it.
+    pub fn middle(&self) -> DVec2 {
+        self.middle
     }
 
     /// Which end the rightmost and which the leftmost line starts from.
@@ -161,8 +196,8 @@ impl Bundle {
 
     /// Lowers the claim to what a place of the path hides of the edge.
     fn look(&self, at: DVec3, claim: &mut Claim) {
-        let [first, last] = self.ends;
-        if first == last {
+        let [first, last, ..] = self.ends;
+        if self.count == 2 && first == last {
             self.see(first, at, claim);
         } else if self.aslant {
             let edge = (last - first).truncate();
@@ -172,8 +207,9 @@ impl Bundle {
                 self.see(first.lerp(last, share.clamp(0.0, 1.0)), at, claim);
             }
         } else {
-            self.see(first, at, claim);
-            self.see(last, at, claim);
+            for end in &self.ends[..self.count] {
+                self.see(*end, at, claim);
+            }
         }
     }
 

@@ -73,11 +73,7 @@ impl Finder for Sound<'_> {
         let mut bearing = Bearing::new(&self.edges);
         let vertices = field.points().len();
         let mut seen = [vec![NONE; vertices], vec![NONE; vertices]];
-        let all = Claim {
-            slope: f64::INFINITY,
-            distance: 0.0,
-        };
-        let mut claims = vec![all; row.vertices.len() + row.edges.len()];
+        let mut claims = vec![Claim::ALL; row.vertices.len() + row.edges.len()];
         bearing.turn(field, sectors.ray(sector, 0));
         look(&mut bearing, &mut seen[0]);
         for part in 0..sectors.parts() {
@@ -96,7 +92,7 @@ impl Finder for Sound<'_> {
 }
 
 /// The claim with fewer bits, and no more than it says.
-fn rounded(claim: Claim) -> Horizon {
+pub(super) fn rounded(claim: Claim) -> Horizon {
     let slope = claim.slope - ROUNDING * (1.0 + claim.slope.abs());
     let [mut low, mut far] = [slope, claim.distance].map(|number| number as f32);
     if f64::from(low) > slope {

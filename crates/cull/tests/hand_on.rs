@@ -1,0 +1,295 @@
+//! One strategy before another: whatever the outer one takes away is neither drawn nor asked about by any inner one, and whoever comes back is
+//! judged as if they came into the frustum.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use antumbra_cull::kit::{Case, Kit};
+use antumbra_cull::{
+    DeclareError, FrameGraph, Inner, Latency, Registry, RegistryError, Setting, SettingError,
+    Stage, StageError, StageOptions, Strategy, Verdict, ViewInput, ViewNodes, ViewSpec, VisibleSet,
+};
+use antumbra_draw::{AdapterChoice, Gpu, GpuScene, SceneTable, ViewFrame};
+use antumbra_scene::builtin::{GridOptions, grid};
+use antumbra_scene::{Camera, Projection};
+use glam::DVec3;
+
+/// Whom an outer strategy takes away.
+#[derive(Clone)]
+enum Takes {
+    /// Every third.
+    Third,
+    /// All of them, while this is on.
+    All(Arc<AtomicBool>),
+    /// Nobody, after another of its kind has taken every third.
+    None,
+}
+
+struct Outer {
+    takes: Takes,
+    inner: Inner,
+}
+
+impl Outer {
+    fn before(text: &str, takes: Takes) -> Self {
+        let mut inner = Inner::default();
+        for (at, part) in text.split(':').enumerate() {
+            let (key, value) = match at {
+                0 => ("then", part),
+                _ => part.split_once('=').unwrap(),
+            };
+            inner.set("outer", key, value).unwrap();
+        }
+        Self { takes, inner }
+    }
+}
+
+/// Whether no test may judge a slot.
+fn is_exempt(table: &SceneTable, frame: &ViewFrame, slot: u32) -> bool {
+    let near = |slot| {
+        let bounds = table.bounds(slot);
+        frame.camera.crosses_near(&bounds, frame.aspect())
+    };
+    !table.is_tested(slot) || near(slot)
+}
+
+impl Strategy for Outer {
+    fn name(&self) -> &str {
+        "outer"
+    }
+
+    fn summary(&self) -> &str {
+        "takes some away"
+    }
+
+    fn conservative(&self) -> bool {
+        false
+    }
+
+    /// It is held to nothing that late answers have to cover: it takes away what is visible.
+    fn latency(&self) -> Option<Latency> {
+        None
+    }
+
+    fn needs_reference(&self) -> bool {
+        self.inner.ask(|inner| inner.needs_reference())
+    }
+
+    fn settings(&self) -> Vec<Setting> {
+        self.inner.settings()
+    }
+
+    fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
+        self.inner.set("outer", key, value)
+    }
+
+    fn declare(
+        &mut self,
+        g: &mut FrameGraph<'_>,
+        view: &mut ViewNodes,
+    ) -> Result<VisibleSet, DeclareError> {
+        let candidates = g.in_frustum(view);
+        let takes = self.takes.clone();
+        let left = g.narrowed(view, "left", candidates, move |table, frame, slots| {
+            slots.retain(|slot| match &takes {
+                _ if is_exempt(table, frame, *slot) => true,
+                Takes::Third => slot % 3 != 0,
+                Takes::All(on) => !on.load(Ordering::Relaxed),
+                Takes::None => true,
+            });
+        });
+        match self.takes {
+            Takes::None => {
+                let name = self.inner.ask(|inner| inner.name().to_owned());
+                let mut between = Self::before(&name, Takes::Third);
+                g.hand_on(view, left, &mut between)
+            }
+            _ => g.hand_on(view, left, self.inner.strategy_mut()),
+        }
+    }
+}
+
+/// Every strategy of this crate, in every latency it has.
+fn all() -> Vec<String> {
+    let registry = Registry::built_in();
+    let mut all = Vec::new();
+    for name in registry.names() {
+        // Of what is drawn small nothing is below the threshold.
+        let text = match name {
+            "three-pass" => "three-pass:threshold=0:scale=1",
+            _ => name,
+        };
+        all.push(text.to_owned());
+        let latencies = ["same-frame", "on-gpu"].map(|latency| format!("{text}:latency={latency}"));
+        let has = |text: &String| registry.parse(text).is_ok();
+        all.extend(latencies.into_iter().filter(has));
+    }
+    all.push("stop-and-wait:tree=divided".to_owned());
+    assert!(all.len() > 14, "{all:?}");
+    all
+}
+
+fn gpu() -> Gpu {
+    Gpu::open(&AdapterChoice::Named("vulkan".to_owned()))
+        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
+}
+
+#[test]
+fn whoever_is_taken_away_is_not_drawn_by_any_strategy() {
+    let gpu = gpu();
+    let kit = Kit {
+        size: [64, 48],
+        scenes: 1,
+        cases: vec![
+            Case::RandomScenes,
+            Case::NearPlane,
+            Case::SlotReuse,
+            Case::Stereo,
+        ],
+        ..Kit::default()
+    };
+    for text in all() {
+        kit.check_on(&gpu, || Box::new(Outer::before(&text, Takes::Third)))
+            .unwrap_or_else(|failure| panic!("{text}: {failure}"));
+    }
+}
+
+/// A row of small scenes' frames.
+struct Play {
+    scene: GpuScene,
+    stage: Stage,
+    camera: Camera,
+}
+
+impl Play {
+    fn new(gpu: &Gpu, outer: Outer) -> Self {
+        let options = GridOptions {
+            per_side: 3,
+            ..Default::default()
+        };
+        let scene = GpuScene::new(gpu, &mut grid(options).unwrap()).unwrap();
+        let projection = Projection::Perspective {
+            fov_y: 0.9,
+            near: 0.1,
+        };
+        let eye = DVec3::new(12.0, 9.0, 40.0);
+        let camera = Camera::look_at(eye, DVec3::ZERO, DVec3::Y, projection).unwrap();
+        let views = vec![ViewSpec::main(64, 48)];
+        let stage = Stage::new(&scene, Box::new(outer), views, StageOptions::default()).unwrap();
+        Self {
+            scene,
+            stage,
+            camera,
+        }
+    }
+
+    /// The verdict of each slot, and how many were asked about.
+    fn frame(&mut self) -> (Vec<Verdict>, u32) {
+        let owners = Arc::new(self.scene.table().live_slots().collect());
+        let input = ViewInput {
+            reference: Some(owners),
+            ..ViewInput::new(self.camera)
+        };
+        self.stage.frame(&self.scene, &[input]).unwrap();
+        self.scene.gpu().wait().unwrap();
+        let verdicts = self.stage.verdicts(0, &self.scene).unwrap();
+        let slots = 0..self.scene.table().slots();
+        let all = slots.map(|slot| verdicts.get(slot)).collect();
+        (all, verdicts.asked())
+    }
+}
+
+#[test]
+fn nobody_is_asked_about_who_was_taken_away_and_all_are_drawn_who_come_back() {
+    let gpu = gpu();
+    for text in all() {
+        let on = Arc::new(AtomicBool::new(false));
+        let mut play = Play::new(&gpu, Outer::before(&text, Takes::All(on.clone())));
+        let mut all = Vec::new();
+        for _ in 0..6 {
+            all = play.frame().0;
+        }
+        let drawn = |verdicts: &[Verdict]| verdicts.iter().filter(|v| v.draws()).count();
+        assert!(drawn(&all) > 8, "{text}: {all:?}");
+        on.store(true, Ordering::Relaxed);
+        for frame in 0..6 {
+            let (verdicts, asked) = play.frame();
+            assert!(verdicts.iter().all(|v| *v == Verdict::Occluded), "{text}");
+            // Late answers come with how many were asked for then.
+            assert!(asked == 0 || frame < 3, "{text}: {asked}");
+        }
+        on.store(false, Ordering::Relaxed);
+        let (back, _) = play.frame();
+        assert!(drawn(&back) >= drawn(&all), "{text}: {back:?}");
+    }
+}
+
+#[test]
+fn of_three_in_a_row_the_innermost_judges_what_both_left() {
+    let gpu = gpu();
+    for text in ["frustum", "occupancy-map", "none", "coherent"] {
+        let mut play = Play::new(&gpu, Outer::before(text, Takes::None));
+        let (verdicts, _) = play.frame();
+        for (slot, verdict) in verdicts.into_iter().enumerate() {
+            assert_eq!(verdict == Verdict::Occluded, slot % 3 == 0, "{text}");
+        }
+    }
+}
+
+#[test]
+fn what_is_wrong_is_said_of_the_strategy_it_is_wrong_of() {
+    let mut registry = Registry::built_in();
+    registry.register(|| Box::new(Outer::before("frustum", Takes::None)));
+    let refused = |text: &str| match registry.parse(text) {
+        Err(error @ RegistryError::Setting(_)) => error.to_string(),
+        _ => panic!("{text}"),
+    };
+    for (text, said) in [
+        ("outer:then=outer", "'outer' is no strategy"),
+        ("outer:then=magic", "occupancy-map"),
+        (
+            "outer:threshold=3",
+            "'outer:then=frustum' has no setting 'threshold' (it has: then)",
+        ),
+        (
+            "outer:then=three-pass:grain=3",
+            "'three-pass' has no setting 'grain'",
+        ),
+        (
+            "outer:then=three-pass:threshold=red",
+            "'threshold': it takes",
+        ),
+    ] {
+        let error = refused(text);
+        assert!(error.contains(said), "{error}");
+    }
+    let set = registry.parse("outer:then=three-pass:threshold=7").unwrap();
+    let settings = set.settings();
+    let find = |key: &str| {
+        settings
+            .iter()
+            .find(|s| s.key == key)
+            .unwrap()
+            .value
+            .clone()
+    };
+    assert_eq!([find("then"), find("threshold")], ["three-pass", "7"]);
+    // Copies are set as the original.
+    let inner = Outer::before("three-pass:threshold=7", Takes::None).inner;
+    assert_eq!(inner.clone().settings(), inner.settings());
+}
+
+#[test]
+fn an_inner_strategy_that_cannot_be_declared_says_so_itself() {
+    let gpu = gpu();
+    let scene = GpuScene::new(&gpu, &mut grid(GridOptions::default()).unwrap()).unwrap();
+    let outer = Outer::before("three-pass:counting=queries:threshold=3", Takes::Third);
+    let views = vec![ViewSpec::main(32, 32)];
+    match Stage::new(&scene, Box::new(outer), views, StageOptions::default()) {
+        Err(StageError::Declare(DeclareError::Settings { strategy, .. })) => {
+            assert_eq!(strategy, "three-pass");
+        }
+        other => panic!("{other:?}"),
+    }
+}
