@@ -89,6 +89,19 @@ fn read<T: FromStr>(what: &'static str, value: &str) -> Result<T, TerrainError> 
     })
 }
 
+impl BuiltInOptions {
+    /// The scene's terrain; `done` is told of every sector whose horizons are found.
+    ///
+    /// # Errors
+    /// [`TerrainError::Setting`] for an option out of range.
+    pub fn terrain(&self, done: &(dyn Fn() + Sync)) -> Result<Terrain, TerrainError> {
+        let raster = self.landscape.raster()?;
+        let field = Field::over(&raster, Detail::Vertices(self.vertices))?;
+        let prepare = self.prepare.seeded(self.landscape.seed, &field);
+        Terrain::prepare(field, &prepare, done)
+    }
+}
+
 /// The built-in scene and what its parts are.
 #[derive(Debug)]
 pub struct BuiltIn {
@@ -106,18 +119,7 @@ impl BuiltIn {
     /// # Errors
     /// [`TerrainError::Setting`] for an option out of range.
     pub fn new(options: &BuiltInOptions, done: &(dyn Fn() + Sync)) -> Result<Self, TerrainError> {
-        let raster = options.landscape.raster()?;
-        let field = Field::over(&raster, Detail::Vertices(options.vertices))?;
-        let groups = options.prepare.groups;
-        let groups = groups.unwrap_or(GroupOptions::for_triangles(field.triangles().len()));
-        let prepare = TerrainOptions {
-            groups: Some(GroupOptions {
-                seed: options.landscape.seed,
-                ..groups
-            }),
-            ..options.prepare
-        };
-        let terrain = Terrain::prepare(field, &prepare, done)?;
+        let terrain = options.terrain(done)?;
         let mut scene = Scene::new();
         scene.set_name("terrain");
         let shown = terrain.show_lit(&mut scene)?;

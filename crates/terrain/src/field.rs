@@ -57,11 +57,17 @@ impl Field {
         }
         let points = self.points.iter().map(round).collect();
         // About the same origin: what is moved may have to be rounded again.
-        let rounded = check::make(points, self.triangles, false)?;
-        Ok(Self {
-            origin: self.origin,
-            ..rounded
-        })
+        Self::about(self.origin, points, self.triangles)
+    }
+
+    /// As [`Field::new`], of corners that are relative to an origin already.
+    pub(crate) fn about(
+        origin: DVec3,
+        points: Vec<DVec3>,
+        triangles: Vec<[u32; 3]>,
+    ) -> Result<Self, TerrainError> {
+        let field = check::make(points, triangles, false)?;
+        Ok(Self { origin, ..field })
     }
 
     /// Where the field's own coordinates begin: metres east, north and up.

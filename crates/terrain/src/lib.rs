@@ -5,6 +5,7 @@
 //!
 //! - [`Field`] is a triangle mesh that is single-valued over the plan; what is not is refused with the place of every fault.
 //! - [`horizon`] finds, for every vertex and sector of directions, below which slope and beyond which distance nobody sees it.
+//! - [`file`] keeps all that is known of a terrain in the glTF that shows it.
 
 mod built_in;
 mod circle;
@@ -12,7 +13,9 @@ mod crystal;
 mod cull;
 mod error;
 pub mod field;
+pub mod file;
 mod fractal;
+mod from_scene;
 mod ground;
 mod groups;
 pub mod horizon;
@@ -30,6 +33,7 @@ pub use crystal::{Crystals, GroupOptions};
 pub use cull::{Arc, Eye};
 pub use error::TerrainError;
 pub use field::{Fault, Field, NONE, Outline};
+pub use file::PreparedScene;
 pub use fractal::FractalOptions;
 pub use ground::Ground;
 pub use groups::{Group, Groups};

@@ -21,6 +21,19 @@ pub struct TerrainOptions {
     pub groups: Option<GroupOptions>,
 }
 
+impl TerrainOptions {
+    /// The same with groups that grow from a seed.
+    #[must_use]
+    pub fn seeded(self, seed: u64, field: &Field) -> Self {
+        let default = GroupOptions::for_triangles(field.triangles().len());
+        let groups = self.groups.unwrap_or(default);
+        Self {
+            groups: Some(GroupOptions { seed, ..groups }),
+            ..self
+        }
+    }
+}
+
 /// A prepared terrain.
 #[derive(Debug, Clone)]
 pub struct Terrain {
@@ -52,12 +65,17 @@ impl Terrain {
             done,
         );
         let groups = Groups::make(&field, &horizons, &groups)?;
-        Ok(Self {
+        Ok(Self::from_parts(field, groups, options.method))
+    }
+
+    /// What was prepared before.
+    pub(crate) fn from_parts(field: Field, groups: Groups, method: Method) -> Self {
+        Self {
             ground: Ground::new(&field),
             field,
             groups,
-            method: options.method,
-        })
+            method,
+        }
     }
 
     /// The field.
@@ -70,6 +88,12 @@ impl Terrain {
     #[must_use]
     pub fn groups(&self) -> &Groups {
         &self.groups
+    }
+
+    /// How its horizons were found.
+    #[must_use]
+    pub fn method(&self) -> Method {
+        self.method
     }
 
     /// Whether nobody sees what is said to be hidden from them: [`Method::Sound`] alone promises so.
