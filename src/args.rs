@@ -232,7 +232,10 @@ pub struct TerrainArgs {
     /// How horizons are found: sound, rays or thesis; sound where none is named
     #[arg(long, value_parser = method)]
     pub method: Option<Method>,
-    /// The seed of groups, and of the built-in landscape
+    /// Seeds that groups are grown from; one for every 200 triangles where none are named
+    #[arg(long)]
+    pub seeds: Option<u32>,
+    /// The seed of chance that casts those, and of the built-in landscape
     #[arg(long)]
     pub seed: Option<u64>,
 }

@@ -59,12 +59,7 @@ impl BuiltInOptions {
             }
             "method" => self.prepare.method = read::<Method>("method", value)?,
             "seeds" => {
-                let seeds = read("seeds", value)?;
-                self.prepare.groups = Some(GroupOptions {
-                    seeds,
-                    most: seeds.saturating_mul(2),
-                    ..GroupOptions::for_triangles(0)
-                });
+                self.prepare.groups = Some(GroupOptions::of_seeds(read("seeds", value)?));
             }
             _ => {
                 return Err(TerrainError::Setting {

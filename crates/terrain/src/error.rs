@@ -13,7 +13,7 @@ pub enum TerrainError {
     NotAHeightField {
         /// The first of its faults.
         faults: Vec<Fault>,
-        /// How many there are in all.
+        /// How many there are in all; of triangles one above the other at least so many.
         total: usize,
     },
     /// More than can be numbered.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use antumbra::terrain::{BuiltInOptions, Detail, Sectors, Terrain, TerrainOptions};
+use antumbra::terrain::{BuiltInOptions, Detail, GroupOptions, Sectors, Terrain, TerrainOptions};
 
 use crate::args::{PrepareArgs, TerrainArgs};
 use crate::failure::Failure;
@@ -73,7 +73,7 @@ fn out_of(input: &Path, args: &PrepareArgs) -> Result<Terrain, Failure> {
     let options = TerrainOptions {
         sectors,
         method: args.terrain.method.unwrap_or_default(),
-        groups: None,
+        groups: args.terrain.seeds.map(GroupOptions::of_seeds),
     };
     let options = match args.terrain.seed {
         Some(seed) => options.seeded(seed, &field),
@@ -97,6 +97,8 @@ fn built_in(named: &str, args: &PrepareArgs) -> Result<Terrain, Failure> {
     options.vertices = wanted.vertices.unwrap_or(options.vertices);
     options.landscape.seed = wanted.seed.unwrap_or(options.landscape.seed);
     options.prepare.method = wanted.method.unwrap_or(options.prepare.method);
+    let groups = wanted.seeds.map(GroupOptions::of_seeds);
+    options.prepare.groups = groups.or(options.prepare.groups);
     options.prepare.sectors = sectors(wanted, options.prepare.sectors)?;
     landscape::built_in(&options, args.quiet)
 }
