@@ -308,6 +308,9 @@ fn rows_that_cannot_be_are_refused() {
     );
     refuses("always drawn", put(rows.ends, 0_u32.to_le_bytes()));
     refuses("always drawn", put(rows.ends, u32::MAX.to_le_bytes()));
+    refuses("not in the order", |_, said| {
+        said.bytes[rows.triangles..rows.triangles + 12].rotate_left(4);
+    });
 }
 
 #[test]
