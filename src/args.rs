@@ -7,6 +7,7 @@ use antumbra::cull::Latency;
 use antumbra::draw::AdapterChoice;
 use antumbra::measure::stereo_picture::Layout;
 use antumbra::subsurface::{Axis, SampleBox};
+use antumbra::terrain::Method;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 
 use crate::eyes::StereoArgs;
@@ -37,7 +38,7 @@ pub enum Command {
     Render(RenderArgs),
     /// Print the graph of a strategy
     Graph(GraphArgs),
-    /// Make a scene of horizons, faults and picks, or a seismic volume of cell properties
+    /// Make a terrain of a raster or a mesh, a scene of horizons, faults and picks, or a seismic volume of cell properties
     Prepare(PrepareArgs),
     /// List adapters, their features and limits, and which ways of counting each allows
     Doctor,
@@ -46,11 +47,11 @@ pub enum Command {
 /// What decides a scene and how it is looked at.
 #[derive(Debug, Clone, ClapArgs)]
 pub struct ViewArgs {
-    /// A file (.glb, .gltf, .obj, .ply, .stl, CityJSON as .json or .jsonl) or a built-in scene (subsurface, terrain, grid, layer, turbine, city), with a size and settings if need be (grid:12,
+    /// A file (.glb, .gltf, .obj, .ply, .stl, CityJSON as .json or .jsonl; a raster .npz, .tif, .asc becomes a terrain) or a built-in scene (subsurface, terrain, grid, layer, turbine, city), with a size and settings if need be (grid:12,
     /// subsurface:200:tiles=5)
     pub scene: Option<String>,
     /// The camera path: orbit, flight, a view of the scene's (open and occluded of subsurface), or a JSON file of poses; where none is
-    /// named, subsurface is flown through and others are circled
+    /// named, subsurface is flown through, terrain is flown over, and others are circled
     #[arg(long)]
     pub path: Option<String>,
     /// A seismic volume to show sections of, as `prepare` writes it
@@ -155,9 +156,16 @@ pub enum Format {
 #[derive(Debug, ClapArgs)]
 pub struct PrepareArgs {
     /// Files of horizons and faults: Irap surfaces (.gri, .irap), ROFF grids, GOCAD TSurfs (.ts), faultroom JSON, picks (.csv), rasters (.asc,
-    /// .tif); for a volume a ROFF property; or the built-in model (subsurface, subsurface:200)
+    /// .tif); for a volume a ROFF property; for a terrain one raster (.npz, .asc, .tif) or mesh (.glb, .gltf, .obj, .ply, .stl); or what is
+    /// built in (subsurface, subsurface:200, terrain, terrain:20000:seed=3)
     #[arg(required = true)]
     pub input: Vec<PathBuf>,
+    /// What a scene is made of the input: a terrain with its horizons, or horizons and faults below the ground; where it is not said, .npz,
+    /// meshes and the built-in terrain become a terrain, and all else, .asc and .tif too, becomes sub-surface
+    #[arg(long = "as", value_enum, value_name = "WHAT")]
+    pub made: Option<Made>,
+    #[command(flatten)]
+    pub terrain: TerrainArgs,
     /// What to write: a scene (.glb) or a volume (.vol)
     #[arg(short, long)]
     pub output: PathBuf,
@@ -194,6 +202,42 @@ pub struct PrepareArgs {
     /// Print nothing but errors
     #[arg(long)]
     pub quiet: bool,
+}
+
+/// What is made of rasters and meshes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Made {
+    /// One surface, seen from above, with its horizons
+    Terrain,
+    /// Horizons and faults, cut into tiles
+    Subsurface,
+}
+
+/// How a terrain is made.
+#[derive(Debug, Default, Clone, PartialEq, ClapArgs)]
+#[command(next_help_heading = "Terrains")]
+pub struct TerrainArgs {
+    /// Vertices of the field over a raster; 100,000 where neither these nor an error are named
+    #[arg(long, conflicts_with = "error")]
+    pub vertices: Option<usize>,
+    /// How far a raster's posts may lie above or below the field, in metres
+    #[arg(long, value_name = "METRES")]
+    pub error: Option<f64>,
+    /// Sectors of directions, 4 to 1024; 16 where none are named
+    #[arg(long)]
+    pub sectors: Option<u32>,
+    /// Sub-sectors of each sector, 1 to 1024; 16 where none are named
+    #[arg(long)]
+    pub parts: Option<u32>,
+    /// How horizons are found: sound, rays or thesis; sound where none is named
+    #[arg(long, value_parser = method)]
+    pub method: Option<Method>,
+    /// Seeds that groups are grown from; one for every 200 triangles where none are named
+    #[arg(long)]
+    pub seeds: Option<u32>,
+    /// The seed of chance that casts those, and of the built-in landscape
+    #[arg(long)]
+    pub seed: Option<u64>,
 }
 
 /// Which way z grows.
@@ -295,6 +339,11 @@ impl FromStr for Size {
             _ => Err("write it as 1280x1024; each side is 1 to 16384".to_owned()),
         }
     }
+}
+
+fn method(text: &str) -> Result<Method, String> {
+    text.parse()
+        .map_err(|()| "it takes sound, rays or thesis".to_owned())
 }
 
 fn latency(text: &str) -> Result<Latency, String> {

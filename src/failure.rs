@@ -6,7 +6,7 @@ use antumbra::cull::{RegistryError, SettingError, StageError};
 use antumbra::draw::{DeviceError, DrawError};
 use antumbra::measure::MeasureError;
 use antumbra::scene::builtin::BuiltinError;
-use antumbra::scene::{LoadError, SaveError, StereoError};
+use antumbra::scene::{LoadError, RasterError, SaveError, StereoError};
 use antumbra::subsurface::SubsurfaceError;
 use antumbra::terrain::TerrainError;
 use thiserror::Error;
@@ -37,6 +37,9 @@ pub enum Failure {
         /// What is wrong with it.
         error: LoadError,
     },
+    /// A raster file.
+    #[error(transparent)]
+    Raster(#[from] RasterError),
     /// A scene could not be written.
     #[error(transparent)]
     Save(#[from] SaveError),

@@ -10,16 +10,21 @@ use antumbra::measure::path::{Orbit, Path, Pose};
 use antumbra::measure::views;
 use antumbra::scene::Camera;
 use antumbra::scene::builtin::{self, BuiltinError};
-use antumbra::scene::{Aabb, Format, LoadOptions, Projection, Scene, Stereo, load};
+use antumbra::scene::{
+    Aabb, Format, LoadOptions, Projection, RasterFormat, Scene, Stereo, load_with,
+};
 use antumbra::subsurface::{
     BrickSource, BuiltIn, BuiltInOptions, Model, SectionPlaces, Sections, VolumeFile,
 };
-use antumbra::terrain::{self, HorizonStrategy, ShownTerrain, Terrain};
+use antumbra::terrain::{
+    self, HorizonStrategy, PreparedScene, ShownTerrain, Terrain, TerrainOptions,
+};
 
 use glam::DVec3;
 
 use crate::args::ViewArgs;
 use crate::failure::Failure;
+use crate::landscape;
 use crate::progress;
 
 /// A scene with its name, and what fits it where the command line is silent.
@@ -52,8 +57,8 @@ const NEAR: f64 = 5.0;
 /// Frames of the whole flight through the sub-surface model: half a minute of a screen's.
 const FLIGHT: usize = 1800;
 
-/// Metres of a flight above a terrain.
-const FLYING: f64 = 30.0;
+/// Metres of a flight above a terrain, and a part of a small one's width.
+const FLYING: (f64, f64) = (30.0, 0.02);
 
 /// Bytes of a volume that are kept in memory.
 const BUDGET: usize = 64 << 20;
@@ -129,29 +134,37 @@ struct Found {
     whole_grid: bool,
 }
 
+impl From<PreparedScene> for Found {
+    fn from(prepared: PreparedScene) -> Self {
+        Self {
+            scene: prepared.scene,
+            seed: None,
+            model: None,
+            sections: None,
+            terrain: Some((prepared.terrain, prepared.shown)),
+            whole_grid: false,
+        }
+    }
+}
+
 impl Found {
     /// `bare`: a built-in model comes without its own slices and lens.
     fn named(named: &str, bare: bool) -> Result<Self, Failure> {
         let file = FilePath::new(named);
-        let ending = file.extension().and_then(|ending| ending.to_str());
-        if file.is_file() || ending.and_then(Format::from_extension).is_some() {
-            let loaded = load(file, &LoadOptions::default()).map_err(|error| Failure::Load {
-                path: file.to_owned(),
-                error,
-            });
-            return Ok(Self {
-                scene: loaded?,
-                seed: None,
-                model: None,
-                sections: None,
-                terrain: None,
-                whole_grid: false,
-            });
+        if landscape::is_raster(file) {
+            let field = landscape::field(file, None)?;
+            let terrain = landscape::prepare(field, &TerrainOptions::default(), false)?;
+            let stem = file.file_stem().unwrap_or_default();
+            return Ok(PreparedScene::of(terrain, &stem.to_string_lossy())?.into());
+        }
+        if file.is_file() || landscape::is_mesh(file) {
+            return Self::file(file);
         }
         if file.exists() || named.contains(['/', '\\']) {
             return Err(Failure::Usage(format!(
-                "'{named}' is no scene: name a file (.{}) or a built-in scene ({})",
+                "'{named}' is no scene: name a file (.{}, .{}) or a built-in scene ({})",
                 Format::EXTENSIONS.join(", ."),
+                RasterFormat::EXTENSIONS.join(", ."),
                 built_in_names().join(", ")
             )));
         }
@@ -172,17 +185,38 @@ impl Found {
         for (key, value) in settings {
             options.set(key, value)?;
         }
-        let bar = progress::work("finding horizons", false);
-        bar.set_length(u64::from(options.prepare.sectors.count()));
-        let built = terrain::BuiltIn::new(&options, &|| bar.inc(1));
-        bar.finish_and_clear();
-        let built = built?;
         Ok(Self {
-            scene: built.scene,
             seed: Some(options.landscape.seed),
+            ..landscape::built_in(&options, false)?.into()
+        })
+    }
+
+    /// A scene file, and its terrain if that was prepared. Where what it says of that cannot be used it is a scene as any other.
+    fn file(file: &FilePath) -> Result<Self, Failure> {
+        let options = LoadOptions::default();
+        let loaded = load_with(file, &options, &[terrain::file::EXTENSION]);
+        let loaded = loaded.map_err(|error| Failure::Load {
+            path: file.to_owned(),
+            error,
+        })?;
+        let attachment = loaded.attachments.into_iter().next();
+        let known = attachment.map(|attachment| Terrain::read(&loaded.scene, &attachment?));
+        let terrain = known.and_then(|known| match known {
+            Ok((terrain, shown)) => Some((Arc::new(terrain), shown)),
+            Err(error) => {
+                eprintln!(
+                    "antumbra: {}: shown without its horizons: {error}",
+                    file.display()
+                );
+                None
+            }
+        });
+        Ok(Self {
+            scene: loaded.scene,
+            seed: None,
             model: None,
             sections: None,
-            terrain: Some((built.terrain, built.shown)),
+            terrain,
             whole_grid: false,
         })
     }
@@ -347,12 +381,14 @@ fn path(
 
 /// A flight over a terrain.
 fn over(terrain: &Terrain, frames: usize) -> Result<Path, Failure> {
+    let [low, high] = terrain.field().plan_bounds();
+    let height = FLYING.0.min((high - low).max_element() * FLYING.1);
     let projection = Projection::Perspective {
         fov_y: 0.9,
-        near: 1.0,
+        near: height / FLYING.0,
     };
     let look = |[eye, target]: [DVec3; 2]| Pose::look_at(eye, target, None);
-    let poses = terrain.flight(FLYING, frames).into_iter().map(look);
+    let poses = terrain.flight(height, frames).into_iter().map(look);
     let poses = poses.collect::<Result<Vec<_>, _>>();
     let poses = poses.map_err(|error| Failure::Usage(format!("the flight: {error}")))?;
     Ok(Path::new("flight", projection, poses)?)

@@ -8,6 +8,7 @@ mod contenders;
 mod eyes;
 mod failure;
 mod input;
+mod landscape;
 mod progress;
 mod strategies;
 

@@ -3,8 +3,183 @@
 
 mod common;
 
-use common::{refuses, succeeds};
+use std::io::Write;
+use std::path::Path;
+
+use common::{antumbra, refuses, stderr, succeeds};
 use serde_json::Value;
+use zip::ZipWriter;
+use zip::write::SimpleFileOptions;
+
+/// A NumPy archive of ridges, behind which valleys lie hidden, and its name.
+fn ridges(folder: &Path) -> String {
+    let side = 49_u16;
+    let height = |row: u16, column: u16| {
+        let [row, column] = [row, column].map(f32::from);
+        300.0 * (row * 0.3).cos() + 12.0 * (column * 0.8 + row).sin()
+    };
+    let mut head =
+        format!("{{'descr': '<f4', 'fortran_order': False, 'shape': ({side}, {side}), }}\n");
+    while (head.len() + 10) % 64 != 0 {
+        head.insert(head.len() - 1, ' ');
+    }
+    let mut elevation = b"\x93NUMPY\x01\x00".to_vec();
+    elevation.extend((head.len() as u16).to_le_bytes());
+    elevation.extend(head.into_bytes());
+    let posts = (0..side).flat_map(|row| (0..side).map(move |column| height(row, column)));
+    elevation.extend(posts.flat_map(f32::to_le_bytes));
+    let mut spacing = b"\x93NUMPY\x01\x00".to_vec();
+    let head = "{'descr': '<f8', 'fortran_order': False, 'shape': (), }            \n";
+    spacing.extend((head.len() as u16).to_le_bytes());
+    spacing.extend(head.bytes());
+    spacing.extend(30.0_f64.to_le_bytes());
+    let file = folder.join("dem.npz");
+    let mut archive = ZipWriter::new(std::fs::File::create(&file).unwrap());
+    let stored = SimpleFileOptions::default().compression_method(zip::CompressionMethod::Stored);
+    for (name, array) in [
+        ("elevation", &elevation),
+        ("dx", &spacing),
+        ("dy", &spacing),
+    ] {
+        archive.start_file(format!("{name}.npy"), stored).unwrap();
+        archive.write_all(array).unwrap();
+    }
+    archive.finish().unwrap();
+    file.to_str().unwrap().to_owned()
+}
+
+/// Compares `horizon` with `frustum`: nothing is wrong. How much of what `frustum` draws is drawn.
+fn drawn(scene: &str, out: &Path) -> f64 {
+    let out_name = out.to_str().unwrap();
+    let common = [
+        "--frames", "12", "--size", "160x120", "--quiet", "--out", out_name,
+    ];
+    let arguments = ["compare", scene, "--strategies", "frustum,horizon"];
+    succeeds(&[&arguments[..], &common[..]].concat());
+    let report = std::fs::read_to_string(out.join("report.json")).unwrap();
+    let report: Value = serde_json::from_str(&report).unwrap();
+    let [frustum, horizon] = [0, 1].map(|at| &report["strategies"][at]);
+    let drawn = |strategy: &Value| strategy["drawn"]["triangles"].as_f64().unwrap();
+    assert_eq!(horizon["error"]["wrong_pixels_percent"]["max"], 0.0);
+    assert_eq!(horizon["error"]["false_culls"]["entities"], 0);
+    drawn(horizon) / drawn(frustum)
+}
+
+#[test]
+fn a_raster_becomes_a_file_that_is_compared_without_preparing_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let raster = ridges(folder.path());
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let terrain = at("terrain.glb");
+    let made = ["prepare", &raster, "-o", &terrain, "--vertices", "1800"];
+    let said = succeeds(
+        &[
+            &made[..],
+            &["--sectors", "32", "--parts", "4", "--seeds", "90"],
+        ]
+        .concat(),
+    );
+    assert!(
+        said.contains("horizons in 32 sectors of 4, sound"),
+        "{said}"
+    );
+    let drawn = drawn(&terrain, &folder.path().join("out"));
+    assert!(drawn < 0.95, "{drawn}");
+    // A mesh of it is a terrain too; a detail it has none.
+    let again = at("again.glb");
+    let said = succeeds(&[
+        "prepare",
+        &terrain,
+        "-o",
+        &again,
+        "--sectors",
+        "8",
+        "--parts",
+        "2",
+    ]);
+    assert!(said.contains("horizons in 8 sectors of 2"), "{said}");
+    let bad = ["prepare", &terrain, "-o", &again, "--error", "2"];
+    refuses(&bad, 2, &["taken whole"]);
+    // What the file says of its terrain is damaged: the scene is shown all the same, and it is said why it has no horizons.
+    let bytes = std::fs::read(&again).unwrap();
+    let text = b"\"method\":\"sound\"";
+    let place = bytes.windows(text.len()).position(|window| window == text);
+    let mut broken = bytes.clone();
+    broken[place.unwrap() + 10] = b'f';
+    std::fs::write(&again, broken).unwrap();
+    let image = at("image.png");
+    let draw = ["render", &again, "--size", "64x48", "-o", &image];
+    let output = antumbra(&draw);
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert!(
+        stderr(&output).contains("\"method\" is none of sound"),
+        "{}",
+        stderr(&output)
+    );
+    let horizon = [&draw[..], &["--strategy", "horizon"]].concat();
+    refuses(&horizon, 2, &["without its horizons", "no terrain"]);
+}
+
+#[test]
+fn a_raster_is_a_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let drawn = drawn(&ridges(folder.path()), &folder.path().join("out"));
+    assert!(drawn <= 1.0, "{drawn}");
+}
+
+#[test]
+fn what_is_to_be_made_is_told_or_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (grid, out) = (at("dem.asc"), at("out.glb"));
+    let posts = "0 1 2\n1 5 1\n2 1 0\n";
+    let head = "ncols 3\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 10\n";
+    std::fs::write(&grid, format!("{head}{posts}")).unwrap();
+    let prepare = ["prepare", grid.as_str(), "-o", out.as_str()];
+    let said = succeeds(&[&prepare[..], &["--tiles", "2"]].concat());
+    assert!(said.contains("1 horizons"), "{said}");
+    let said = succeeds(&[&prepare[..], &["--as", "terrain"]].concat());
+    assert!(said.contains("9 vertices and 8 triangles"), "{said}");
+    let asked = [&prepare[..], &["--vertices", "5"]].concat();
+    refuses(&asked, 2, &["--as terrain"]);
+    let both = [
+        &prepare[..],
+        &["--as", "terrain", "--vertices", "5", "--error", "1"],
+    ]
+    .concat();
+    refuses(&both, 2, &["cannot be used with"]);
+    let two = ["prepare", &grid, &grid, "-o", &out, "--as", "terrain"];
+    refuses(&two, 2, &["one input"]);
+    let other = at("surface.gri");
+    refuses(
+        &["prepare", &other, "-o", &out, "--as", "terrain"],
+        2,
+        &["neither a raster"],
+    );
+    refuses(&["prepare", &at("no.npz"), "-o", &out], 1, &["no.npz"]);
+    let built_in = [
+        "prepare",
+        "terrain:300:order=5",
+        "-o",
+        &out,
+        "--sectors",
+        "4",
+        "--parts",
+        "2",
+    ];
+    let said = succeeds(&[&built_in[..], &["--seed", "7"]].concat());
+    assert!(said.contains("horizons in 4 sectors of 2"), "{said}");
+    refuses(
+        &[&built_in[..], &["--error", "7"]].concat(),
+        2,
+        &["for rasters"],
+    );
+    refuses(
+        &[&built_in[..], &["--method", "magic"]].concat(),
+        2,
+        &["sound, rays or thesis"],
+    );
+}
 
 /// The strategies of a comparison's report.
 fn compared(scene: &str, strategies: &[&str], more: &[&str]) -> Vec<Value> {

@@ -1,6 +1,7 @@
 //! Antumbra's scenes: entities in slotmap arenas with transforms, bounds, cameras, lights and a hierarchy, and the files they
 //! come from. This crate knows no GPU; the world is f64 metres, right-handed, +Y up.
 
+mod attachment;
 pub mod bounds;
 pub mod builtin;
 mod camera;
@@ -19,6 +20,7 @@ mod scene;
 mod simplify;
 mod stereo;
 
+pub use attachment::Attachment;
 pub use bounds::{Aabb, BoxArray};
 pub use camera::{Camera, CameraError, Projection};
 pub use environment::Environment;
@@ -26,11 +28,14 @@ pub use error::SceneError;
 pub use frustum::Frustum;
 pub use keys::{EntityKey, ImageKey, MaterialKey, MeshKey};
 pub use light::Light;
-pub use load::{Format, LoadError, LoadOptions, LoadProblem, load, load_gltf_slice, load_slice};
+pub use load::{
+    Format, LoadError, LoadOptions, LoadProblem, Loaded, load, load_gltf_slice, load_slice,
+    load_slice_with, load_with,
+};
 pub use material::{AlphaMode, Filter, Image, Material, Sampler, Wrap};
 pub use mesh::{Geometry, Mesh, Topology};
 pub use raster::{Raster, RasterError, RasterFormat};
-pub use save::{SaveError, SaveProblem, save_glb};
+pub use save::{SaveError, SaveProblem, save_glb, save_glb_with};
 pub use scene::{Changes, Drawable, Scene};
 pub use simplify::{ProxyOptions, proxy};
 pub use stereo::{Stereo, StereoError};

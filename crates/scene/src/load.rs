@@ -12,6 +12,7 @@ mod stl;
 
 pub use error::{LoadError, LoadProblem};
 
+use crate::attachment::Attachment;
 use crate::mesh::Geometry;
 use crate::scene::{Drawable, Scene};
 use crate::{Material, Mesh};
@@ -88,6 +89,15 @@ impl Default for LoadOptions {
     }
 }
 
+/// A scene, and what others had to say of it.
+#[derive(Debug)]
+pub struct Loaded {
+    /// The scene.
+    pub scene: Scene,
+    /// Of the attachments that were asked for, those that the file has, or what is wrong with them: the scene is what it is without them.
+    pub attachments: Vec<Result<Attachment, LoadError>>,
+}
+
 /// Reads a scene from a file; its format is told by the extension (.glb, .gltf, .json and .jsonl for CityJSON,
 /// .obj, .ply, .stl).
 ///
@@ -96,6 +106,22 @@ impl Default for LoadOptions {
 /// # Errors
 /// One [`LoadProblem`] each for what can be wrong with a file, with the file's name around it.
 pub fn load(path: &Path, options: &LoadOptions) -> Result<Scene, LoadError> {
+    Ok(load_with(path, options, &[])?.scene)
+}
+
+/// As [`load`], with the attachments of these names, which glTF alone can have.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_with(
+    path: &Path,
+    options: &LoadOptions,
+    attachments: &[&str],
+) -> Result<Loaded, LoadError> {
+    let error = |problem| LoadError {
+        file: Some(path.to_owned()),
+        problem: Box::new(problem),
+    };
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
     let read = || {
         let Some(format) = Format::from_extension(extension) else {
@@ -106,16 +132,17 @@ pub fn load(path: &Path, options: &LoadOptions) -> Result<Scene, LoadError> {
         };
         let mut budget = Budget::new(options);
         let bytes = files::read(path, &mut budget)?;
-        read_format(format, &bytes, path.parent(), budget)
+        read_format(format, &bytes, path.parent(), attachments, budget)
     };
-    let mut scene = read().map_err(|problem| LoadError {
-        file: Some(path.to_owned()),
-        problem: Box::new(problem),
-    })?;
+    let (mut scene, attachments) = read().map_err(error)?;
     if let Some(stem) = path.file_stem().and_then(|stem| stem.to_str()) {
         scene.set_name(stem);
     }
-    Ok(scene)
+    let attachments = attachments.into_iter();
+    Ok(Loaded {
+        scene,
+        attachments: attachments.map(|found| found.map_err(error)).collect(),
+    })
 }
 
 /// Reads a scene from memory. Files it refers to are looked for below `base`, or refused without one.
@@ -128,13 +155,33 @@ pub fn load_slice(
     base: Option<&Path>,
     options: &LoadOptions,
 ) -> Result<Scene, LoadError> {
+    Ok(load_slice_with(format, bytes, base, options, &[])?.scene)
+}
+
+/// As [`load_slice`], with the attachments of these names.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_slice_with(
+    format: Format,
+    bytes: &[u8],
+    base: Option<&Path>,
+    options: &LoadOptions,
+    attachments: &[&str],
+) -> Result<Loaded, LoadError> {
+    let error = |problem| LoadError {
+        file: None,
+        problem: Box::new(problem),
+    };
     let mut budget = Budget::new(options);
-    (budget.bytes(bytes.len() as u64))
-        .and_then(|()| read_format(format, bytes, base, budget))
-        .map_err(|problem| LoadError {
-            file: None,
-            problem: Box::new(problem),
-        })
+    let (scene, attachments) = (budget.bytes(bytes.len() as u64))
+        .and_then(|()| read_format(format, bytes, base, attachments, budget))
+        .map_err(error)?;
+    let attachments = attachments.into_iter();
+    Ok(Loaded {
+        scene,
+        attachments: attachments.map(|found| found.map_err(error)).collect(),
+    })
 }
 
 /// Reads a glTF scene, JSON or binary, from memory: [`load_slice`] with [`Format::Gltf`].
@@ -149,20 +196,25 @@ pub fn load_gltf_slice(
     load_slice(Format::Gltf, bytes, base, options)
 }
 
+/// An attachment, or what is wrong with it.
+type Found = Result<Attachment, LoadProblem>;
+
 fn read_format(
     format: Format,
     bytes: &[u8],
     base: Option<&Path>,
+    attachments: &[&str],
     mut budget: Budget,
-) -> Result<Scene, LoadProblem> {
+) -> Result<(Scene, Vec<Found>), LoadProblem> {
     let files = Files::new(base);
-    match format {
+    let scene = match format {
         Format::CityJson => cityjson::read(bytes, &mut budget),
-        Format::Gltf => gltf::read(bytes, &files, &mut budget),
+        Format::Gltf => return gltf::read(bytes, &files, attachments, &mut budget),
         Format::Obj => obj::read(bytes, &files, &mut budget),
         Format::Ply => single("ply", ply::read(bytes, &mut budget)?),
         Format::Stl => single("stl", stl::read(bytes, &mut budget)?),
-    }
+    };
+    Ok((scene?, Vec::new()))
 }
 
 /// A scene of one entity, for the formats that hold one mesh.

@@ -9,6 +9,7 @@ mod json;
 mod looks;
 mod nodes;
 
+use crate::attachment::Attachment;
 use crate::scene::Scene;
 use binary::Binary;
 use gather::gather;
@@ -59,6 +60,14 @@ pub enum SaveProblem {
         /// What is wrong, and what to do.
         problem: String,
     },
+    /// An attachment that the file cannot hold.
+    #[error("the attachment \"{attachment}\": {problem}")]
+    BadAttachment {
+        /// Its name.
+        attachment: String,
+        /// What is wrong, and what to do.
+        problem: &'static str,
+    },
     /// An image that cannot be encoded.
     #[error("image \"{image}\": {problem}")]
     BadImage {
@@ -86,14 +95,27 @@ pub enum SaveProblem {
 /// [`SaveProblem::TooLarge`] beyond 4 GiB, a number of a material that is not finite, a uv transform that shears,
 /// an off-axis camera (glTF has none, and a camera on the axis would see something else), and what the system says.
 pub fn save_glb(scene: &Scene, path: &Path) -> Result<(), SaveError> {
-    save(scene, path).map_err(|problem| SaveError {
+    save_glb_with(scene, &[], path)
+}
+
+/// As [`save_glb`], with what others have to say of the scene.
+///
+/// # Errors
+/// As [`save_glb`]; [`SaveProblem::BadAttachment`] for one whose name is taken, that speaks of an entity which is not in the scene, or has facts
+/// of names that are not theirs.
+pub fn save_glb_with(
+    scene: &Scene,
+    attachments: &[Attachment],
+    path: &Path,
+) -> Result<(), SaveError> {
+    save(scene, attachments, path).map_err(|problem| SaveError {
         file: path.to_owned(),
         problem,
     })
 }
 
-fn save(scene: &Scene, path: &Path) -> Result<(), SaveProblem> {
-    let (root, binary) = gather(scene)?;
+fn save(scene: &Scene, attachments: &[Attachment], path: &Path) -> Result<(), SaveProblem> {
+    let (root, binary) = gather(scene, attachments)?;
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
@@ -171,7 +193,7 @@ mod tests {
             ..Geometry::default()
         };
         let scene = Scene::new();
-        let (root, mut binary) = gather(&scene).unwrap();
+        let (root, mut binary) = gather(&scene, &[]).unwrap();
         for _ in 0..512 {
             binary.floats(&geometry.uvs, "VEC2");
         }

@@ -10,6 +10,7 @@ use glam::{DAffine3, DQuat, DVec2, DVec3, EulerRot};
 use crate::crystal::GroupOptions;
 use crate::error::TerrainError;
 use crate::field::Field;
+use crate::file::PreparedScene;
 use crate::fractal::FractalOptions;
 use crate::horizon::{Method, Sectors};
 use crate::show::{ShownTerrain, to_world};
@@ -76,12 +77,7 @@ impl BuiltInOptions {
             }
             "method" => self.prepare.method = read::<Method>("method", value)?,
             "seeds" => {
-                let seeds = read("seeds", value)?;
-                self.prepare.groups = Some(GroupOptions {
-                    seeds,
-                    most: seeds.saturating_mul(2),
-                    ..GroupOptions::for_triangles(0)
-                });
+                self.prepare.groups = Some(GroupOptions::of_seeds(read("seeds", value)?));
             }
             _ => {
                 return Err(TerrainError::Setting {
@@ -106,40 +102,31 @@ fn read<T: FromStr>(what: &'static str, value: &str) -> Result<T, TerrainError> 
     })
 }
 
-/// The built-in scene and what its parts are.
-#[derive(Debug)]
-pub struct BuiltIn {
-    /// The scene.
-    pub scene: Scene,
-    /// What is known of its terrain.
-    pub terrain: Arc<Terrain>,
-    /// Its entities.
-    pub shown: ShownTerrain,
-}
-
-impl BuiltIn {
+impl BuiltInOptions {
     /// Builds the scene; `done` is told of every sector whose horizons are found.
     ///
     /// # Errors
     /// [`TerrainError::Setting`] for an option out of range.
-    pub fn new(options: &BuiltInOptions, done: &(dyn Fn() + Sync)) -> Result<Self, TerrainError> {
-        let raster = options.landscape.raster()?;
-        let field = Field::over(&raster, Detail::Vertices(options.vertices))?;
-        let groups = options.prepare.groups;
-        let groups = groups.unwrap_or(GroupOptions::for_triangles(field.triangles().len()));
-        let prepare = TerrainOptions {
-            groups: Some(GroupOptions {
-                seed: options.landscape.seed,
-                ..groups
-            }),
-            ..options.prepare
-        };
+    pub fn scene(&self, done: &(dyn Fn() + Sync)) -> Result<PreparedScene, TerrainError> {
+        let seed = self.landscape.seed;
+        let field = Field::over(&self.landscape.raster()?, Detail::Vertices(self.vertices))?;
+        let prepare = self.prepare.seeded(seed, &field);
         let terrain = Terrain::prepare(field, &prepare, done)?;
+        let mut made = PreparedScene::of(terrain, "terrain")?;
+        spread_boxes(&mut made.scene, &made.terrain, self.boxes, seed)?;
+        Ok(made)
+    }
+}
+
+impl PreparedScene {
+    /// A scene that shows a terrain and nothing else.
+    ///
+    /// # Errors
+    /// As [`Terrain::show_lit`].
+    pub fn of(terrain: Terrain, name: &str) -> Result<Self, TerrainError> {
         let mut scene = Scene::new();
-        scene.set_name("terrain");
+        scene.set_name(name);
         let shown = terrain.show_lit(&mut scene)?;
-        let seed = options.landscape.seed;
-        spread_boxes(&mut scene, &terrain, options.boxes, seed)?;
         Ok(Self {
             scene,
             terrain: Arc::new(terrain),

@@ -47,6 +47,16 @@ impl GroupOptions {
         }
     }
 
+    /// The same from so many seeds.
+    #[must_use]
+    pub fn of_seeds(seeds: u32) -> Self {
+        Self {
+            seeds,
+            most: seeds.saturating_mul(2),
+            ..Self::for_triangles(0)
+        }
+    }
+
     /// Whether the numbers can be.
     ///
     /// # Errors

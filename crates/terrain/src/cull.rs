@@ -103,18 +103,22 @@ impl<'a> Eye<'a> {
         if far <= circle.radius {
             return false;
         }
+        let sectors = self.groups.sectors();
+        let hides = |sector: usize| {
+            !self.faced[sector] || regions[sector].hides(self.along[sector], self.at.z)
+        };
+        // Most groups are seen, and most of those are in the middle's sector.
+        if !hides(sectors.about(way) as usize) {
+            return false;
+        }
         // The directions from the circle to the eye, between the lines along its sides.
         let sine = circle.radius / far;
         let cosine = (1.0 - sine * sine).sqrt();
         let side = |sine: f64| DVec2::new(cosine, sine).rotate(way);
-        let sectors = self.groups.sectors();
         let [first, last] = [side(-sine), side(sine)].map(|way| sectors.about(way) as usize);
         let count = regions.len();
         let span = (last + count - first) % count;
-        let hidden = (0..=span).all(|step| {
-            let sector = (first + step) % count;
-            !self.faced[sector] || regions[sector].hides(self.along[sector], self.at.z)
-        });
+        let hidden = (0..=span).all(|step| hides((first + step) % count));
         let passed = |(rim, from): (&Rim, DVec3)| {
             let circle = Circle {
                 middle: circle.middle + from.truncate(),

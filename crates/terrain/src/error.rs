@@ -13,7 +13,7 @@ pub enum TerrainError {
     NotAHeightField {
         /// The first of its faults.
         faults: Vec<Fault>,
-        /// How many there are in all.
+        /// How many there are in all; of triangles one above the other at least so many.
         total: usize,
     },
     /// More than can be numbered.
@@ -35,6 +35,23 @@ pub enum TerrainError {
     /// The scene refused something.
     #[error(transparent)]
     Scene(#[from] antumbra_scene::SceneError),
+    /// A scene file that cannot be read.
+    #[error(transparent)]
+    Load(#[from] antumbra_scene::LoadError),
+    /// A scene file that cannot be written.
+    #[error(transparent)]
+    Save(#[from] antumbra_scene::SaveError),
+    /// A scene without what is known of its terrain.
+    #[error(
+        "it has no extension ANTUMBRA_horizons: write it with Terrain::save or `antumbra prepare`"
+    )]
+    NotPrepared,
+    /// What a file says of its terrain cannot be.
+    #[error("its extension ANTUMBRA_horizons cannot be used: {problem}; prepare the terrain again")]
+    BadFile {
+        /// What is wrong, and where.
+        problem: String,
+    },
     /// A setting out of its range.
     #[error("{what} cannot be {value}: {problem}")]
     Setting {

@@ -134,6 +134,32 @@ impl Groups {
         self.always.clone()
     }
 
+    /// The triangles of a group.
+    #[must_use]
+    pub fn triangles(&self, group: &Group) -> &[u32] {
+        let range = group.triangles.start as usize..group.triangles.end as usize;
+        self.order.get(range).unwrap_or_default()
+    }
+
+    /// What was made before, and is known to fit together.
+    pub(crate) fn from_parts(
+        sectors: Sectors,
+        groups: Vec<Group>,
+        regions: Vec<Region>,
+        tops: Vec<u32>,
+        order: Vec<u32>,
+        always: Range<u32>,
+    ) -> Self {
+        Self {
+            sectors,
+            groups,
+            regions,
+            tops,
+            order,
+            always,
+        }
+    }
+
     /// What hides a group, sector by sector.
     #[must_use]
     pub fn regions(&self, group: u32) -> &[Region] {

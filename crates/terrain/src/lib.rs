@@ -6,6 +6,7 @@
 //! - [`Field`] is a triangle mesh that is single-valued over the plan; what is not is refused with the place of every fault.
 //! - [`horizon`] finds, for every vertex and sector of directions, below which slope and beyond which distance nobody sees it.
 //! - A [`Terrain`] is a field with its horizons and groups; [`Blocks`] are several that lie beside each other.
+//! - [`file`] keeps all that is known of a terrain in the glTF that shows it.
 
 mod blocks;
 mod built_in;
@@ -15,7 +16,9 @@ mod cull;
 mod cut;
 mod error;
 pub mod field;
+pub mod file;
 mod fractal;
+mod from_scene;
 mod ground;
 mod groups;
 pub mod horizon;
@@ -36,13 +39,14 @@ mod terrain;
 mod tin;
 
 pub use blocks::Blocks;
-pub use built_in::{BuiltIn, BuiltInOptions};
+pub use built_in::BuiltInOptions;
 pub use circle::Circle;
 pub use crystal::{Crystals, GroupOptions};
 pub use cull::{Arc, Eye};
 pub use cut::Part;
 pub use error::TerrainError;
 pub use field::{Fault, Field, NONE, Outline};
+pub use file::PreparedScene;
 pub use fractal::FractalOptions;
 pub use ground::Ground;
 pub use groups::{Group, Groups};

@@ -135,6 +135,18 @@ impl Region {
         }
     }
 
+    /// What was found before: its corners and its slope, if they can be any region's.
+    pub(crate) fn from_parts(corners: [[f32; 2]; CORNERS], slope: f32) -> Option<Self> {
+        let region = Self { corners, slope };
+        let finite = corners
+            .as_flattened()
+            .iter()
+            .all(|number| number.is_finite());
+        let rightwards = corners.windows(2).all(|pair| pair[0][0] <= pair[1][0]);
+        let closed = finite && rightwards && slope.is_finite();
+        (region == Self::OPEN || closed).then_some(region)
+    }
+
     /// Whether it hides nothing.
     #[must_use]
     pub fn is_open(&self) -> bool {

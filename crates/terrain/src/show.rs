@@ -21,8 +21,8 @@ pub struct ShownTerrain {
     pub root: EntityKey,
     /// The crystals' entities and their groups.
     pub groups: Vec<(EntityKey, u32)>,
-    /// Entities of the triangles of no group.
-    pub always: Vec<EntityKey>,
+    /// Entities of the triangles of no group, and which of those each shows.
+    pub always: Vec<(EntityKey, Vec<u32>)>,
 }
 
 impl ShownTerrain {
@@ -40,18 +40,14 @@ impl ShownTerrain {
             Aabb::from_points(corners.map(place)).unwrap_or(Aabb::new(DVec3::ZERO, DVec3::ZERO))
         };
         let shown = self.groups.iter().map(move |&(entity, group)| {
-            let range = groups.groups()[group as usize].triangles.clone();
-            let triangles = groups.order().get(range.start as usize..range.end as usize);
-            (entity, (group, around(triangles.unwrap_or_default())))
+            let triangles = groups.groups().get(group as usize);
+            let triangles = triangles.map_or(&[][..], |group| groups.triangles(group));
+            (entity, (group, around(triangles)))
         });
-        let rest = always(terrain);
-        let always: Vec<_> = self
+        let always = self
             .always
             .iter()
-            .copied()
-            .zip(rest.chunks(ALWAYS))
-            .map(|(entity, triangles)| (entity, (NONE, around(triangles))))
-            .collect();
+            .map(|(entity, triangles)| (*entity, (NONE, around(triangles))));
         shown.chain(always).collect::<Vec<_>>().into_iter()
     }
 }
@@ -109,20 +105,17 @@ impl Terrain {
             scene.set_drawable(entity, Drawable { mesh, material })?;
             Ok::<_, TerrainError>(entity)
         };
-        let row = |range: std::ops::Range<u32>| {
-            let row = groups.order().get(range.start as usize..range.end as usize);
-            row.unwrap_or_default()
-        };
         let mut shown = Vec::new();
         for (number, group) in groups.groups().iter().enumerate() {
             if group.is_leaf() {
-                let entity = add(format!("group {number}"), row(group.triangles.clone()))?;
+                let entity = add(format!("group {number}"), groups.triangles(group))?;
                 shown.push((entity, number as u32));
             }
         }
         let mut rest = Vec::new();
         for (number, triangles) in always(self).chunks(ALWAYS).enumerate() {
-            rest.push(add(format!("always {number}"), triangles)?);
+            let entity = add(format!("always {number}"), triangles)?;
+            rest.push((entity, triangles.to_vec()));
         }
         Ok(ShownTerrain {
             root,
@@ -159,18 +152,34 @@ fn normals(terrain: &Terrain) -> Vec<[f32; 3]> {
 }
 
 fn geometry(field: &Field, normals: &[[f32; 3]], triangles: &[u32]) -> Geometry {
+    let (corners, indices) = corners(field, triangles);
+    Geometry {
+        positions: corners.iter().map(|&at| position(field, at)).collect(),
+        normals: corners.iter().map(|&at| normals[at as usize]).collect(),
+        indices,
+        ..Geometry::default()
+    }
+}
+
+/// The vertices of some triangles in the order in which a mesh has them, and its indices.
+pub(crate) fn corners(field: &Field, triangles: &[u32]) -> (Vec<u32>, Vec<u32>) {
     let mut names: HashMap<u32, u32> = HashMap::new();
-    let mut geometry = Geometry::default();
+    let mut corners = Vec::new();
+    let mut indices = Vec::with_capacity(triangles.len() * 3);
     for &triangle in triangles {
         for corner in field.triangles()[triangle as usize] {
             let name = *names.entry(corner).or_insert_with(|| {
-                let place: Vec3 = to_world(field.point(corner)).as_vec3();
-                geometry.positions.push(place.to_array());
-                geometry.normals.push(normals[corner as usize]);
-                geometry.positions.len() as u32 - 1
+                corners.push(corner);
+                corners.len() as u32 - 1
             });
-            geometry.indices.push(name);
+            indices.push(name);
         }
     }
-    geometry
+    (corners, indices)
+}
+
+/// A vertex as a mesh has it.
+pub(crate) fn position(field: &Field, vertex: u32) -> [f32; 3] {
+    let place: Vec3 = to_world(field.point(vertex)).as_vec3();
+    place.to_array()
 }

@@ -23,6 +23,19 @@ pub struct TerrainOptions {
     pub groups: Option<GroupOptions>,
 }
 
+impl TerrainOptions {
+    /// The same with groups that grow from a seed.
+    #[must_use]
+    pub fn seeded(self, seed: u64, field: &Field) -> Self {
+        let default = GroupOptions::for_triangles(field.triangles().len());
+        let groups = self.groups.unwrap_or(default);
+        Self {
+            groups: Some(GroupOptions { seed, ..groups }),
+            ..self
+        }
+    }
+}
+
 /// A prepared terrain.
 #[derive(Debug, Clone)]
 pub struct Terrain {
@@ -74,14 +87,23 @@ impl Terrain {
             let rest = own as u32..around.triangles().len() as u32;
             rest.map(|triangle| around.corners(triangle)).collect()
         });
+        let groups = Groups::make(&field, &horizons, &groups)?;
         Ok(Self {
-            groups: Groups::make(&field, &horizons, &groups)?,
+            margin: margin.unwrap_or_default(),
+            ..Self::from_parts(field, groups, method)
+        })
+    }
+
+    /// What was prepared before, and has no margin.
+    pub(crate) fn from_parts(field: Field, groups: Groups, method: Method) -> Self {
+        Self {
             ground: Ground::new(&field),
             rim: Rim::of(&field),
-            margin: margin.unwrap_or_default(),
+            margin: Vec::new(),
             field,
+            groups,
             method,
-        })
+        }
     }
 
     /// The field.
@@ -100,6 +122,12 @@ impl Terrain {
     #[must_use]
     pub fn groups(&self) -> &Groups {
         &self.groups
+    }
+
+    /// How its horizons were found.
+    #[must_use]
+    pub fn method(&self) -> Method {
+        self.method
     }
 
     /// Whether nobody sees what is said to be hidden from them: [`Method::Sound`] alone promises so.

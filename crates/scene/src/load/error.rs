@@ -156,6 +156,14 @@ pub enum LoadProblem {
         /// The other.
         second: String,
     },
+    /// What an attachment says of itself does not fit together.
+    #[error("the extension {attachment}: {problem}; write it again")]
+    BadAttachment {
+        /// Its name.
+        attachment: String,
+        /// What is wrong.
+        problem: String,
+    },
     /// An image that cannot be decoded.
     #[error("{image}: {problem}; set LoadOptions::skip_images to load the scene without images")]
     BadImage {

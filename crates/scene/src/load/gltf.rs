@@ -6,6 +6,7 @@
 //! whether an entity is tested. Animations are not. Nodes are placed in f64.
 
 mod accessor;
+mod attachments;
 mod container;
 mod document;
 mod extras;
@@ -16,6 +17,7 @@ mod skin;
 mod transform;
 mod tree;
 
+use super::Found;
 use super::budget::Budget;
 use super::error::LoadProblem;
 use super::files::Files;
@@ -35,10 +37,14 @@ const SUPPORTED: &[&str] = &[
 pub(super) fn read(
     bytes: &[u8],
     files: &Files<'_>,
+    attachments: &[&str],
     budget: &mut Budget,
-) -> Result<Scene, LoadProblem> {
+) -> Result<(Scene, Vec<Found>), LoadProblem> {
     let parts = container::split(bytes)?;
     let json = container::parse(parts.json, budget)?;
     let document = Document::open(json, parts.binary, files, budget)?;
-    nodes::place(&document, files, budget)
+    let (scene, entities) = nodes::place(&document, files, budget)?;
+    let wanted = attachments.iter();
+    let found = wanted.filter_map(|name| attachments::read(&document, name, &entities));
+    Ok((scene, found.collect()))
 }

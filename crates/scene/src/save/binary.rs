@@ -75,6 +75,11 @@ impl<'a> Binary<'a> {
         self.add(Part::Owned(bytes), None)
     }
 
+    /// Adds bytes that somebody else has; their buffer view.
+    pub(super) fn bytes(&mut self, bytes: &'a [u8]) -> u32 {
+        self.add(Part::Borrowed(bytes), None)
+    }
+
     /// Adds the positions; their accessor.
     pub(super) fn positions(&mut self, geometry: &'a Geometry) -> u32 {
         let positions = &geometry.positions;

@@ -8,16 +8,30 @@ use super::json::{
 };
 use super::looks::Looks;
 use super::nodes;
+use crate::attachment::Attachment;
 use crate::camera::Camera;
 use crate::keys::{EntityKey, MaterialKey, MeshKey};
 use crate::mesh::{self, Geometry, Topology};
 use crate::scene::{Drawable, Scene};
 use glam::DAffine3;
 use slotmap::SecondaryMap;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
+
+/// The extensions that scenes themselves need.
+const OWN: [&str; 4] = [
+    "KHR_lights_punctual",
+    "KHR_materials_unlit",
+    "KHR_texture_transform",
+    "MSFT_lod",
+];
+
+type Attached<'a> = BTreeMap<&'a str, super::json::Attachment<'a>>;
 
 /// Everything of the file.
-pub(super) fn gather(scene: &Scene) -> Result<(Root<'_>, Binary<'_>), SaveProblem> {
+pub(super) fn gather<'a>(
+    scene: &'a Scene,
+    attachments: &'a [Attachment],
+) -> Result<(Root<'a>, Binary<'a>), SaveProblem> {
     let entities = in_order(scene);
     let mut numbers = SecondaryMap::with_capacity(entities.len());
     for (number, entity) in (0..).zip(&entities) {
@@ -62,7 +76,9 @@ pub(super) fn gather(scene: &Scene) -> Result<(Root<'_>, Binary<'_>), SaveProble
         }
     }
     let roots = scene.roots().filter_map(|root| numbers.get(root).copied());
-    Ok(gathering.finish(roots.collect()))
+    let roots = roots.collect();
+    let attached = gathering.attach(attachments, &numbers)?;
+    Ok(gathering.finish(roots, attached))
 }
 
 /// Every entity, those above first.
@@ -240,7 +256,50 @@ impl<'a> Gathering<'a> {
         Ok(())
     }
 
-    fn finish(self, roots: Vec<u32>) -> (Root<'a>, Binary<'a>) {
+    /// What is somebody else's, by name.
+    fn attach(
+        &mut self,
+        attachments: &'a [Attachment],
+        numbers: &SecondaryMap<EntityKey, u32>,
+    ) -> Result<Attached<'a>, SaveProblem> {
+        let mut attached = Attached::new();
+        for attachment in attachments {
+            let name = attachment.name.as_str();
+            let bad = |problem| {
+                Err(SaveProblem::BadAttachment {
+                    attachment: name.to_owned(),
+                    problem,
+                })
+            };
+            if name.is_empty() || OWN.contains(&name) || attached.contains_key(name) {
+                return bad("its name is empty or somebody else's; give it one of its own");
+            }
+            if [Attachment::NODES, Attachment::BUFFER_VIEW]
+                .iter()
+                .any(|fact| attachment.facts.contains_key(*fact))
+            {
+                return bad(
+                    "its nodes and its bufferView are written here; name its facts otherwise",
+                );
+            }
+            let nodes = attachment.entities.iter();
+            let nodes: Option<Vec<u32>> = nodes.map(|&key| numbers.get(key).copied()).collect();
+            let Some(nodes) = nodes else {
+                return bad("it speaks of an entity that is not in the scene; leave that out");
+            };
+            let bytes = attachment.bytes.as_slice();
+            let buffer_view = (!bytes.is_empty()).then(|| self.binary.bytes(bytes));
+            let written = super::json::Attachment {
+                facts: &attachment.facts,
+                nodes,
+                buffer_view,
+            };
+            attached.insert(name, written);
+        }
+        Ok(attached)
+    }
+
+    fn finish(self, roots: Vec<u32>, attachments: Attached<'a>) -> (Root<'a>, Binary<'a>) {
         let mut binary = self.binary;
         let looks = self.looks;
         let info = |material: &super::json::Material<'_>| {
@@ -250,19 +309,16 @@ impl<'a> Gathering<'a> {
                 .is_some_and(|texture| texture.extensions.is_some())
         };
         let used = [
-            ("KHR_lights_punctual", !self.lights.is_empty()),
-            (
-                "KHR_materials_unlit",
-                looks.materials.iter().any(|m| m.extensions.is_some()),
-            ),
-            ("KHR_texture_transform", looks.materials.iter().any(info)),
-            (
-                "MSFT_lod",
-                self.nodes
-                    .iter()
-                    .any(|n| n.extensions.as_ref().is_some_and(|e| e.lod.is_some())),
-            ),
+            !self.lights.is_empty(),
+            looks.materials.iter().any(|m| m.extensions.is_some()),
+            looks.materials.iter().any(info),
+            self.nodes
+                .iter()
+                .any(|n| n.extensions.as_ref().is_some_and(|e| e.lod.is_some())),
         ];
+        let lights = (!self.lights.is_empty()).then_some(Lights {
+            lights: self.lights,
+        });
         let buffers = match binary.length() {
             0 => Vec::new(),
             byte_length => vec![Buffer { byte_length }],
@@ -280,10 +336,11 @@ impl<'a> Gathering<'a> {
                 version: "2.0",
                 generator: concat!("Antumbra ", env!("CARGO_PKG_VERSION")),
             },
-            extensions_used: used
-                .iter()
-                .filter(|(_, used)| *used)
-                .map(|(name, _)| *name)
+            extensions_used: OWN
+                .into_iter()
+                .zip(used)
+                .filter_map(|(name, used)| used.then_some(name))
+                .chain(attachments.keys().copied())
                 .collect(),
             scene: (!scenes.is_empty()).then_some(0),
             scenes,
@@ -297,10 +354,9 @@ impl<'a> Gathering<'a> {
             accessors: std::mem::take(&mut binary.accessors),
             buffer_views: std::mem::take(&mut binary.views),
             buffers,
-            extensions: (!self.lights.is_empty()).then_some(RootExtensions {
-                lights: Lights {
-                    lights: self.lights,
-                },
+            extensions: (lights.is_some() || !attachments.is_empty()).then_some(RootExtensions {
+                lights,
+                attachments,
             }),
         };
         (root, binary)

@@ -1,13 +1,15 @@
 //! The JSON of a glTF, as far as it is written. Numbers of transforms are f64, all others f32 in as few digits as tell them apart.
 
 use serde::Serialize;
+use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Root<'a> {
     pub(super) asset: Asset,
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub(super) extensions_used: Vec<&'static str>,
+    pub(super) extensions_used: Vec<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) scene: Option<u32>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -33,7 +35,7 @@ pub(super) struct Root<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) buffers: Vec<Buffer>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) extensions: Option<RootExtensions>,
+    pub(super) extensions: Option<RootExtensions<'a>>,
 }
 
 #[derive(Serialize)]
@@ -264,10 +266,26 @@ pub(super) struct Buffer {
     pub(super) byte_length: u64,
 }
 
+#[derive(Default, Serialize)]
+pub(super) struct RootExtensions<'a> {
+    #[serde(
+        rename = "KHR_lights_punctual",
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub(super) lights: Option<Lights>,
+    #[serde(flatten)]
+    pub(super) attachments: BTreeMap<&'a str, Attachment<'a>>,
+}
+
+/// What is somebody else's.
 #[derive(Serialize)]
-pub(super) struct RootExtensions {
-    #[serde(rename = "KHR_lights_punctual")]
-    pub(super) lights: Lights,
+#[serde(rename_all = "camelCase")]
+pub(super) struct Attachment<'a> {
+    #[serde(flatten)]
+    pub(super) facts: &'a Map<String, Value>,
+    pub(super) nodes: Vec<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) buffer_view: Option<u32>,
 }
 
 #[derive(Serialize)]

@@ -5,6 +5,7 @@
 //! SOURCE is a raster (.npz, .tif, .asc) or `fractal`; WHAT is `tables`, `rays`, `pairs`, `views`, or `pictures` and a folder.
 #![allow(clippy::print_stdout)]
 
+mod canvas;
 mod clock;
 mod pairs;
 mod pictures;

@@ -79,7 +79,7 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
     );
     let thesis = tables::groups(field);
     let own = GroupOptions::for_triangles(field.triangles().len());
-    for [count, parts] in [[32, 4]] {
+    for [count, parts] in [[16, 4], [16, 16], [32, 4], [64, 2]] {
         let horizons = Horizons::find(
             field,
             Sectors::new(count, parts)?,
@@ -88,42 +88,13 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
             &|| (),
         );
         for options in [
+            thesis,
             GroupOptions {
-                seeds: own.seeds * 1,
-                most: own.seeds * 2,
-                smallest: 30,
-                ..own
-            },
-            GroupOptions {
-                seeds: own.seeds * 1,
-                most: own.seeds * 2,
                 smallest: 130,
-                ..own
+                ..thesis
             },
-            GroupOptions {
-                seeds: own.seeds * 4,
-                most: own.seeds * 8,
-                smallest: 30,
-                ..own
-            },
-            GroupOptions {
-                seeds: own.seeds * 4,
-                most: own.seeds * 16,
-                smallest: 8,
-                ..own
-            },
-            GroupOptions {
-                seeds: own.seeds * 16,
-                most: own.seeds * 32,
-                smallest: 8,
-                ..own
-            },
-            GroupOptions {
-                seeds: own.seeds * 16,
-                most: own.seeds * 64,
-                smallest: 2,
-                ..own
-            },
+            own,
+            GroupOptions::of_seeds(own.seeds * 4),
         ] {
             let groups = Groups::make(field, &horizons, &options)?;
             let mut sizes: Vec<usize> = groups

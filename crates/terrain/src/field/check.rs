@@ -216,7 +216,8 @@ fn counterparts(triangles: &[[u32; 3]]) -> Result<Vec<u32>, Vec<u32>> {
     Ok(across)
 }
 
-/// Pairs of triangles whose insides overlap in the plan, decided exactly.
+/// Pairs of triangles whose insides overlap in the plan, decided exactly; of each triangle so many as are told, since a heap of them has
+/// more pairs than memory holds.
 fn overhangs(points: &[DVec3], triangles: &[[u32; 3]]) -> Vec<[usize; 2]> {
     let plan =
         |triangle: usize| triangles[triangle].map(|corner| points[corner as usize].truncate());
@@ -226,16 +227,21 @@ fn overhangs(points: &[DVec3], triangles: &[[u32; 3]]) -> Vec<[usize; 2]> {
     let boxes = Boxes::new(extents.clone());
     let pairs = (0..triangles.len()).into_par_iter().flat_map_iter(|this| {
         let mut pairs = Vec::new();
-        boxes.each_touching(&extents[this], |other| {
-            let other = other as usize;
-            if other > this && overlap(plan(this), plan(other)) {
-                pairs.push([this, other]);
-            }
-        });
+        boxes.all(
+            |extent| extent.touches(&extents[this]),
+            |other| {
+                let other = other as usize;
+                if other != this && overlap(plan(this), plan(other)) {
+                    pairs.push([this.min(other), this.max(other)]);
+                }
+                pairs.len() < TOLD
+            },
+        );
         pairs
     });
     let mut pairs: Vec<[usize; 2]> = pairs.collect();
     pairs.sort_unstable();
+    pairs.dedup();
     pairs
 }
 

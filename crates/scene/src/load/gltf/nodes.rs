@@ -21,12 +21,12 @@ use gltf::json::scene::Node;
 use gltf::json::validation::Checked;
 use std::collections::{HashMap, VecDeque};
 
-/// Makes the file's scene.
+/// Makes the file's scene; the entity of each of its nodes that is in it.
 pub(super) fn place(
     document: &Document<'_>,
     files: &Files<'_>,
     budget: &mut Budget,
-) -> Result<Scene, LoadProblem> {
+) -> Result<(Scene, Entities), LoadProblem> {
     let tree = Tree::read(document)?;
     let mut placer = Placer {
         document,
@@ -42,6 +42,7 @@ pub(super) fn place(
             tree.worlds()
         },
     };
+    let mut entities = Entities::new();
     let mut queue: VecDeque<(usize, Option<EntityKey>)> = VecDeque::new();
     queue.extend(tree.roots.iter().map(|root| (*root, None)));
     while let Some((index, parent)) = queue.pop_front() {
@@ -49,13 +50,17 @@ pub(super) fn place(
         let local = *item(&tree.locals, index, "node", "the scene")?;
         let name = node.name.as_deref().unwrap_or_default();
         let entity = placer.spawn(parent, local, name)?;
+        entities.insert(index, entity);
         placer.equip(index, node, entity)?;
         let children = node.children.iter().flatten().map(|child| child.value());
         let shown = children.filter(|child| !tree.is_lod.get(*child).is_some_and(|lod| *lod));
         queue.extend(shown.map(|child| (child, Some(entity))));
     }
-    Ok(placer.scene)
+    Ok((placer.scene, entities))
 }
+
+/// Entities by their nodes.
+pub(super) type Entities = HashMap<usize, EntityKey>;
 
 /// A primitive as it looks at some node.
 #[derive(PartialEq, Eq, Hash)]
