@@ -19,6 +19,7 @@ mod save;
 mod scene;
 mod simplify;
 mod stereo;
+mod whole_file;
 
 pub use attachment::Attachment;
 pub use bounds::{Aabb, BoxArray};
@@ -39,3 +40,4 @@ pub use save::{SaveError, SaveProblem, save_glb, save_glb_with};
 pub use scene::{Changes, Drawable, Scene};
 pub use simplify::{ProxyOptions, proxy};
 pub use stereo::{Stereo, StereoError};
+pub use whole_file::whole_file;

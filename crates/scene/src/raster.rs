@@ -8,11 +8,12 @@ mod npz;
 pub mod words;
 
 use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use glam::{DVec2, DVec3};
 use thiserror::Error;
+
+use crate::whole_file::whole_file;
 
 /// Bytes; no larger file is read.
 const LARGEST_FILE: u64 = 4 << 30;
@@ -112,7 +113,9 @@ impl Raster {
         let extension = file.extension().and_then(|extension| extension.to_str());
         let format = extension.and_then(RasterFormat::from_extension);
         let format = format.ok_or_else(|| RasterError::UnknownExtension { file: file.into() })?;
-        let bytes = contents(file).map_err(|source| RasterError::Io {
+        let opened = File::open(file);
+        let bytes = opened.and_then(|opened| whole_file(opened, LARGEST_FILE));
+        let bytes = bytes.map_err(|source| RasterError::Io {
             file: file.into(),
             source,
         })?;
@@ -219,28 +222,4 @@ fn read(format: RasterFormat, bytes: &[u8]) -> Result<Raster, String> {
         RasterFormat::GeoTiff => geotiff::read(bytes),
         RasterFormat::Npz => npz::read(bytes),
     }
-}
-
-/// A whole file, unless it is too large or may have no end.
-fn contents(path: &Path) -> std::io::Result<Vec<u8>> {
-    let file = File::open(path)?;
-    let metadata = file.metadata()?;
-    if !metadata.is_file() {
-        return Err(std::io::Error::other(
-            "it is no regular file, so that its length is not known",
-        ));
-    }
-    let mut bytes = Vec::new();
-    if metadata.len() <= LARGEST_FILE {
-        let wanted = usize::try_from(metadata.len()).unwrap_or(usize::MAX);
-        bytes
-            .try_reserve_exact(wanted)
-            .map_err(std::io::Error::other)?;
-        file.take(LARGEST_FILE + 1).read_to_end(&mut bytes)?;
-    }
-    if metadata.len().max(bytes.len() as u64) > LARGEST_FILE {
-        let problem = format!("larger than {LARGEST_FILE} bytes; cut it into parts");
-        return Err(std::io::Error::other(problem));
-    }
-    Ok(bytes)
 }

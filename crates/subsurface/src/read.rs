@@ -24,10 +24,9 @@ mod roff_grid;
 mod triangles;
 
 use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
-use antumbra_scene::{Raster, RasterError, RasterFormat};
+use antumbra_scene::{Raster, RasterError, RasterFormat, whole_file};
 
 use crate::corner_point::{CellProperty, Grid};
 use crate::error::SubsurfaceError;
@@ -273,23 +272,5 @@ fn contents(path: &Path) -> Result<Vec<u8>, SubsurfaceError> {
         }
     };
     let file = File::open(path).map_err(failed("open"))?;
-    let metadata = file.metadata().map_err(failed("read"))?;
-    if !metadata.is_file() {
-        let problem = "it is no regular file, so that its length is not known";
-        return Err(failed("read")(std::io::Error::other(problem)));
-    }
-    let length = metadata.len();
-    let mut bytes = Vec::new();
-    if length <= LARGEST_FILE {
-        let wanted = usize::try_from(length).unwrap_or(usize::MAX);
-        let room = bytes.try_reserve_exact(wanted);
-        room.map_err(|error| failed("read")(std::io::Error::other(error)))?;
-        let mut limited = file.take(LARGEST_FILE + 1);
-        limited.read_to_end(&mut bytes).map_err(failed("read"))?;
-    }
-    if length.max(bytes.len() as u64) > LARGEST_FILE {
-        let problem = format!("larger than {LARGEST_FILE} bytes; cut it into parts");
-        return Err(failed("read")(std::io::Error::other(problem)));
-    }
-    Ok(bytes)
+    whole_file(file, LARGEST_FILE).map_err(failed("read"))
 }

@@ -2,12 +2,12 @@
 
 use std::collections::HashMap;
 
-use antumbra_scene::{Aabb, Drawable, EntityKey, Geometry, MaterialKey, Mesh, Scene};
+use antumbra_scene::{Drawable, EntityKey, Geometry, MaterialKey, Mesh, Scene};
 use glam::{DAffine3, DVec3, Vec3};
 
 use crate::blocks::bits;
 use crate::error::TerrainError;
-use crate::field::{Field, NONE};
+use crate::field::Field;
 use crate::packed::order;
 use crate::terrain::Terrain;
 
@@ -23,33 +23,6 @@ pub struct ShownTerrain {
     pub groups: Vec<(EntityKey, u32)>,
     /// Entities of the triangles of no group, and which of those each shows.
     pub always: Vec<(EntityKey, Vec<u32>)>,
-}
-
-impl ShownTerrain {
-    /// All its entities that show something: the group of each, [`NONE`] for those always drawn, and the box around it in the world.
-    pub(crate) fn entities(
-        &self,
-        terrain: &Terrain,
-    ) -> impl Iterator<Item = (EntityKey, (u32, Aabb))> {
-        let groups = terrain.groups();
-        let around = |triangles: &[u32]| {
-            let corners = triangles
-                .iter()
-                .flat_map(|&triangle| terrain.field().corners(triangle));
-            let place = |corner: DVec3| to_world(corner) + to_world(terrain.field().origin());
-            Aabb::from_points(corners.map(place)).unwrap_or(Aabb::new(DVec3::ZERO, DVec3::ZERO))
-        };
-        let shown = self.groups.iter().map(move |&(entity, group)| {
-            let triangles = groups.groups().get(group as usize);
-            let triangles = triangles.map_or(&[][..], |group| groups.triangles(group));
-            (entity, (group, around(triangles)))
-        });
-        let always = self
-            .always
-            .iter()
-            .map(|(entity, triangles)| (*entity, (NONE, around(triangles))));
-        shown.chain(always).collect::<Vec<_>>().into_iter()
-    }
 }
 
 /// The triangles of no group, neighbours together.

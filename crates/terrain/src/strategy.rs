@@ -9,9 +9,11 @@ use antumbra_cull::{
     VisibleSet,
 };
 use antumbra_scene::{Aabb, EntityKey, Scene};
+use glam::DVec3;
 
+use crate::field::NONE;
 use crate::seen::Seen;
-use crate::show::ShownTerrain;
+use crate::show::{ShownTerrain, to_world};
 use crate::stood::Stood;
 use crate::terrain::Terrain;
 
@@ -33,7 +35,7 @@ pub(crate) struct Known {
     pub terrains: Vec<Shared<Terrain>>,
     /// How many entities show each.
     pub entities_of: Vec<usize>,
-    /// The terrain and the group of each entity, [`NONE`](crate::NONE) for those always drawn, and the box it is in.
+    /// The terrain and the group of each entity, [`NONE`] for those always drawn, and the box it is in.
     pub entities: HashMap<EntityKey, (usize, u32, Aabb)>,
     /// The other entities that were prepared.
     stood: RwLock<Shared<Stood>>,
@@ -56,7 +58,7 @@ impl Horizon {
             stood: RwLock::default(),
         };
         for (block, (terrain, shown)) in blocks.into_iter().enumerate() {
-            let entities = shown.entities(&terrain);
+            let entities = entities(shown, &terrain);
             let before = known.entities.len();
             let numbered = entities.map(|(key, (group, bounds))| (key, (block, group, bounds)));
             known.entities.extend(numbered);
@@ -92,6 +94,28 @@ impl Horizon {
         *known.stood.write().unwrap_or_else(PoisonError::into_inner) = Shared::new(stood);
         count
     }
+}
+
+/// All entities of a terrain that show something: the group of each, [`NONE`] for those always drawn, and the box around it in the world.
+fn entities(
+    shown: &ShownTerrain,
+    terrain: &Terrain,
+) -> impl Iterator<Item = (EntityKey, (u32, Aabb))> {
+    let groups = terrain.groups();
+    let around = |triangles: &[u32]| {
+        let corners = triangles
+            .iter()
+            .flat_map(|&triangle| terrain.field().corners(triangle));
+        let place = |corner: DVec3| to_world(corner) + to_world(terrain.field().origin());
+        Aabb::from_points(corners.map(place)).unwrap_or(Aabb::new(DVec3::ZERO, DVec3::ZERO))
+    };
+    let crystals = shown.groups.iter().map(move |&(entity, group)| {
+        let known = groups.groups().get(group as usize);
+        let triangles = known.map_or(&[][..], |group| groups.triangles(group));
+        (entity, (group, around(triangles)))
+    });
+    let rest = shown.always.iter();
+    crystals.chain(rest.map(move |(entity, triangles)| (*entity, (NONE, around(triangles)))))
 }
 
 impl Known {

@@ -60,7 +60,39 @@ fn sound_horizons_cull_nothing_visible_and_find_most_of_what_is_hidden() {
     }
 }
 
-/// The same for edges, of which seven places are looked at.
+/// Whether an edge's horizon hides both of its ends, and so all of it.
+fn is_hidden(field: &Field, horizons: &Horizons, edge: u32, camera: DVec3) -> bool {
+    let away = field
+        .ends(field.edges()[edge as usize])
+        .map(|end| camera - end);
+    let [first, last] = away.map(|away| horizons.sectors().containing(away.truncate()));
+    first == last
+        && first.is_some_and(|sector| {
+            let horizon = horizons.along(edge, sector);
+            away.iter()
+                .all(|away| horizon.hides(away.truncate().length(), away.z))
+        })
+}
+
+/// Whether one of seven places of an edge is seen, and just beside it too: along a border, rounding decides whether anything is in the way.
+fn is_seen(field: &Field, sights: &Sights<'_>, edge: u32, camera: DVec3) -> bool {
+    let ends = field.ends(field.edges()[edge as usize]);
+    let beside = (ends[1] - ends[0])
+        .truncate()
+        .normalize()
+        .perp()
+        .extend(0.0)
+        * 1e-6;
+    (0..=6)
+        .map(|step| ends[0].lerp(ends[1], f64::from(step) / 6.0))
+        .any(|place| {
+            [-1.0, 0.0, 1.0]
+                .into_iter()
+                .all(|side| !sights.is_blocked(place + beside * side, camera))
+        })
+}
+
+/// The same for edges.
 fn tally_edges(field: &Field, horizons: &Horizons, pairs: usize, seed: u64) -> Tally {
     let sights = Sights::new(field);
     let mut chance = Pcg32::seed_from_u64(seed);
@@ -69,21 +101,14 @@ fn tally_edges(field: &Field, horizons: &Horizons, pairs: usize, seed: u64) -> T
         let edge = chance.next_u32() % field.edges().len() as u32;
         let ends = field.ends(field.edges()[edge as usize]);
         let below = field.point(chance.next_u32() % field.points().len() as u32);
-        // Off the border: along it, rounding decides whether anything is in the way.
-        let camera = (below.truncate() * 0.99)
-            .extend(below.z + [0.5, 2.0, 20.0, 100.0][(chance.next_u32() % 4) as usize]);
-        let away = ends.map(|end| camera - end);
-        let [first, last] = away.map(|away| horizons.sectors().containing(away.truncate()));
-        let Some(sector) = first.filter(|_| first == last) else {
+        let camera = below + DVec3::Z * [0.5, 2.0, 20.0, 100.0][(chance.next_u32() % 4) as usize];
+        let away = ends.map(|end| (camera - end).truncate());
+        let [first, last] = away.map(|away| horizons.sectors().containing(away));
+        if first != last {
             continue;
-        };
-        let horizon = horizons.along(edge, sector);
-        let culled = away
-            .iter()
-            .all(|away| horizon.hides(away.truncate().length(), away.z));
-        let seen = (0..=6)
-            .map(|step| ends[0].lerp(ends[1], f64::from(step) / 6.0))
-            .any(|place| !sights.is_blocked(place, camera));
+        }
+        let culled = is_hidden(field, horizons, edge, camera);
+        let seen = is_seen(field, &sights, edge, camera);
         tally.hidden += usize::from(!seen);
         tally.found += usize::from(!seen && culled);
         tally.wrong += usize::from(seen && culled);
@@ -273,6 +298,11 @@ proptest! {
             if horizons.hides(&field, vertex, camera) && is_above(&field, camera) {
                 let blocked = sights.is_blocked(field.point(vertex), camera);
                 prop_assert!(blocked, "vertex {vertex} at {} is seen from {camera}", field.point(vertex));
+            }
+            let edge = chance.next_u32() % field.edges().len() as u32;
+            if surface && is_hidden(&field, &horizons, edge, camera) && is_above(&field, camera) {
+                let seen = is_seen(&field, &sights, edge, camera);
+                prop_assert!(!seen, "edge {edge} is seen from {camera}");
             }
         }
     }

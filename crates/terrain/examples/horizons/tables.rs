@@ -11,8 +11,8 @@ pub const SETTINGS: [[u32; 2]; 7] = [[8, 1], [8, 2], [8, 4], [8, 8], [16, 4], [3
 
 /// The methods in the order of the columns.
 const METHODS: [(Method, Scope); 4] = [
-    (Method::Thesis, Scope::Vertices),
-    (Method::Rays, Scope::Vertices),
+    (Method::Thesis, Scope::Surface),
+    (Method::Rays, Scope::Surface),
     (Method::Sound, Scope::Vertices),
     (Method::Sound, Scope::Surface),
 ];
@@ -55,6 +55,10 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
     let options = groups(field);
     for ([count, parts], row) in SETTINGS.into_iter().zip(&found) {
         for (horizons, (method, scope)) in row.iter().zip(METHODS) {
+            // Crystals grow by the horizons of edges.
+            if scope == Scope::Vertices {
+                continue;
+            }
             let clock = Clock::start();
             let crystals = Crystals::grow(field, horizons, &options)?;
             let seconds = clock.wall();
@@ -64,7 +68,7 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
                 .filter(|size| *size > 130)
                 .count();
             println!(
-                "| {count} / {parts} | {method}, {scope:?} | {} | {} | {} | {large} | {seconds:.3} |",
+                "| {count} / {parts} | {method} | {} | {} | {} | {large} | {seconds:.3} |",
                 crystals.passes,
                 crystals.orphans(),
                 crystals.count,

@@ -79,7 +79,7 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
     );
     let thesis = tables::groups(field);
     let own = GroupOptions::for_triangles(field.triangles().len());
-    for [count, parts] in [[16, 4], [16, 16], [32, 4], [64, 2]] {
+    for [count, parts] in [[16, 4], [32, 4]] {
         let horizons = Horizons::find(
             field,
             Sectors::new(count, parts)?,

@@ -93,10 +93,12 @@ impl FourEdges {
     #[inline(always)]
     fn slopes(&self, [along, across, up]: [Vec4; 3], close: Vec4) -> Vec4 {
         let [left, right] = [across - self.across[0], self.across[1] - across];
-        let share = left / (left + right);
-        let far = self.along[0] + (self.along[1] - self.along[0]) * share - along;
-        let rise = self.up[0] + (self.up[1] - self.up[0]) * share - up;
-        let crosses = (left * right).cmpge(Vec4::ZERO) & far.cmpgt(close);
+        let same = (left * right).cmpge(Vec4::ZERO);
+        let [left, right] = [left.abs(), right.abs()];
+        // Both times the width of the edge, to divide once.
+        let far = (self.along[0] - along) * right + (self.along[1] - along) * left;
+        let rise = (self.up[0] - up) * right + (self.up[1] - up) * left;
+        let crosses = same & far.cmpgt(close * (left + right));
         Vec4::select(crosses, rise / far, Vec4::splat(LOWEST))
     }
 }
@@ -108,15 +110,17 @@ impl FourBoxes {
         top: Vec4::NEG_INFINITY,
     };
 
-    /// No line from a vertex to what is in each box rises more steeply; [`LOWEST`] for boxes that the vertex's line misses.
+    /// How far the tops of the boxes reach above a line that rises by `slope`, metres: where that is more than 0, a line to what is in the
+    /// box may rise more steeply. [`LOWEST`] for boxes that the vertex's line misses.
     #[inline(always)]
-    fn bounds(&self, [along, across, up]: [Vec4; 3], close: Vec4) -> Vec4 {
+    fn above(&self, [along, across, up]: [Vec4; 3], close: Vec4, slope: f32) -> Vec4 {
         let near = (self.along[0] - along).max(close);
         let far = self.along[1] - along;
-        let rise = self.top - up;
-        let steep = rise / Vec4::select(rise.cmpge(Vec4::ZERO), near, far);
+        // A line that rises is lowest at the box's near end, one that falls at its far end.
+        let line = if slope >= 0.0 { near } else { far };
+        let above = self.top - up - line * slope;
         let beside = across.cmpge(self.across[0]) & across.cmple(self.across[1]);
-        Vec4::select(beside & far.cmpgt(close), steep, Vec4::splat(LOWEST))
+        Vec4::select(beside & far.cmpgt(close), above, Vec4::splat(LOWEST))
     }
 
     /// Fits box `k` around four edges.
@@ -155,8 +159,8 @@ pub(super) struct Bearing<'a> {
     boxes: Vec<FourBoxes>,
     /// The first node that stands for four edges.
     leaves: u32,
-    /// Nodes that may hold something higher, each with its bound.
-    open: Vec<(u32, f32)>,
+    /// Nodes that may hold something higher.
+    open: Vec<u32>,
 }
 
 impl<'a> Bearing<'a> {
@@ -174,7 +178,7 @@ impl<'a> Bearing<'a> {
             fours: vec![FourEdges::NONE; fours],
             boxes: vec![FourBoxes::NONE; parent + 1],
             leaves: leaves as u32,
-            open: vec![(0, 0.0); OPEN],
+            open: vec![0; OPEN],
         }
     }
 
@@ -242,29 +246,27 @@ impl<'a> Bearing<'a> {
             }
         }
         let open = self.open.as_mut_slice();
-        open[0] = (0, f32::INFINITY);
+        open[0] = 0;
         let mut count = 1;
         while count > 0 {
             count -= 1;
-            let (node, bound) = open[count];
-            if bound <= best {
-                continue;
-            }
+            let node = open[count];
             if node >= self.leaves {
                 look(node - self.leaves, &mut best);
                 continue;
             }
-            let bounds = self.boxes[node as usize].bounds(eye, close);
-            // Without a branch that depends on the terrain; then the steepest is put last, to be opened first.
-            let (mut steepest, mut last) = (LOWEST, count);
-            for (k, bound) in bounds.to_array().into_iter().enumerate() {
-                open[count] = (node * WIDTH as u32 + 1 + k as u32, bound);
-                if bound > steepest {
-                    (steepest, last) = (bound, count);
+            let above = self.boxes[node as usize].above(eye, close, best);
+            // Without a branch that depends on the terrain; then what stands out most is put last, to be opened first.
+            let (mut most, mut last) = (0.0, count);
+            let first = count;
+            for (k, above) in above.to_array().into_iter().enumerate() {
+                open[count] = node * WIDTH as u32 + 1 + k as u32;
+                if above > most {
+                    (most, last) = (above, count);
                 }
-                count += usize::from(bound > best);
+                count += usize::from(above > 0.0);
             }
-            if steepest > best {
+            if count > first {
                 open.swap(last, count - 1);
             }
         }

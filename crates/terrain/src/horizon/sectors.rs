@@ -17,8 +17,8 @@ pub struct Sectors {
 impl Default for Sectors {
     fn default() -> Self {
         Self {
-            count: 16,
-            parts: 16,
+            count: 32,
+            parts: 4,
         }
     }
 }
