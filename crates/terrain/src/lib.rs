@@ -6,7 +6,7 @@
 //! - [`Field`] is a triangle mesh that is single-valued over the plan; what is not is refused with the place of every fault.
 //! - [`horizon`] finds, for every vertex and sector of directions, below which slope and beyond which distance nobody sees it.
 //! - A [`Terrain`] is a field with its horizons and groups; [`Blocks`] are several that lie beside each other.
-//! - [`file`] keeps all that is known of a terrain in the glTF that shows it.
+//! - [`mod@file`] keeps all that is known of a terrain in the glTF that shows it.
 
 mod blocks;
 mod built_in;
