@@ -223,10 +223,10 @@ pub struct TerrainArgs {
     /// How far a raster's posts may lie above or below the field, in metres
     #[arg(long, value_name = "METRES")]
     pub error: Option<f64>,
-    /// Sectors of directions, 4 to 1024; 16 where none are named
+    /// Sectors of directions, 4 to 1024; 32 where none are named
     #[arg(long)]
     pub sectors: Option<u32>,
-    /// Sub-sectors of each sector, 1 to 1024; 16 where none are named
+    /// Sub-sectors of each sector, 1 to 1024; 4 where none are named
     #[arg(long)]
     pub parts: Option<u32>,
     /// How horizons are found: sound, rays or thesis; sound where none is named

@@ -95,6 +95,10 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
             },
             own,
             GroupOptions::of_seeds(own.seeds * 4),
+            GroupOptions {
+                smallest: 8,
+                ..GroupOptions::of_seeds(own.seeds * 16)
+            },
         ] {
             let groups = Groups::make(field, &horizons, &options)?;
             let mut sizes: Vec<usize> = groups
