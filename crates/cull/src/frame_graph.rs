@@ -167,6 +167,11 @@ impl<'g> FrameGraph<'g> {
         tree
     }
 
+    /// Whether a tree of this shape is kept already.
+    pub(crate) fn keeps_tree(&self, shape: Shape) -> bool {
+        self.shared.trees.contains_key(&shape)
+    }
+
     /// Four bytes a slot.
     pub(crate) fn slot_bytes(&self) -> u64 {
         u64::from(self.shared.topology.slots.max(1)) * 4

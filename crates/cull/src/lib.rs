@@ -5,6 +5,7 @@
 //! frames. When an answer is used is one edge of the graph: read late by a host node, read now by a host node (a sync point), or read
 //! by a compute node that writes indirect draws ([`Latency`]).
 
+mod audit;
 mod candidates;
 mod counting;
 mod frame_graph;
@@ -29,6 +30,7 @@ mod verdict;
 mod view_nodes;
 mod visible_samples;
 
+pub use audit::{AUDIT, Audit, AuditOptions, Estimate, FrameAudit};
 pub use candidates::{Asked, Candidates, Query, Stamp};
 pub use counting::{Counting, Counts, Proxies};
 pub use frame_graph::{CULL, Chosen, DRAW, FrameGraph};

@@ -421,7 +421,7 @@ impl FrameGraph<'_> {
 }
 
 /// Candidates nobody asked about, ascending: they are drawn. Most strategies ask about all.
-fn unasked(candidates: &Candidates, asked: &Asked) -> Vec<u32> {
+pub(crate) fn unasked(candidates: &Candidates, asked: &Asked) -> Vec<u32> {
     if asked.slots.len() >= candidates.inside().len() {
         return Vec::new();
     }

@@ -17,6 +17,7 @@ use antumbra_graph::{
 use antumbra_scene::{Camera, CameraError};
 use thiserror::Error;
 
+use crate::audit::{Audit, AuditOptions};
 use crate::candidates::Asked;
 use crate::frame_graph::{CULL, FrameGraph, Shared};
 use crate::hand_on::{HandedOn, hide};
@@ -56,6 +57,8 @@ pub struct StageOptions {
     pub background: wgpu::Color,
     /// Whether the GPU's time is measured pass by pass, where the device can.
     pub timing: bool,
+    /// Whether each frame audits itself, and how; `None` for no such nodes.
+    pub audit: Option<AuditOptions>,
 }
 
 impl Default for StageOptions {
@@ -70,6 +73,7 @@ impl Default for StageOptions {
                 a: 1.0,
             },
             timing: false,
+            audit: None,
         }
     }
 }
@@ -171,6 +175,7 @@ struct BuiltView {
     verdicts: VerdictSource,
     sketch: Option<Host<Sketch>>,
     handed_on: Option<HandedOn>,
+    audit: Option<Host<Audit>>,
 }
 
 impl std::fmt::Debug for Stage {
@@ -343,6 +348,11 @@ impl Stage {
         self.built.plan.get(self.built.views.get(view)?.sketch?)
     }
 
+    /// What a view's audit has found so far, where the stage was told to audit itself.
+    pub fn audit(&self, view: usize) -> Option<&Audit> {
+        self.built.plan.get(self.built.views.get(view)?.audit?)
+    }
+
     /// A view's verdicts of the last frame. Where they only exist on the GPU they are fetched, and waited for: this is for measuring.
     ///
     /// # Errors
@@ -415,7 +425,11 @@ fn build(
             in_frustum: None,
             handed_on: None,
         };
-        let set = strategy.declare(&mut FrameGraph::new(&mut graph, &mut shared), &mut nodes)?;
+        let mut declared = FrameGraph::new(&mut graph, &mut shared);
+        let set = strategy.declare(&mut declared, &mut nodes)?;
+        let audit = options
+            .audit
+            .map(|options| declared.audit(&nodes, &set, options));
         // Writing an import keeps its writers; an output would ask more usages of its owner's texture.
         if imported.is_none() {
             graph.output(nodes.targets.colour);
@@ -426,6 +440,9 @@ fn build(
         if let Some(HandedOn { inside, left }) = set.handed_on {
             graph.output(inside);
             graph.output(left);
+        }
+        if let Some(audit) = audit {
+            graph.output(audit);
         }
         match set.verdicts {
             VerdictSource::Host(verdicts) => graph.output(verdicts),
@@ -448,6 +465,7 @@ fn build(
             verdicts: set.verdicts,
             sketch: set.sketch,
             handed_on: set.handed_on,
+            audit,
         });
     }
     let compile = CompileOptions {

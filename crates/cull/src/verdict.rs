@@ -151,6 +151,13 @@ impl Verdicts {
             .map(|(_, slot)| slot)
     }
 
+    /// Slots of this verdict, ascending.
+    pub fn of_kind(&self, kind: Verdict) -> impl Iterator<Item = u32> + Clone + '_ {
+        let all = self.of.iter().zip(0u32..);
+        all.filter(move |(verdict, _)| **verdict == kind)
+            .map(|(_, slot)| slot)
+    }
+
     /// How many of each, in the order of [`Verdict::ALL`].
     pub fn tally(&self) -> [u32; 6] {
         let mut tally = [0; 6];

@@ -18,6 +18,7 @@ mod material;
 mod mesh;
 mod oriented;
 pub mod passes;
+pub mod patches;
 mod pipeline;
 pub mod read_back;
 mod record;

@@ -162,6 +162,13 @@ pub const SLOT_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLay
     attributes: &wgpu::vertex_attr_array![1 => Uint32],
 };
 
+/// Vertex buffer 1 of what is drawn into patches: the instance slot and the patch's number, one pair an instance.
+pub const SLOT_PATCH_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: 2 * size_of::<u32>() as u64,
+    step_mode: wgpu::VertexStepMode::Instance,
+    attributes: &wgpu::vertex_attr_array![1 => Uint32, 5 => Uint32],
+};
+
 /// Vertex buffer 2: [`Attributes`].
 pub const ATTRIBUTE_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     array_stride: size_of::<Attributes>() as u64,

@@ -371,7 +371,7 @@ pub fn bind<'a>(
     let scene = ctx.get(inputs.scene)?;
     let ids = ctx.buffer(ids)?;
     let shaded = matches!(pipelines.kind(), PassKind::Shaded { .. });
-    let materials = shaded || matches!(pipelines.kind(), PassKind::Identity | PassKind::Signature);
+    let materials = pipelines.kind().has_materials();
     group(
         ctx,
         pipelines,
@@ -411,7 +411,7 @@ pub fn bind<'a>(
     Ok(scene)
 }
 
-fn group(
+pub(crate) fn group(
     ctx: &mut RasterContext<'_>,
     pipelines: &PassPipelines,
     number: u32,

@@ -2,10 +2,12 @@
 
 use antumbra_scene::Topology as Primitive;
 use antumbra_shaders::Job;
-use antumbra_shaders::jobs::{count_atomic, count_compare, depth, identity, shaded, signature};
+use antumbra_shaders::jobs::{
+    count_atomic, count_compare, depth, identity, patch_compare, patch_early, shaded, signature,
+};
 
 use crate::device::Gpu;
-use crate::mesh::{ATTRIBUTE_LAYOUT, POSITION_LAYOUT, SLOT_LAYOUT};
+use crate::mesh::{ATTRIBUTE_LAYOUT, POSITION_LAYOUT, SLOT_LAYOUT, SLOT_PATCH_LAYOUT};
 use crate::table::{Alpha, Class};
 
 /// The format of every depth buffer: reversed, infinite far plane.
@@ -42,6 +44,11 @@ pub enum PassKind {
     },
     /// Adds the ids of transparent fragments up, by pixel.
     Signature,
+    /// Marks the pixels of a few patches in which something would show.
+    Patch {
+        /// Under a forced early depth test; else it compares with a depth texture in the shader.
+        early: bool,
+    },
 }
 
 impl PassKind {
@@ -53,6 +60,8 @@ impl PassKind {
             Self::Identity => &identity::JOB,
             Self::Shaded { .. } => &shaded::JOB,
             Self::Signature => &signature::JOB,
+            Self::Patch { early: true } => &patch_early::JOB,
+            Self::Patch { early: false } => &patch_compare::JOB,
         }
     }
 
@@ -89,6 +98,9 @@ impl PassKind {
     fn entries(self, class: Class) -> (&'static str, &'static str) {
         match (self.identifies(), self.reflects()) {
             _ if self.masked(class) => ("masked_vertex", "masked_fragment"),
+            _ if matches!(self, Self::Patch { .. }) && self.textured(class) => {
+                ("textured_vertex", "textured_fragment")
+            }
             (false, false) => ("vertex", "fragment"),
             (false, true) => ("vertex", "reflecting_fragment"),
             (true, false) => ("identified_vertex", "identified_fragment"),
@@ -112,7 +124,17 @@ impl PassKind {
 
     /// Whether a class's pipeline reads vertex attributes, materials and textures.
     pub fn textured(self, class: Class) -> bool {
-        matches!(self, Self::Shaded { .. } | Self::Signature) || self.masked(class)
+        matches!(self, Self::Shaded { .. } | Self::Signature)
+            || self.masked(class)
+            || matches!(self, Self::Patch { .. }) && class.alpha() != Alpha::Opaque
+    }
+
+    /// Whether its bind groups hold materials, and, where the class wants one, a texture.
+    pub(crate) fn has_materials(self) -> bool {
+        matches!(
+            self,
+            Self::Shaded { .. } | Self::Identity | Self::Signature | Self::Patch { .. }
+        )
     }
 }
 
@@ -184,12 +206,12 @@ fn create(
 ) -> wgpu::RenderPipeline {
     let blended = class.alpha() == Alpha::Blend;
     let (vertex, fragment) = kind.entries(class);
-    let bare = [Some(POSITION_LAYOUT), Some(SLOT_LAYOUT)];
-    let full = [
-        Some(POSITION_LAYOUT),
-        Some(SLOT_LAYOUT),
-        Some(ATTRIBUTE_LAYOUT),
-    ];
+    let slots = match kind {
+        PassKind::Patch { .. } => SLOT_PATCH_LAYOUT,
+        _ => SLOT_LAYOUT,
+    };
+    let full = [Some(POSITION_LAYOUT), Some(slots), Some(ATTRIBUTE_LAYOUT)];
+    let bare = &full[..2];
     let shading = match kind {
         PassKind::Shaded {
             positional_lights, ..
@@ -226,7 +248,10 @@ fn create(
     let writes_depth = matches!(kind, PassKind::Depth | PassKind::Identity)
         || matches!(kind, PassKind::Shaded { .. }) && !blended;
     // The comparing passes bring a depth attachment of their own only because a pass needs one.
-    let compares = !matches!(kind, PassKind::CountCompare | PassKind::Signature);
+    let compares = !matches!(
+        kind,
+        PassKind::CountCompare | PassKind::Signature | PassKind::Patch { early: false }
+    );
     gpu.device
         .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(kind.job().name.as_ref()),
@@ -235,7 +260,7 @@ fn create(
                 module,
                 entry_point: Some(vertex),
                 compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: if kind.textured(class) { &full } else { &bare },
+                buffers: if kind.textured(class) { &full } else { bare },
             },
             primitive: wgpu::PrimitiveState {
                 topology: match class.topology() {

@@ -187,7 +187,14 @@ impl Camera {
     /// GPU brings a pixel in from outside.
     #[must_use]
     pub fn frustum(&self, aspect: f64) -> Frustum {
-        let sides = self.sides(aspect);
+        self.window(aspect, DVec2::NEG_ONE, DVec2::ONE)
+    }
+
+    /// What it sees through a part of its image, opened likewise: from `low` to `high` in shares of half the image's width and height from
+    /// its middle, -1 to 1, rightwards and upwards.
+    #[must_use]
+    pub fn window(&self, aspect: f64, low: DVec2, high: DVec2) -> Frustum {
+        let sides = self.sides(aspect, low, high);
         let forward = self.forward();
         let near = self.near();
         let mut planes: Vec<Plane> = sides.to_vec();
@@ -224,7 +231,7 @@ impl Camera {
             return true;
         }
         let forward = self.forward();
-        let sides = self.sides(aspect);
+        let sides = self.sides(aspect, DVec2::NEG_ONE, DVec2::ONE);
         let near_point = self.position + forward * near;
         let mut planes: Vec<Plane> = sides.to_vec();
         planes.push(Plane::through(near_point, -forward));
@@ -243,34 +250,44 @@ impl Camera {
         squared.into_iter().fold(f64::INFINITY, f64::min).sqrt()
     }
 
-    /// The four side planes, their normals inwards.
-    fn sides(&self, aspect: f64) -> [Plane; 4] {
+    /// The four planes at the sides of a part of the image, their normals inwards.
+    fn sides(&self, aspect: f64, low: DVec2, high: DVec2) -> [Plane; 4] {
         let (right, up) = (self.right(), self.up());
         let slack = self.rounding();
         match self.projection {
-            Projection::Perspective { fov_y, .. } => self.pyramid(fov_y, DVec2::ZERO, aspect),
-            Projection::OffAxis { fov_y, shift, .. } => self.pyramid(fov_y, shift, aspect),
+            Projection::Perspective { fov_y, .. } => {
+                self.pyramid(fov_y, DVec2::ZERO, aspect, (low, high))
+            }
+            Projection::OffAxis { fov_y, shift, .. } => {
+                self.pyramid(fov_y, shift, aspect, (low, high))
+            }
             Projection::Orthographic { height, .. } => {
                 let y = height * 0.5 * (1.0 + OPENING) + slack;
                 let x = height * 0.5 * aspect * (1.0 + OPENING) + slack;
                 [
-                    Plane::through(self.position - right * x, right),
-                    Plane::through(self.position + right * x, -right),
-                    Plane::through(self.position - up * y, up),
-                    Plane::through(self.position + up * y, -up),
+                    Plane::through(self.position + right * (x * low.x), right),
+                    Plane::through(self.position + right * (x * high.x), -right),
+                    Plane::through(self.position + up * (y * low.y), up),
+                    Plane::through(self.position + up * (y * high.y), -up),
                 ]
             }
         }
     }
 
-    /// The sides of what is seen through a window whose middle lies off the axis by these tangents.
-    fn pyramid(&self, fov_y: f64, shift: DVec2, aspect: f64) -> [Plane; 4] {
+    /// The sides of what is seen through a part of a window whose middle lies off the axis by these tangents.
+    fn pyramid(
+        &self,
+        fov_y: f64,
+        shift: DVec2,
+        aspect: f64,
+        (low, high): (DVec2, DVec2),
+    ) -> [Plane; 4] {
         let (right, up, forward) = (self.right(), self.up(), self.forward());
         let slack = self.rounding();
         let y = (fov_y * 0.5).tan() * (1.0 + OPENING);
         // A number on the GPU is off by a part of itself, so a window far off the axis is opened by more.
         let half = DVec2::new(y * aspect, y) + shift.abs() * OPENING;
-        let (low, high) = (half - shift, half + shift);
+        let (low, high) = (-half * low - shift, half * high + shift);
         let side = |normal: DVec3| {
             let normal = normal.normalize();
             Plane::through(self.position - normal * slack, normal)

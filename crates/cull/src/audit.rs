@@ -1,0 +1,106 @@
+//! The audit: each frame draws some of what it culled against its own finished depth, in a few small patches of the image chosen by lot, and
+//! counts the pixels in which anything of it would have shown. A frame late that is an unbiased estimate of the frame's wrong pixels.
+//!
+//! A patch is a cluster of a stratified sample (Cochran, *Sampling Techniques*, 3rd edition, 1977, chapters 5 and 9), and each drawn patch
+//! stands for as many as its chance of being drawn says (Horvitz and Thompson, *A Generalization of Sampling Without Replacement From a Finite
+//! Universe*, 1952). `docs/audit.md` has the derivation.
+
+mod interval;
+mod nodes;
+mod plan;
+mod strata;
+mod through;
+
+use std::collections::VecDeque;
+
+pub use interval::Estimate;
+use strata::Moments;
+
+/// The label of what the audit costs.
+pub const AUDIT: &str = "audit";
+
+/// How a stage audits itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AuditOptions {
+    /// The part of the triangles a view draws that the audit may draw again, on average over frames; above 0, at most 1.
+    pub share: f64,
+    /// Seeds the lots. The same seed and frames give the same patches.
+    pub seed: u64,
+    /// Draws every patch of every frame, whatever `share` says: no estimate but the count itself. For tests, and for images nobody waits for.
+    pub census: bool,
+}
+
+impl Default for AuditOptions {
+    fn default() -> Self {
+        Self {
+            share: 0.02,
+            seed: 0,
+            census: false,
+        }
+    }
+}
+
+/// What the audit found in one frame of one view.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct FrameAudit {
+    /// The frame it is about, as the plan counts them.
+    pub frame: u64,
+    /// How often the view's camera had been cut by then.
+    pub cuts: u64,
+    /// Patches that were looked at.
+    pub patches: u32,
+    /// Pixels of the view.
+    pixels: f64,
+    /// The most pixels that one pixel looked at stands for, times those of a patch; 0 when all were looked at.
+    heaviest: f64,
+    /// For each patch in which something would have shown: the pixels that it stands for.
+    hits: Vec<f64>,
+}
+
+impl FrameAudit {
+    /// The frame's wrong pixels, in percent of the view's.
+    pub fn wrong_pixels_percent(&self) -> Estimate {
+        Estimate::of(std::iter::once(self))
+    }
+}
+
+/// What the audit of a view has found so far.
+#[derive(Debug, Clone, Default)]
+pub struct Audit {
+    frames: VecDeque<FrameAudit>,
+    moments: Moments,
+    audited: u64,
+}
+
+impl Audit {
+    /// Frames that are remembered.
+    pub const REMEMBERED: usize = 4096;
+
+    /// What is known of the latest frame whose answer has come.
+    pub fn latest(&self) -> Option<&FrameAudit> {
+        self.frames.back()
+    }
+
+    /// What is remembered, oldest first.
+    pub fn frames(&self) -> impl DoubleEndedIterator<Item = &FrameAudit> + ExactSizeIterator {
+        self.frames.iter()
+    }
+
+    /// Frames whose answers have come, remembered or not.
+    pub fn audited(&self) -> u64 {
+        self.audited
+    }
+
+    /// The mean of the wrong pixels over the latest so many frames, in percent of a view's; over all that are remembered where they are fewer.
+    pub fn over(&self, frames: usize) -> Estimate {
+        Estimate::of(self.frames.iter().rev().take(frames))
+    }
+
+    fn take(&mut self, frame: FrameAudit) {
+        if self.frames.len() == Self::REMEMBERED {
+            self.frames.pop_front();
+        }
+        self.audited += 1;
+        self.frames.push_back(frame);
+    }
+}

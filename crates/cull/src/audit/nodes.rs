@@ -1,0 +1,341 @@
+//! The audit's nodes: take in what came back, choose patches once the verdicts are known, draw into them once the image is finished.
+
+use std::sync::Arc;
+
+use antumbra_draw::patches::{
+    GpuDrawn, PATCH_BYTES, PATCH_SIDE, PatchList, SubmittedPatches, patch_pass,
+};
+use antumbra_draw::{Detail, PassKind, SceneTable, ViewFrame};
+use antumbra_graph::{BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext};
+use antumbra_scene::hierarchy::Shape;
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
+
+use super::plan::{Costs, Lots, MOST};
+use super::strata::{Patches, STRATA};
+use super::through;
+use super::{AUDIT, Audit, AuditOptions, FrameAudit};
+use crate::candidates::{Asked, Candidates};
+use crate::counting::Counting;
+use crate::frame_graph::FrameGraph;
+use crate::on_gpu::unasked;
+use crate::strategy::{VerdictSource, VisibleSet};
+use crate::tree::Tree;
+use crate::verdict::Verdicts;
+use crate::view_nodes::ViewNodes;
+
+/// What was looked at; goes along with the marks.
+#[derive(Debug, Clone, Default)]
+struct Looked {
+    lots: Arc<Lots>,
+    cuts: u64,
+    pixels: f64,
+    census: bool,
+    /// There was no room for all that had to be drawn: the frame says nothing.
+    spilled: bool,
+}
+
+/// Instances there is room for.
+const ENTRIES: u64 = 65_536;
+/// In a census, instances a patch there is room for.
+const ENTRIES_A_PATCH: u64 = 64;
+/// How often the triangles a view draws are added up, in frames.
+const RECKON: u64 = 16;
+/// Which part of the candidates' triangles is taken to be drawn where that is decided on the GPU.
+const DRAWN_ON_GPU: f64 = 0.25;
+
+impl FrameGraph<'_> {
+    /// Audits what a view has drawn: after all of its nodes, with its final depth. What the audit finds is in the value, a frame or two late.
+    pub(crate) fn audit(
+        &mut self,
+        view: &ViewNodes,
+        set: &VisibleSet,
+        options: AuditOptions,
+    ) -> Host<Audit> {
+        let [width, height] = view.size();
+        let patches =
+            u64::from(width.div_ceil(PATCH_SIDE)) * u64::from(height.div_ceil(PATCH_SIDE));
+        let (most, entries) = match options.census {
+            true => (patches, ENTRIES.max(patches * ENTRIES_A_PATCH)),
+            false => (u64::from(MOST) * STRATA as u64, ENTRIES),
+        };
+        let shown = self.graph().buffer(
+            view.named("audit: marks"),
+            BufferDesc::new(most * PATCH_BYTES).zeroed(),
+        );
+        let looked = self.graph().host::<Looked>(view.named("audit: looked at"));
+        let audit = self.read_marks(view, shown, looked);
+        let (submitted, looked) = self.choose_patches(view, set, options, (audit, looked), entries);
+        let way = Counting::by_fragments(self.gpu());
+        let early = way == Counting::Atomics;
+        let spec = self.pass(view.named("audit"), AUDIT, PassKind::Patch { early });
+        let scratch = (!early).then(|| {
+            let name = view.named("audit: scratch depth");
+            self.depth_texture(name, view.size())
+        });
+        let depth = (view.targets.depth, scratch);
+        patch_pass(self.graph(), &spec, view.inputs(), submitted, depth, shown);
+        self.graph().output(looked);
+        audit
+    }
+
+    /// Takes in the marks of an earlier frame.
+    fn read_marks(&mut self, view: &ViewNodes, shown: Buffer, looked: Host<Looked>) -> Host<Audit> {
+        let audit = self.graph().host::<Audit>(view.named("audit"));
+        let mut node = self.graph().host_node(view.named("audit: read late"));
+        node.group(AUDIT);
+        let marks = node.read_previous(shown, looked);
+        let audit = node.updates(audit);
+        node.run(move |ctx| {
+            if let Some(late) = ctx.late(marks) {
+                take(&mut *ctx.get_mut(audit)?, late.frame, late.tag, late.bytes);
+            }
+            Ok(())
+        });
+        audit
+    }
+
+    /// Chooses patches and lists who was culled behind them.
+    fn choose_patches(
+        &mut self,
+        view: &ViewNodes,
+        set: &VisibleSet,
+        options: AuditOptions,
+        (audit, looked): (Host<Audit>, Host<Looked>),
+        entries: u64,
+    ) -> (SubmittedPatches, Host<Looked>) {
+        let inputs = view.inputs();
+        let tree = self.any_tree(view);
+        let list = self.graph().host::<PatchList>(view.named("audit: list"));
+        let mut buffer = |name: &str, bytes| {
+            let name = view.named(&format!("audit: {name}"));
+            self.graph().buffer(name, BufferDesc::new(bytes))
+        };
+        let entry_buffer = buffer("entries", entries * 8);
+        let drawn = buffer("drawn", size_of::<GpuDrawn>() as u64);
+        let none = buffer("no counts", 16);
+        let source = set.verdicts;
+        let mut node = self.graph().host_node(view.named("audit: choose patches"));
+        node.group(AUDIT)
+            .read(inputs.scene)
+            .read(inputs.view)
+            .read(tree)
+            .read(audit);
+        read(&mut node, source);
+        let looked = node.write(looked);
+        let submitted = SubmittedPatches {
+            list: node.write(list),
+            entries: node.upload(entry_buffer),
+            drawn: node.upload(drawn),
+            counts: match source {
+                VerdictSource::Host(_) => node.upload(none),
+                VerdictSource::Gpu { counts, .. } => counts,
+            },
+        };
+        let index = view.index() as u64;
+        let mut chooser = Chooser::default();
+        node.run(move |ctx| {
+            let (scene, frame) = (ctx.get(inputs.scene)?, ctx.get(inputs.view)?);
+            let seed = options.seed ^ index.wrapping_mul(0x9E37_79B9_7F4A_7C15);
+            let mut random = Pcg64Mcg::seed_from_u64(seed.wrapping_add(ctx.frame()));
+            let culled = Culled::of(ctx, source)?;
+            let at = At {
+                table: &scene.table,
+                view: &frame,
+                tree: &*ctx.get(tree)?,
+                culled: &culled,
+                number: ctx.frame(),
+            };
+            let mut list = ctx.get_mut(submitted.list)?;
+            let lots = chooser.choose(&at, options, &*ctx.get(audit)?, &mut random);
+            chooser.list(&at, &lots, &mut list);
+            let spilled = list.entries().len() as u64 > entries;
+            if spilled {
+                list.clear();
+            }
+            ctx.upload(submitted.entries, 0, bytemuck::cast_slice(list.entries()))?;
+            let threshold = match source {
+                VerdictSource::Host(_) => {
+                    ctx.upload(submitted.counts, 0, &[0; 16])?;
+                    u32::MAX
+                }
+                VerdictSource::Gpu { rule, .. } => rule.threshold,
+            };
+            let drawn = GpuDrawn::above(threshold);
+            ctx.upload(submitted.drawn, 0, bytemuck::bytes_of(&drawn))?;
+            let [width, height] = frame.size;
+            *ctx.get_mut(looked)? = Looked {
+                lots: Arc::new(lots),
+                cuts: frame.cuts,
+                pixels: f64::from(width) * f64::from(height),
+                census: options.census,
+                spilled,
+            };
+            Ok(())
+        });
+        (submitted, looked)
+    }
+
+    /// A tree that is kept anyway, or one of boxes.
+    fn any_tree(&mut self, view: &ViewNodes) -> Host<Tree> {
+        let kept = [Shape::Divided, Shape::Boxes, Shape::Groups]
+            .into_iter()
+            .find(|shape| self.keeps_tree(*shape));
+        self.tree(view, kept.unwrap_or(Shape::Boxes))
+    }
+}
+
+/// Declares what tells who was culled.
+fn read(node: &mut HostBuilder<'_>, source: VerdictSource) {
+    match source {
+        VerdictSource::Host(verdicts) => node.read(verdicts),
+        VerdictSource::Gpu {
+            candidates, asked, ..
+        } => node.read(candidates).read(asked),
+    };
+}
+
+/// Who was culled, as far as the host knows.
+enum Culled<'a> {
+    Host(antumbra_graph::HostRef<'a, Verdicts>),
+    /// Whoever is not drawn for sure; the GPU leaves out the rest of what is drawn.
+    Gpu {
+        candidates: antumbra_graph::HostRef<'a, Candidates>,
+        unasked: Vec<u32>,
+    },
+}
+
+impl<'a> Culled<'a> {
+    fn of(ctx: &HostContext<'a>, source: VerdictSource) -> Result<Self, BodyError> {
+        Ok(match source {
+            VerdictSource::Host(verdicts) => Self::Host(ctx.get(verdicts)?),
+            VerdictSource::Gpu {
+                candidates, asked, ..
+            } => {
+                let candidates = ctx.get(candidates)?;
+                let asked: &Asked = &*ctx.get(asked)?;
+                let unasked = unasked(&candidates, asked);
+                Self::Gpu {
+                    candidates,
+                    unasked,
+                }
+            }
+        })
+    }
+
+    /// Whether an entity may have been culled.
+    fn has(&self, slot: u32) -> bool {
+        match self {
+            Self::Host(verdicts) => !verdicts.get(slot).draws(),
+            Self::Gpu {
+                candidates,
+                unasked,
+            } => !candidates.is_exempt(slot) && unasked.binary_search(&slot).is_err(),
+        }
+    }
+
+    /// Triangles that the view draws.
+    fn triangles_drawn(&self, table: &SceneTable) -> f64 {
+        let of = |slot: u32, level| f64::from(table.primitives_of(slot, Detail::Level(level)));
+        match self {
+            Self::Host(verdicts) => {
+                let drawn = verdicts.drawn();
+                drawn.map(|slot| of(slot, verdicts.level(slot))).sum()
+            }
+            Self::Gpu { candidates, .. } => {
+                let all = candidates.inside().iter();
+                all.map(|slot| of(*slot, 0)).sum::<f64>() * DRAWN_ON_GPU
+            }
+        }
+    }
+}
+
+/// A frame as the chooser sees it.
+struct At<'a> {
+    table: &'a SceneTable,
+    view: &'a ViewFrame,
+    tree: &'a Tree,
+    culled: &'a Culled<'a>,
+    number: u64,
+}
+
+/// What is kept from frame to frame.
+#[derive(Debug, Default)]
+struct Chooser {
+    patches: Patches,
+    costs: Costs,
+    triangles: Option<f64>,
+    stack: Vec<u32>,
+    found: Vec<u32>,
+}
+
+impl Chooser {
+    fn choose(
+        &mut self,
+        at: &At<'_>,
+        options: AuditOptions,
+        audit: &Audit,
+        random: &mut Pcg64Mcg,
+    ) -> Lots {
+        self.patches.reset(at.view.size);
+        if options.census {
+            return Lots::all(&self.patches);
+        }
+        if let Culled::Host(verdicts) = at.culled {
+            self.patches.doubt(at.table, at.view, verdicts);
+        }
+        let triangles = match self.triangles {
+            Some(known) if !at.number.is_multiple_of(RECKON) => known,
+            _ => at.culled.triangles_drawn(at.table),
+        };
+        self.triangles = Some(triangles);
+        let budget = triangles * options.share;
+        Lots::draw(&self.patches, (budget, &self.costs, &audit.moments), random)
+    }
+
+    fn list(&mut self, at: &At<'_>, lots: &Lots, list: &mut PatchList) {
+        list.clear();
+        self.costs.fade();
+        for (patch, kind) in &lots.drawn {
+            let place = self.patches.place(*patch);
+            let frustum = through::frustum(at.view, place);
+            self.found.clear();
+            let nodes = through::walk(at.tree, &frustum, &mut self.stack, &mut self.found);
+            self.found.retain(|slot| at.culled.has(*slot));
+            let work = list.push(at.table, place, &mut self.found);
+            self.costs.note(*kind, work.triangles, work.draws, nodes);
+        }
+    }
+}
+
+/// Takes in the marks of a frame.
+fn take(audit: &mut Audit, frame: u64, looked: &Looked, bytes: &[u8]) {
+    if looked.spilled {
+        return;
+    }
+    let side = f64::from(PATCH_SIDE);
+    let pixels_a_patch = side * side;
+    audit.moments.fade();
+    let mut hits = Vec::new();
+    let marks = bytes.chunks_exact(PATCH_BYTES as usize);
+    for ((_, kind), marks) in looked.lots.drawn.iter().zip(marks) {
+        let shown: u32 = marks.iter().map(|byte| byte.count_ones()).sum();
+        audit.moments.note(*kind, f64::from(shown) / pixels_a_patch);
+        if shown > 0 {
+            let weight = looked.lots.weights.get(*kind).copied().unwrap_or(0.0);
+            hits.push(f64::from(shown) * weight);
+        }
+    }
+    let heaviest = match looked.census {
+        true => 0.0,
+        false => looked.lots.heaviest() * pixels_a_patch,
+    };
+    audit.take(FrameAudit {
+        frame,
+        cuts: looked.cuts,
+        patches: looked.lots.drawn.len() as u32,
+        pixels: looked.pixels,
+        heaviest,
+        hits,
+    });
+}

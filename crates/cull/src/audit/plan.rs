@@ -1,0 +1,198 @@
+//! How many patches a frame looks at, and which: as many of each kind as the budget of triangles pays for, one by lot out of each of as many
+//! equal parts of all there are.
+
+use rand::{Rng, RngExt};
+
+use super::strata::{DOUBTFUL, Moments, PLAIN, Patches, STRATA};
+
+/// The most patches of a kind that a frame looks at.
+pub(super) const MOST: u32 = 64;
+/// What a draw costs, in triangles.
+const A_DRAW: f64 = 64.0;
+/// What a node of the tree costs that is met on the way to a patch's entities, in triangles.
+const A_NODE: f64 = 0.25;
+/// No kind gets less of the budget than this part of it.
+const LEAST: f64 = 0.15;
+/// What a patch is believed to cost before any was looked at, in triangles, as if from so many patches.
+const BELIEVED: f64 = 2_000.0;
+const BELIEF: f64 = 4.0;
+const FADES: f64 = 0.98;
+
+/// What a patch takes, by kind.
+#[derive(Debug, Default)]
+pub(super) struct Costs {
+    sums: [f64; STRATA],
+    weights: [f64; STRATA],
+}
+
+impl Costs {
+    pub fn fade(&mut self) {
+        for number in self.sums.iter_mut().chain(&mut self.weights) {
+            *number *= FADES;
+        }
+    }
+
+    /// Takes in what a patch came to.
+    pub fn note(&mut self, kind: usize, triangles: u64, draws: u32, nodes: u32) {
+        if let (Some(sum), Some(weight)) = (self.sums.get_mut(kind), self.weights.get_mut(kind)) {
+            *sum += triangles as f64 + f64::from(draws) * A_DRAW + f64::from(nodes) * A_NODE;
+            *weight += 1.0;
+        }
+    }
+
+    fn of(&self, kind: usize) -> f64 {
+        let of = |numbers: &[f64; STRATA]| numbers.get(kind).copied().unwrap_or(0.0);
+        (of(&self.sums) + BELIEF * BELIEVED) / (of(&self.weights) + BELIEF)
+    }
+}
+
+/// The patches of one frame.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Lots {
+    /// Patch and kind, in the order of drawing.
+    pub drawn: Vec<(u32, usize)>,
+    /// How many patches each one of a kind stands for; 0 where there are none of the kind.
+    pub weights: [f64; STRATA],
+}
+
+impl Lots {
+    /// Every patch, each for itself.
+    pub fn all(patches: &Patches) -> Self {
+        Self {
+            drawn: (0..patches.number()).map(|patch| (patch, PLAIN)).collect(),
+            weights: [1.0, 0.0],
+        }
+    }
+
+    /// Draws lots. How many rests on earlier frames alone, never on what this one would show: that keeps the estimate unbiased.
+    pub fn draw(
+        patches: &Patches,
+        (budget, costs, moments): (f64, &Costs, &Moments),
+        random: &mut impl Rng,
+    ) -> Self {
+        let there = [patches.number(), patches.doubtful().len() as u32];
+        let expected = expected(there, budget, costs, moments);
+        let mut lots = Self::default();
+        for kind in [DOUBTFUL, PLAIN] {
+            let number = there[kind];
+            if number == 0 {
+                continue;
+            }
+            let expected = expected[kind];
+            lots.weights[kind] = f64::from(number) / expected;
+            let whole = expected.floor();
+            let count =
+                whole as u32 + u32::from(random.random_bool((expected - whole).clamp(0.0, 1.0)));
+            for part in 0..count {
+                let share = (f64::from(part) + random.random::<f64>()) / f64::from(count);
+                let at = ((share * f64::from(number)) as u32).min(number - 1);
+                let patch = match kind {
+                    DOUBTFUL => patches.doubtful().get(at as usize).copied().unwrap_or(at),
+                    _ => at,
+                };
+                if kind == DOUBTFUL || !patches.is_doubtful(patch) {
+                    lots.drawn.push((patch, kind));
+                }
+            }
+        }
+        lots
+    }
+
+    /// The most patches that one stands for.
+    pub fn heaviest(&self) -> f64 {
+        self.weights.iter().copied().fold(0.0, f64::max)
+    }
+}
+
+/// How many patches of each kind to look at on average.
+fn expected(there: [u32; STRATA], budget: f64, costs: &Costs, moments: &Moments) -> [f64; STRATA] {
+    let wanted = [PLAIN, DOUBTFUL].map(|kind| {
+        let gain = f64::from(there[kind]) * moments.spread(kind) * costs.of(kind).sqrt();
+        if there[kind] == 0 { 0.0 } else { gain }
+    });
+    let all: f64 = wanted.iter().sum();
+    let alone = there.contains(&0);
+    [PLAIN, DOUBTFUL].map(|kind| {
+        let part = if all > 0.0 { wanted[kind] / all } else { 0.0 };
+        let part = if alone {
+            part
+        } else {
+            part.clamp(LEAST, 1.0 - LEAST)
+        };
+        // A patch may be drawn twice by chance, and counts twice then: no more than there are keeps that rare.
+        let most = f64::from(there[kind].min(MOST));
+        (budget * part / costs.of(kind)).clamp(1e-3, most.max(1e-3))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::SeedableRng;
+    use rand_pcg::Pcg64Mcg;
+
+    /// A made-up truth a patch: few are wrong, and those in part.
+    fn wrong(patch: u32) -> f64 {
+        if patch.is_multiple_of(37) {
+            f64::from(patch % 64 + 1)
+        } else {
+            0.0
+        }
+    }
+
+    #[test]
+    fn the_mean_of_many_lots_is_the_truth() {
+        let mut patches = Patches::default();
+        patches.reset([640, 480]);
+        let truth: f64 = (0..patches.number()).map(wrong).sum();
+        let mut random = Pcg64Mcg::seed_from_u64(7);
+        for budget in [1_000.0, 20_000.0, 500_000.0] {
+            let mut sum = 0.0;
+            let mut squares = 0.0;
+            let rounds = 20_000;
+            for _ in 0..rounds {
+                let lots = Lots::draw(
+                    &patches,
+                    (budget, &Costs::default(), &Moments::default()),
+                    &mut random,
+                );
+                let found: f64 = lots
+                    .drawn
+                    .iter()
+                    .map(|(patch, kind)| wrong(*patch) * lots.weights[*kind])
+                    .sum();
+                sum += found;
+                squares += found * found;
+            }
+            let mean = sum / f64::from(rounds);
+            let error = (squares / f64::from(rounds)).sqrt() / f64::from(rounds).sqrt();
+            assert!(
+                (mean - truth).abs() < 4.0 * error,
+                "{budget}: {mean} of {truth}, +- {error}"
+            );
+        }
+    }
+
+    #[test]
+    fn no_more_patches_than_the_budget_pays_for_on_average() {
+        let mut patches = Patches::default();
+        patches.reset([640, 480]);
+        let mut random = Pcg64Mcg::seed_from_u64(8);
+        let mut costs = Costs::default();
+        let mut drawn = 0;
+        for _ in 0..4_000 {
+            let lots = Lots::draw(
+                &patches,
+                (3_000.0, &costs, &Moments::default()),
+                &mut random,
+            );
+            costs.fade();
+            for (_, kind) in &lots.drawn {
+                costs.note(*kind, 10_000, 0, 0);
+            }
+            drawn += lots.drawn.len();
+        }
+        let triangles = drawn as f64 * 10_000.0 / 4_000.0;
+        assert!((2_000.0..4_000.0).contains(&triangles), "{triangles}");
+    }
+}

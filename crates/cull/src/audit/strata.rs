@@ -1,0 +1,142 @@
+//! Two kinds of patches: those on which an entity lies that was culled though a sample of it showed, and all others. The first are few and hold
+//! most of what an aggressive setting gets wrong, so they are looked at more often, by as much as it pays (Neyman, *On the Two Different
+//! Aspects of the Representative Method*, 1934).
+
+use antumbra_draw::patches::PATCH_SIDE;
+use antumbra_draw::{SceneTable, ViewFrame};
+use glam::Vec3;
+
+use crate::verdict::{Verdict, Verdicts};
+
+/// Kinds of patches.
+pub(super) const STRATA: usize = 2;
+/// Any patch; what lands on a doubtful one is left to its own kind.
+pub(super) const PLAIN: usize = 0;
+/// A patch with an entity below the threshold.
+pub(super) const DOUBTFUL: usize = 1;
+
+/// The image in patches, and which of them are doubtful.
+#[derive(Debug, Default)]
+pub(super) struct Patches {
+    pub columns: u32,
+    pub rows: u32,
+    is_doubtful: Vec<bool>,
+    /// Ascending.
+    doubtful: Vec<u32>,
+}
+
+impl Patches {
+    /// All patches of an image, none of them doubtful.
+    pub fn reset(&mut self, [width, height]: [u32; 2]) {
+        self.columns = width.div_ceil(PATCH_SIDE);
+        self.rows = height.div_ceil(PATCH_SIDE);
+        self.is_doubtful.clear();
+        self.is_doubtful.resize(self.number() as usize, false);
+        self.doubtful.clear();
+    }
+
+    pub fn number(&self) -> u32 {
+        self.columns * self.rows
+    }
+
+    pub fn place(&self, patch: u32) -> [u32; 2] {
+        let columns = self.columns.max(1);
+        [patch % columns, patch / columns]
+    }
+
+    pub fn is_doubtful(&self, patch: u32) -> bool {
+        self.is_doubtful
+            .get(patch as usize)
+            .is_some_and(|marked| *marked)
+    }
+
+    pub fn doubtful(&self) -> &[u32] {
+        &self.doubtful
+    }
+
+    /// Marks the patches that entities below the threshold lie on. What is left unmarked is merely looked at less often, so boxes do for meshes.
+    pub fn doubt(&mut self, table: &SceneTable, view: &ViewFrame, verdicts: &Verdicts) {
+        let clip = view.clip_from_relative();
+        for slot in verdicts.of_kind(Verdict::BelowThreshold) {
+            let mut low = Vec3::INFINITY;
+            let mut high = Vec3::NEG_INFINITY;
+            for corner in table.bounds(slot).corners() {
+                let at = clip * (corner - view.camera.position).as_vec3().extend(1.0);
+                let seen = match at.w > 0.0 {
+                    true => at.truncate() / at.w,
+                    false => Vec3::NAN,
+                };
+                // NaN stays in a minimum of this order.
+                low = Vec3::select(seen.cmplt(low), seen, low);
+                high = Vec3::select(seen.cmpgt(high), seen, high);
+            }
+            let across = |low: f32, high: f32, pixels: u32, patches: u32| {
+                let pixel = |share: f32| (share * 0.5 + 0.5) * pixels as f32 / PATCH_SIDE as f32;
+                let end = patches.saturating_sub(1);
+                (pixel(low).max(0.0) as u32).min(end)..=(pixel(high).max(0.0) as u32).min(end)
+            };
+            if !(low.is_finite() && high.is_finite()) {
+                continue;
+            }
+            let [width, height] = view.size;
+            for row in across(-high.y, -low.y, height, self.rows) {
+                for column in across(low.x, high.x, width, self.columns) {
+                    let patch = row * self.columns + column;
+                    if let Some(marked) = self.is_doubtful.get_mut(patch as usize)
+                        && !*marked
+                    {
+                        *marked = true;
+                        self.doubtful.push(patch);
+                    }
+                }
+            }
+        }
+        self.doubtful.sort_unstable();
+    }
+}
+
+/// How much of a patch is wrong, squared, on average: by kind, with what was found lately weighing more.
+#[derive(Debug, Clone)]
+pub(super) struct Moments {
+    squares: [f64; STRATA],
+    weights: [f64; STRATA],
+}
+
+/// What is believed before anything was looked at, as if from so many patches.
+const BELIEVED: [f64; STRATA] = [1e-4, 3e-3];
+const BELIEF: f64 = 100.0;
+/// What is left of an older frame's weight.
+const FADES: f64 = 0.98;
+
+impl Default for Moments {
+    fn default() -> Self {
+        Self {
+            squares: [0.0; STRATA],
+            weights: [0.0; STRATA],
+        }
+    }
+}
+
+impl Moments {
+    pub fn fade(&mut self) {
+        for number in self.squares.iter_mut().chain(&mut self.weights) {
+            *number *= FADES;
+        }
+    }
+
+    /// Takes in how much of a patch of this kind was wrong, 0 to 1.
+    pub fn note(&mut self, kind: usize, wrong: f64) {
+        if let (Some(square), Some(weight)) =
+            (self.squares.get_mut(kind), self.weights.get_mut(kind))
+        {
+            *square += wrong * wrong;
+            *weight += 1.0;
+        }
+    }
+
+    /// The root of the mean square.
+    pub fn spread(&self, kind: usize) -> f64 {
+        let of = |numbers: &[f64; STRATA]| numbers.get(kind).copied().unwrap_or(0.0);
+        ((of(&self.squares) + BELIEF * of(&BELIEVED)) / (of(&self.weights) + BELIEF)).sqrt()
+    }
+}

@@ -1,0 +1,52 @@
+//! Who may be seen through a patch: the tree's leaves in the small part of the frustum behind it.
+
+use antumbra_draw::ViewFrame;
+use antumbra_draw::patches::PATCH_SIDE;
+use antumbra_scene::Frustum;
+use glam::{DVec2, UVec2};
+
+use crate::tree::Tree;
+
+/// Pixels by which the part of the frustum is wider than the patch: what snapping and the width of lines bring in from outside.
+const MARGIN: f64 = 2.0;
+
+/// What the camera sees through a patch.
+pub(super) fn frustum(view: &ViewFrame, [column, row]: [u32; 2]) -> Frustum {
+    let from = UVec2::new(column, row) * PATCH_SIDE;
+    let size = UVec2::from(view.size).as_dvec2();
+    let share = |pixel: DVec2| pixel / size * 2.0 - 1.0;
+    let low = share(from.as_dvec2() - MARGIN);
+    let high = share((from + PATCH_SIDE).as_dvec2() + MARGIN);
+    view.camera.window(
+        view.aspect(),
+        DVec2::new(low.x, -high.y),
+        DVec2::new(high.x, -low.y),
+    )
+}
+
+/// Appends the slots of all tested entities whose boxes touch it, and says how many nodes of the tree that took.
+pub(super) fn walk(
+    tree: &Tree,
+    frustum: &Frustum,
+    stack: &mut Vec<u32>,
+    found: &mut Vec<u32>,
+) -> u32 {
+    let hierarchy = tree.hierarchy();
+    let mut met = 0;
+    stack.clear();
+    stack.extend(hierarchy.roots());
+    while let Some(number) = stack.pop() {
+        let Some(node) = hierarchy.node(number) else {
+            continue;
+        };
+        met += 1;
+        if !frustum.intersects(&node.bounds) {
+            continue;
+        }
+        match hierarchy.leaf(number) {
+            Some(slot) => found.push(slot),
+            None => stack.extend(node.children()),
+        }
+    }
+    met
+}

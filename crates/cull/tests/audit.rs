@@ -1,0 +1,336 @@
+//! The audit against the oracle: a census counts what the oracle counts, lots are right on average and within their interval as often as
+//! they say, and what is audited draws what it drew before.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use antumbra_cull::{
+    AUDIT, AuditOptions, DeclareError, Estimate, FrameAudit, FrameGraph, Members, Oracle, Registry,
+    Stage, StageOptions, Strategy, Verdict, ViewInput, ViewNodes, ViewSpec, VisibleSet,
+};
+use antumbra_draw::{AdapterChoice, Gpu, GpuScene, read_back};
+use antumbra_scene::builtin::{GridOptions, grid, icosphere};
+use antumbra_scene::{
+    AlphaMode, Camera, Drawable, Geometry, Image, Material, Mesh, Projection, Sampler, Scene,
+    Topology,
+};
+use glam::{DAffine3, DVec3};
+
+const SIZE: [u32; 2] = [150, 110];
+
+fn gpu(name: &str) -> Gpu {
+    Gpu::open(&AdapterChoice::Named(name.to_owned()))
+        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
+}
+
+fn balls(per_side: u32) -> Scene {
+    let mut scene = grid(GridOptions {
+        per_side,
+        ..GridOptions::default()
+    })
+    .unwrap();
+    scene.ensure_proxies(&Default::default());
+    scene
+}
+
+/// Around the scene and into it, a step a frame.
+fn camera(frame: u32, reach: f64) -> Camera {
+    let angle = f64::from(frame) * 0.05;
+    let eye = DVec3::new(angle.cos(), 0.2, angle.sin()) * reach * (1.2 + 0.5 * (angle * 3.0).sin());
+    let projection = Projection::Perspective {
+        fov_y: 0.9,
+        near: 0.05,
+    };
+    Camera::look_at(eye, DVec3::ZERO, DVec3::Y, projection).unwrap()
+}
+
+fn named(strategy: &str) -> Box<dyn Strategy> {
+    Registry::built_in().parse(strategy).unwrap()
+}
+
+/// Flies along, and hands out what is known of each frame as soon as it is: the audit, and the wrong pixels, in percent, by the oracle.
+fn fly(
+    scene: &GpuScene,
+    strategy: Box<dyn Strategy>,
+    audit: AuditOptions,
+    frames: u32,
+    reach: f64,
+    mut known: impl FnMut(&FrameAudit, f64),
+) {
+    let options = StageOptions {
+        audit: Some(audit),
+        ..StageOptions::default()
+    };
+    let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
+    let mut stage = Stage::new(scene, strategy, specs, options).unwrap();
+    let mut oracle = Oracle::new(scene, SIZE);
+    let mut truths = Vec::new();
+    let mut taken = 0;
+    for frame in 0..frames {
+        let camera = camera(frame, reach);
+        stage.frame(scene, &[ViewInput::new(camera)]).unwrap();
+        scene.gpu().wait().unwrap();
+        let reference = oracle.look(scene, &camera, Members::Frustum).unwrap();
+        let verdicts = stage.verdicts(0, scene).unwrap();
+        let drawn = oracle
+            .look(scene, &camera, Members::Drawn(&verdicts))
+            .unwrap();
+        let wrong = reference.wrong_pixels(&drawn) as f64;
+        truths.push(wrong * 100.0 / f64::from(SIZE[0] * SIZE[1]));
+        let audit = stage.audit(0).unwrap();
+        let fresh = (audit.audited() - taken) as usize;
+        taken = audit.audited();
+        for found in audit.frames().rev().take(fresh) {
+            known(found, truths[found.frame as usize]);
+        }
+    }
+    assert!(taken + 3 >= u64::from(frames), "{taken} of {frames}");
+}
+
+const CENSUS: AuditOptions = AuditOptions {
+    share: 0.02,
+    seed: 0,
+    census: true,
+};
+
+/// Every strategy that errs, in each latency.
+const AGGRESSIVE: [&str; 7] = [
+    "three-pass",
+    "three-pass:latency=same-frame:threshold=20",
+    "three-pass:latency=on-gpu:threshold=20",
+    "occupancy-map:latency=frame-late",
+    "coherent:latency=frame-late:fraction=0.3",
+    "coherent:latency=same-frame:fraction=0.5",
+    "stereo-coherent:latency=frame-late",
+];
+
+#[test]
+fn a_census_counts_what_the_oracle_counts() {
+    for adapter in ["vulkan", "gl"] {
+        let gpu = gpu(adapter);
+        let mut scene = balls(7);
+        let scene = GpuScene::new(&gpu, &mut scene).unwrap();
+        let mut wrong_somewhere = 0;
+        for strategy in AGGRESSIVE {
+            fly(&scene, named(strategy), CENSUS, 24, 9.0, |found, truth| {
+                let all = found.wrong_pixels_percent();
+                assert!(
+                    all.holds(truth),
+                    "{strategy} on {adapter}, frame {}: {all:?}, and {truth} % are wrong",
+                    found.frame
+                );
+                wrong_somewhere += u32::from(truth > 0.0);
+            });
+        }
+        assert!(wrong_somewhere > 40, "{wrong_somewhere} frames with errors");
+    }
+}
+
+/// Leaves out every third entity, and nothing else.
+struct Thirds;
+
+impl Strategy for Thirds {
+    fn name(&self) -> &str {
+        "thirds"
+    }
+
+    fn summary(&self) -> &str {
+        "leaves out every third entity"
+    }
+
+    fn conservative(&self) -> bool {
+        false
+    }
+
+    fn declare(
+        &mut self,
+        g: &mut FrameGraph<'_>,
+        view: &mut ViewNodes,
+    ) -> Result<VisibleSet, DeclareError> {
+        let candidates = g.in_frustum(view);
+        Ok(g.visible_by(view, candidates, |_, _, slot| match slot % 3 {
+            0 => Verdict::Occluded,
+            _ => Verdict::Visible,
+        }))
+    }
+}
+
+/// Half of an image's pixels are holes.
+fn holes() -> Image {
+    let alpha = |i: u8| {
+        if (i + i / 4).is_multiple_of(2) {
+            255
+        } else {
+            0
+        }
+    };
+    Image {
+        name: "holes".to_owned(),
+        width: 4,
+        height: 4,
+        rgba: (0..16).flat_map(|i| [255, 255, 255, alpha(i)]).collect(),
+        sampler: Sampler::default(),
+    }
+}
+
+/// Spheres that are solid, of glass, full of holes, mirrored; and points.
+fn mixed() -> Scene {
+    let mut scene = Scene::new();
+    let sphere = scene
+        .add_mesh(Mesh::new("sphere", icosphere(2, 0.7)))
+        .unwrap();
+    let points = Geometry {
+        topology: Topology::Points,
+        positions: (0..60)
+            .map(|i| [(i % 8) as f32 * 0.1, (i / 8) as f32 * 0.1, 0.0])
+            .collect(),
+        indices: (0..60).collect(),
+        ..Geometry::default()
+    };
+    let points = scene.add_mesh(Mesh::new("points", points)).unwrap();
+    let image = scene.add_image(holes()).unwrap();
+    let materials = [
+        Material::default(),
+        Material {
+            alpha: AlphaMode::Blend,
+            base_colour: [1.0, 1.0, 1.0, 0.5],
+            ..Material::default()
+        },
+        Material {
+            alpha: AlphaMode::Mask { cutoff: 0.5 },
+            base_colour_image: Some(image),
+            ..Material::default()
+        },
+    ]
+    .map(|material| scene.add_material(material));
+    for number in 0..250 {
+        let [x, y, z] = [number % 7, number / 7 % 6, number / 42].map(|i| f64::from(i) - 3.0);
+        let shift = DVec3::new((y * 3.7).sin(), (z * 2.9).sin(), (x * 5.3).sin()) * 0.3;
+        let scale = DVec3::new(if number % 2 == 0 { 1.0 } else { -1.0 }, 1.0, 1.0);
+        let place = DAffine3::from_scale_rotation_translation(
+            scale,
+            glam::DQuat::from_rotation_y(x),
+            DVec3::new(x, y, z) * 1.4 + shift,
+        );
+        let entity = scene.spawn(None, place).unwrap();
+        let mesh = if number % 11 == 0 { points } else { sphere };
+        let material = materials[number as usize % materials.len()];
+        scene
+            .set_drawable(entity, Drawable { mesh, material })
+            .unwrap();
+    }
+    scene
+}
+
+#[test]
+fn glass_holes_points_and_mirrored_meshes_are_audited_as_they_are_drawn() {
+    for adapter in ["vulkan", "gl"] {
+        let gpu = gpu(adapter);
+        let scene = GpuScene::new(&gpu, &mut mixed()).unwrap();
+        fly(&scene, Box::new(Thirds), CENSUS, 10, 7.0, |found, truth| {
+            assert!(truth > 5.0, "frame {}: {truth} % are wrong", found.frame);
+            let all = found.wrong_pixels_percent();
+            assert!(
+                all.holds(truth),
+                "{adapter}, frame {}: {all:?}, not {truth}",
+                found.frame
+            );
+        });
+    }
+}
+
+#[test]
+fn lots_are_right_on_average_and_within_their_interval_as_often_as_they_say() {
+    let gpu = gpu("vulkan");
+    let scene = GpuScene::new(&gpu, &mut balls(7)).unwrap();
+    for (strategy, share) in [
+        ("three-pass", 0.5),
+        ("three-pass:latency=same-frame:threshold=20", 0.5),
+        ("three-pass:latency=on-gpu:threshold=20", 1.0),
+    ] {
+        let audit = AuditOptions {
+            share,
+            seed: 11,
+            ..AuditOptions::default()
+        };
+        let (mut truths, mut held, mut found_all) = (Vec::new(), 0, Vec::new());
+        fly(&scene, named(strategy), audit, 400, 9.0, |found, truth| {
+            let one = found.wrong_pixels_percent();
+            held += u32::from(one.holds(truth));
+            truths.push(truth);
+            found_all.push((found.clone(), one));
+        });
+        let frames = truths.len() as f64;
+        let mean = |values: &mut dyn Iterator<Item = f64>| values.sum::<f64>() / frames;
+        let truth = mean(&mut truths.iter().copied());
+        let estimate = mean(&mut found_all.iter().map(|(_, one)| one.percent));
+        let off = |(one, truth): (&(FrameAudit, Estimate), &f64)| (one.1.percent - truth).powi(2);
+        let error = (mean(&mut found_all.iter().zip(&truths).map(off)) / frames).sqrt();
+        let patches = mean(&mut found_all.iter().map(|(found, _)| f64::from(found.patches)));
+        println!(
+            "{strategy}: {estimate:.4} +- {error:.4} of {truth:.4} %, {patches:.1} patches a frame, {held} held"
+        );
+        assert!(
+            (estimate - truth).abs() < 4.0 * error,
+            "{strategy}: {estimate} +- {error}, not {truth}"
+        );
+        assert!(
+            f64::from(held) >= 0.95 * frames,
+            "{strategy}: {held} of {frames} held"
+        );
+        assert!(
+            truth > 0.0 && patches > 0.5,
+            "{strategy}: {truth} %, {patches} patches"
+        );
+    }
+}
+
+#[test]
+fn an_audit_changes_nothing_that_is_drawn_and_is_not_there_unless_asked_for() {
+    let gpu = gpu("vulkan");
+    let scene = GpuScene::new(&gpu, &mut mixed()).unwrap();
+    let picture = |audit: Option<AuditOptions>| {
+        let options = StageOptions {
+            audit,
+            ..StageOptions::default()
+        };
+        let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
+        let mut stage = Stage::new(&scene, Box::new(Thirds), specs, options).unwrap();
+        for frame in 0..3 {
+            stage
+                .frame(&scene, &[ViewInput::new(camera(frame, 7.0))])
+                .unwrap();
+        }
+        let audits = stage
+            .plan()
+            .passes()
+            .into_iter()
+            .filter(|pass| pass.group == Some(AUDIT))
+            .count();
+        assert_eq!(stage.audit(0).is_some(), audit.is_some());
+        let pixels = read_back::texture(&gpu, stage.colour(0).unwrap()).unwrap();
+        (pixels, audits)
+    };
+    let (plain, none) = picture(None);
+    let (audited, some) = picture(Some(AuditOptions::default()));
+    assert_eq!((none, some > 0), (0, true));
+    assert!(plain == audited, "the pictures differ");
+}
+
+#[test]
+fn the_same_seed_draws_the_same_lots() {
+    let gpu = gpu("vulkan");
+    let scene = GpuScene::new(&gpu, &mut balls(6)).unwrap();
+    let found = |seed| {
+        let audit = AuditOptions {
+            share: 0.2,
+            seed,
+            ..AuditOptions::default()
+        };
+        let mut all = Vec::new();
+        fly(&scene, Box::new(Thirds), audit, 12, 8.0, |found, _| {
+            all.push(found.clone())
+        });
+        all
+    };
+    assert_eq!(found(3), found(3));
+    assert_ne!(found(3), found(4));
+}

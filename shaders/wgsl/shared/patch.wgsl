@@ -1,0 +1,81 @@
+//!import position
+//!import material
+// What is drawn again into a few patches of the image, to see whether anything of it would show: vertices, and the mark that a visible
+// fragment leaves.
+
+// Pixels along a side of a patch; a bit of marks a pixel.
+const PATCH: u32 = 16u;
+const WORDS: u32 = PATCH * PATCH / 32u;
+
+// Where entities are chosen on the GPU: those with more visible samples than this are drawn already.
+struct Drawn {
+    threshold: u32,
+    padding_a: u32,
+    padding_b: u32,
+    padding_c: u32,
+}
+
+@group(3) @binding(0) var<storage, read_write> shown: array<atomic<u32>>;
+@group(3) @binding(1) var<uniform> drawn: Drawn;
+// Visible samples by slot; one word alone where the host has left out what is drawn.
+@group(3) @binding(2) var<storage, read> counts: array<u32>;
+
+struct Varying {
+    @invariant @builtin(position) clip: vec4<f32>,
+    @location(0) @interpolate(flat) patch_number: u32,
+}
+
+struct TexturedVarying {
+    @invariant @builtin(position) clip: vec4<f32>,
+    @location(0) @interpolate(flat) patch_number: u32,
+    @location(1) @interpolate(flat) slot: u32,
+    @location(2) uv: vec2<f32>,
+    @location(3) colour: vec4<f32>,
+}
+
+fn place(slot: u32, local: vec3<f32>) -> vec4<f32> {
+    if slot < arrayLength(&counts) && counts[slot] > drawn.threshold {
+        // All of its corners in one place, and that outside: nothing of it is drawn twice.
+        return vec4<f32>(2.0, 2.0, 2.0, 1.0);
+    }
+    return clip_position(relative_position(instances[slot], local));
+}
+
+@vertex
+fn vertex(@location(0) local: vec3<f32>, @location(1) slot: u32, @location(5) patch_number: u32) -> Varying {
+    var out: Varying;
+    out.clip = place(slot, local);
+    out.patch_number = patch_number;
+    return out;
+}
+
+@vertex
+fn textured_vertex(
+    @location(0) local: vec3<f32>,
+    @location(1) slot: u32,
+    @location(2) normal: vec4<f32>,
+    @location(3) uv: vec2<f32>,
+    @location(4) colour: vec4<f32>,
+    @location(5) patch_number: u32,
+) -> TexturedVarying {
+    var out: TexturedVarying;
+    out.clip = place(slot, local);
+    out.patch_number = patch_number;
+    out.slot = slot;
+    out.uv = uv;
+    out.colour = colour;
+    return out;
+}
+
+// Whether a fragment of a masked or blended surface is there at all. What adds less than half of an 8-bit step is seen by nobody.
+fn is_there(in: TexturedVarying) -> bool {
+    let material = materials[instances[in.slot].material];
+    let base = base_colour(material, in.uv, in.colour);
+    return base.a >= max(material.alpha_cutoff, 0.002);
+}
+
+fn mark(patch_number: u32, clip: vec4<f32>) {
+    let place = vec2<u32>(clip.xy) % PATCH;
+    let bit = place.y * PATCH + place.x;
+    atomicOr(&shown[patch_number * WORDS + bit / 32u], 1u << (bit % 32u));
+}
