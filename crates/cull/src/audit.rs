@@ -53,14 +53,68 @@ pub struct FrameAudit {
     pixels: f64,
     /// The most pixels that one pixel looked at stands for, times those of a patch; 0 when all were looked at.
     heaviest: f64,
-    /// For each patch in which something would have shown: the pixels that it stands for.
-    hits: Vec<f64>,
+    /// Each patch in which something would have shown.
+    hits: Vec<Hit>,
+    /// What the frame left out by its own count, in percent of the image.
+    left_out: Option<f64>,
+}
+
+/// A patch in which something would have shown.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Hit {
+    /// The pixels that it stands for.
+    pixels: f64,
+    /// Whether an entity below the threshold lies on it.
+    doubtful: bool,
+}
+
+/// What was found in the patches of one kind.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Found {
+    /// Percent of the view's pixels.
+    pub percent: f64,
+    /// In how many patches.
+    pub hits: f64,
 }
 
 impl FrameAudit {
     /// The frame's wrong pixels, in percent of the view's.
     pub fn wrong_pixels_percent(&self) -> Estimate {
         Estimate::of(std::iter::once(self))
+    }
+
+    /// What the frame left out by its own count ([`Verdicts::left_out_percent`](crate::Verdicts::left_out_percent)).
+    pub fn left_out_percent(&self) -> Option<f64> {
+        self.left_out
+    }
+
+    /// What an audit might have found: hits in percent of the image, doubtful or not.
+    #[cfg(test)]
+    pub(crate) fn made_up(
+        frame: u64,
+        hits: impl Iterator<Item = (f64, bool)>,
+        left_out: Option<f64>,
+    ) -> Self {
+        let hits = hits.map(|(pixels, doubtful)| Hit { pixels, doubtful });
+        Self {
+            frame,
+            pixels: 100.0,
+            hits: hits.collect(),
+            left_out,
+            ..Self::default()
+        }
+    }
+
+    /// What was found where nothing below the threshold lies, and where something does.
+    pub(crate) fn by_kind(&self) -> [Found; 2] {
+        let mut kinds = [Found::default(); 2];
+        for hit in &self.hits {
+            let [plain, doubtful] = &mut kinds;
+            let kind = if hit.doubtful { doubtful } else { plain };
+            kind.percent += hit.pixels / self.pixels * 100.0;
+            kind.hits += 1.0;
+        }
+        kinds
     }
 }
 
@@ -96,7 +150,8 @@ impl Audit {
         Estimate::of(self.frames.iter().rev().take(frames))
     }
 
-    fn take(&mut self, frame: FrameAudit) {
+    /// Takes a frame in, forgetting the oldest where there are enough.
+    pub(crate) fn take(&mut self, frame: FrameAudit) {
         if self.frames.len() == Self::REMEMBERED {
             self.frames.pop_front();
         }

@@ -6,8 +6,10 @@
 //! by a compute node that writes indirect draws ([`Latency`]).
 
 mod audit;
+mod budget;
 mod candidates;
 mod counting;
+mod dial;
 mod frame_graph;
 mod hand_on;
 mod inner;
@@ -31,13 +33,15 @@ mod view_nodes;
 mod visible_samples;
 
 pub use audit::{AUDIT, Audit, AuditOptions, Estimate, FrameAudit};
+pub use budget::{Budget, BudgetError, Standing, Step};
 pub use candidates::{Asked, Candidates, Query, Stamp};
 pub use counting::{Counting, Counts, Proxies};
+pub use dial::Dial;
 pub use frame_graph::{CULL, Chosen, DRAW, FrameGraph};
 pub use inner::Inner;
 pub use oracle::{IdImage, Members, Oracle, Transparent};
 pub use registry::{Registry, RegistryError};
-pub use samples::{CountLayout, SampleRule, Samples, outside};
+pub use samples::{Allowance, CountLayout, SampleRule, Samples, outside};
 pub use setting::{LATENCY_RANGE, Latency, Setting, SettingError, parse};
 pub use sketch::{Sketch, Sketched, SketchedNode};
 pub use stage::{ImportedTargets, Stage, StageError, StageOptions, ViewInput, ViewSpec};

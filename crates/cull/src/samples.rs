@@ -3,6 +3,7 @@
 use antumbra_draw::SceneTable;
 
 use crate::candidates::{Asked, Candidates, Query, Stamp};
+use crate::dial::Dial;
 use crate::verdict::{Verdict, Verdicts};
 
 /// How a buffer of counts is laid out.
@@ -90,6 +91,33 @@ impl From<u32> for SampleRule {
     }
 }
 
+/// How much a frame may leave out that was seen: of those with the fewest visible samples, as many as share no more than a part of the image.
+#[derive(Debug, Clone, Default)]
+pub struct Allowance {
+    /// The part, in percent of the image's pixels; 0: none.
+    pub percent: Dial,
+    /// Pixels of the image that samples are counted in.
+    pub pixels: u32,
+}
+
+impl Allowance {
+    /// Nobody with more visible samples than this is left out, however much is allowed: a thing of that size is missed.
+    pub const LARGEST: u32 = 1024;
+
+    /// In samples.
+    fn samples(&self) -> u64 {
+        (f64::from(self.percent.get()) / 100.0 * f64::from(self.pixels)).max(0.0) as u64
+    }
+
+    /// The same allowance, for a node's body.
+    pub(crate) fn shared(&self) -> Self {
+        Self {
+            percent: self.percent.shared(),
+            pixels: self.pixels,
+        }
+    }
+}
+
 /// Stands for a slot that was not asked about.
 const NOT_ASKED: u32 = u32::MAX;
 
@@ -119,6 +147,27 @@ impl Samples {
             .get(slot as usize)
             .copied()
             .filter(|count| *count != NOT_ASKED)
+    }
+
+    /// As [`Self::judge`], with a threshold as high as an allowance lets it be: all that it leaves out has no more visible samples together.
+    pub fn judge_within(
+        &self,
+        table: &SceneTable,
+        candidates: &Candidates,
+        mut rule: SampleRule,
+        allowance: &Allowance,
+        verdicts: &mut Verdicts,
+    ) {
+        let allowed = allowance.samples();
+        if allowed > 0 {
+            let counts = candidates.inside().iter().filter_map(|slot| {
+                let judged = !candidates.is_exempt(*slot);
+                self.get(*slot).filter(|_| judged)
+            });
+            rule.threshold = rule.threshold.max(highest(counts, allowed));
+        }
+        self.judge(table, candidates, rule, verdicts);
+        verdicts.share_left_out_of(allowance.pixels);
     }
 
     /// Judges every entity: what has no trustworthy answer is drawn, and in full.
@@ -152,7 +201,10 @@ impl Samples {
                     Verdict::Untested
                 }
                 (Some(_), Some(0)) => Verdict::Occluded,
-                (Some(_), Some(count)) if count <= rule.threshold => Verdict::BelowThreshold,
+                (Some(_), Some(count)) if count <= rule.threshold => {
+                    verdicts.leave_out(count);
+                    Verdict::BelowThreshold
+                }
                 (Some(_), Some(count)) => {
                     if rule.coarser > 0 && !table.is_transparent(*slot) {
                         verdicts
@@ -167,6 +219,26 @@ impl Samples {
     }
 }
 
+/// The highest threshold at which all that have no more samples than it share no more than is allowed.
+fn highest(counts: impl Iterator<Item = u32>, allowed: u64) -> u32 {
+    let mut having = [0u64; Allowance::LARGEST as usize + 1];
+    for count in counts {
+        if let Some(number) = having.get_mut(count as usize) {
+            *number += 1;
+        }
+    }
+    let mut sum = 0;
+    let mut highest = 0;
+    for (number, count) in having.iter().zip(0u32..) {
+        sum += number * u64::from(count);
+        if sum > allowed {
+            break;
+        }
+        highest = count;
+    }
+    highest
+}
+
 /// Starts verdicts: every entity outside the frustum, until something better is known.
 pub fn outside(table: &SceneTable, verdicts: &mut Verdicts) {
     verdicts.reset(table.slots(), Verdict::Absent);
@@ -178,4 +250,26 @@ pub fn outside(table: &SceneTable, verdicts: &mut Verdicts) {
 fn word(bytes: &[u8], at: usize) -> Option<u32> {
     let four = bytes.get(at..at.checked_add(4)?)?;
     four.try_into().ok().map(u32::from_le_bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_smallest_are_left_out_first_and_no_more_than_is_allowed() {
+        let counts = || [5, 3, 3, 0, 900, 1, 7, 2000].into_iter();
+        let left_out = |allowed| {
+            let threshold = highest(counts(), allowed);
+            let below = counts().filter(|count| *count <= threshold);
+            below.map(u64::from).sum::<u64>()
+        };
+        assert_eq!(
+            [0, 1, 6, 7, 11, 12, 19, 918].map(left_out),
+            [0, 1, 1, 7, 7, 12, 19, 19]
+        );
+        assert_eq!(left_out(919), 919);
+        // What is as large as that is never left out.
+        assert_eq!(left_out(u64::MAX), 919);
+    }
 }

@@ -18,6 +18,7 @@ use antumbra_scene::{Camera, CameraError};
 use thiserror::Error;
 
 use crate::audit::{Audit, AuditOptions};
+use crate::budget::{Budget, Keeping, Standing, Step};
 use crate::candidates::Asked;
 use crate::frame_graph::{CULL, FrameGraph, Shared};
 use crate::hand_on::{HandedOn, hide};
@@ -59,6 +60,8 @@ pub struct StageOptions {
     pub timing: bool,
     /// Whether each frame audits itself, and how; `None` for no such nodes.
     pub audit: Option<AuditOptions>,
+    /// What is to be kept in place of settings. For wrong pixels it audits itself, by default as [`AuditOptions::default`] says.
+    pub budget: Option<Budget>,
 }
 
 impl Default for StageOptions {
@@ -74,6 +77,7 @@ impl Default for StageOptions {
             },
             timing: false,
             audit: None,
+            budget: None,
         }
     }
 }
@@ -157,6 +161,11 @@ pub struct Stage {
     options: StageOptions,
     built: Built,
     cuts: Vec<u64>,
+    /// Frames drawn so far, and how many of them by earlier plans.
+    frames: u64,
+    before: u64,
+    audits: Vec<Audit>,
+    keeping: Option<Keeping>,
 }
 
 struct Built {
@@ -176,6 +185,8 @@ struct BuiltView {
     sketch: Option<Host<Sketch>>,
     handed_on: Option<HandedOn>,
     audit: Option<Host<Audit>>,
+    /// Audited frames of earlier plans.
+    audited_before: u64,
 }
 
 impl std::fmt::Debug for Stage {
@@ -213,8 +224,19 @@ impl Stage {
             )));
         }
         let mut strategy = strategy;
+        let mut options = options;
+        if let Some(Budget::WrongPixels(percent)) = options.budget
+            && percent > 0.0
+        {
+            options.audit.get_or_insert_default();
+        }
+        let keeping = options
+            .budget
+            .map(|budget| Keeping::new(budget, strategy.as_mut()))
+            .transpose()?;
         let built = build(scene, strategy.as_mut(), &specs, &options, HashMap::new())?;
         let cuts = vec![0; specs.len()];
+        let audits = specs.iter().map(|_| Audit::default()).collect();
         Ok(Self {
             gpu: scene.gpu().clone(),
             strategy,
@@ -222,6 +244,10 @@ impl Stage {
             options,
             built,
             cuts,
+            frames: 0,
+            before: 0,
+            audits,
+            keeping,
         })
     }
 
@@ -252,6 +278,7 @@ impl Stage {
         self.prepare(scene, views)?;
         let report = self.built.plan.execute(&self.gpu.device, &self.gpu.queue)?;
         self.gpu.check()?;
+        self.collect();
         Ok(report)
     }
 
@@ -266,10 +293,44 @@ impl Stage {
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<FrameReport, StageError> {
         self.prepare(scene, views)?;
-        Ok(self
-            .built
-            .plan
-            .record(&self.gpu.device, &self.gpu.queue, encoder)?)
+        let plan = &mut self.built.plan;
+        let report = plan.record(&self.gpu.device, &self.gpu.queue, encoder)?;
+        self.collect();
+        Ok(report)
+    }
+
+    /// Says how long the last frame took, in milliseconds: what a [`Budget::FrameTime`] is kept by. Time is whatever its user takes it for: serialised
+    /// frames, or the interval between them.
+    pub fn note_time(&mut self, milliseconds: f64) {
+        if let Some(keeping) = &mut self.keeping {
+            keeping.note_time(milliseconds);
+        }
+    }
+
+    /// Where the trade between accuracy and speed stands, for a stage with a budget: the step, its settings and its dial.
+    pub fn standing(&self) -> Option<(Standing, &Step)> {
+        self.keeping.as_ref()?.standing()
+    }
+
+    /// Takes over what audits have come in, and lets the controller know.
+    fn collect(&mut self) {
+        self.frames += 1;
+        for (built, audit) in self.built.views.iter().zip(&mut self.audits) {
+            let Some(of_plan) = built.audit.and_then(|audit| self.built.plan.get(audit)) else {
+                continue;
+            };
+            let known = audit.audited().saturating_sub(built.audited_before);
+            let fresh = of_plan.audited().saturating_sub(known) as usize;
+            let skipped = of_plan.frames().len().saturating_sub(fresh);
+            for found in of_plan.frames().skip(skipped) {
+                let mut found = found.clone();
+                found.frame += self.before;
+                if let Some(keeping) = &mut self.keeping {
+                    keeping.note_audit(&found, self.frames);
+                }
+                audit.take(found);
+            }
+        }
     }
 
     fn prepare(&mut self, scene: &GpuScene, views: &[ViewInput<'_>]) -> Result<(), StageError> {
@@ -280,14 +341,26 @@ impl Stage {
                 self.specs.len()
             )));
         }
-        if scene.topology() != self.built.topology {
+        let turned = match &mut self.keeping {
+            Some(keeping) => keeping.follow(self.strategy.as_mut())?,
+            None => false,
+        };
+        if turned || scene.topology() != self.built.topology {
             // Pipelines follow the classes alone: a scene that outgrows its buffers keeps them.
             let pipelines = match scene.topology().classes == self.built.topology.classes {
                 true => self.built.pipelines.clone(),
                 false => HashMap::new(),
             };
             let strategy = self.strategy.as_mut();
+            if let Some(audit) = &mut self.options.audit {
+                // A new plan counts its frames from 0, and shall not draw the same lots once more.
+                audit.seed = audit.seed.wrapping_add(1 << 32);
+            }
             self.built = build(scene, strategy, &self.specs, &self.options, pipelines)?;
+            self.before = self.frames;
+            for (built, audit) in self.built.views.iter_mut().zip(&self.audits) {
+                built.audited_before = audit.audited();
+            }
         }
         let Built {
             plan,
@@ -350,7 +423,8 @@ impl Stage {
 
     /// What a view's audit has found so far, where the stage was told to audit itself.
     pub fn audit(&self, view: usize) -> Option<&Audit> {
-        self.built.plan.get(self.built.views.get(view)?.audit?)
+        self.options.audit?;
+        self.audits.get(view)
     }
 
     /// A view's verdicts of the last frame. Where they only exist on the GPU they are fetched, and waited for: this is for measuring.
@@ -466,6 +540,7 @@ fn build(
             sketch: set.sketch,
             handed_on: set.handed_on,
             audit,
+            audited_before: 0,
         });
     }
     let compile = CompileOptions {

@@ -73,6 +73,12 @@ pub trait Strategy: Send {
         })
     }
 
+    /// How it trades accuracy for speed when it is given a [`Budget`](crate::Budget): its steps from the most accurate, which is conservative, to the
+    /// fastest. None: it has nothing to trade.
+    fn steps(&self) -> Vec<crate::Step> {
+        Vec::new()
+    }
+
     /// Adds its nodes for one view and says what that view draws.
     ///
     /// # Errors

@@ -60,6 +60,10 @@ pub struct Verdicts {
     /// What a test said of those that are drawn whatever it says; ascending.
     noted: Vec<(u32, bool)>,
     asked: u32,
+    /// Visible samples of those below the threshold.
+    left_out: u64,
+    /// Pixels of the image they were counted in; 0: unknown.
+    counted_in: u32,
 }
 
 impl Verdicts {
@@ -70,6 +74,24 @@ impl Verdicts {
         self.levels.clear();
         self.noted.clear();
         self.asked = 0;
+        (self.left_out, self.counted_in) = (0, 0);
+    }
+
+    /// Notes the visible samples of an entity that is left out all the same.
+    pub fn leave_out(&mut self, samples: u32) {
+        self.left_out += u64::from(samples);
+    }
+
+    /// Says of how many pixels an image is that samples were counted in.
+    pub fn share_left_out_of(&mut self, pixels: u32) {
+        self.counted_in = pixels;
+    }
+
+    /// What those below the threshold have of the image by the samples that were counted, in percent: wrong pixels that were meant. `None` where
+    /// nobody counted.
+    pub fn left_out_percent(&self) -> Option<f64> {
+        let of = f64::from(self.counted_in);
+        (of > 0.0).then(|| self.left_out as f64 / of * 100.0)
     }
 
     /// Counts entities that were asked about: hardware queries, or proxies whose samples were counted.

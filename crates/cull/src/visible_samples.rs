@@ -5,7 +5,7 @@ use antumbra_graph::Host;
 use crate::candidates::Candidates;
 use crate::counting::Counts;
 use crate::frame_graph::{CULL, FrameGraph};
-use crate::samples::{SampleRule, Samples};
+use crate::samples::{Allowance, SampleRule, Samples};
 use crate::setting::Latency;
 use crate::strategy::VisibleSet;
 use crate::view_nodes::ViewNodes;
@@ -20,10 +20,25 @@ impl FrameGraph<'_> {
         latency: Latency,
         rule: impl Into<SampleRule>,
     ) -> VisibleSet {
+        let none = Allowance::default();
+        self.visible_samples_within(view, candidates, counts, latency, rule, &none)
+    }
+
+    /// The same with a threshold that each frame is as high as an allowance lets it be. On the GPU there is none: the rule alone decides.
+    pub fn visible_samples_within(
+        &mut self,
+        view: &mut ViewNodes,
+        candidates: Host<Candidates>,
+        counts: Counts,
+        latency: Latency,
+        rule: impl Into<SampleRule>,
+        allowance: &Allowance,
+    ) -> VisibleSet {
         let rule = rule.into();
+        let within = allowance.shared();
         match latency {
-            Latency::FrameLate => self.visible_late(view, candidates, counts, rule),
-            Latency::SameFrame => self.visible_now(view, candidates, counts, rule),
+            Latency::FrameLate => self.visible_late(view, candidates, counts, (rule, within)),
+            Latency::SameFrame => self.visible_now(view, candidates, counts, (rule, within)),
             Latency::OnGpu => self.visible_on_gpu(view, candidates, counts, rule),
         }
     }
@@ -34,7 +49,7 @@ impl FrameGraph<'_> {
         view: &mut ViewNodes,
         candidates: Host<Candidates>,
         counts: Counts,
-        rule: SampleRule,
+        (rule, within): (SampleRule, Allowance),
     ) -> VisibleSet {
         let samples = self.graph().host::<Samples>(view.named("latest samples"));
         let mut node = self.graph().host_node(view.named("read late"));
@@ -54,8 +69,9 @@ impl FrameGraph<'_> {
                 node.read(candidates).read(samples);
             },
             move |ctx, table, _, verdicts| {
+                let candidates = ctx.get(candidates)?;
                 ctx.get(samples)?
-                    .judge(table, &*ctx.get(candidates)?, rule, verdicts);
+                    .judge_within(table, &candidates, rule, &within, verdicts);
                 Ok(())
             },
         );
@@ -68,7 +84,7 @@ impl FrameGraph<'_> {
         view: &mut ViewNodes,
         candidates: Host<Candidates>,
         counts: Counts,
-        rule: SampleRule,
+        (rule, within): (SampleRule, Allowance),
     ) -> VisibleSet {
         let mut samples = Samples::default();
         let chosen = self.choose(
@@ -84,7 +100,8 @@ impl FrameGraph<'_> {
                     counts.layout,
                     ctx.bytes(counts.buffer)?,
                 );
-                samples.judge(table, &*ctx.get(candidates)?, rule, verdicts);
+                let candidates = ctx.get(candidates)?;
+                samples.judge_within(table, &candidates, rule, &within, verdicts);
                 Ok(())
             },
         );

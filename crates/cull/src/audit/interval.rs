@@ -39,7 +39,7 @@ impl Estimate {
             number += 1.0;
             pixels += frame.pixels;
             heaviest = heaviest.max(frame.heaviest);
-            hits.extend(&frame.hits);
+            hits.extend(frame.hits.iter().map(|hit| hit.pixels));
         }
         if number == 0.0 || pixels == 0.0 {
             return Self {
@@ -97,6 +97,7 @@ fn cubed(count: f64, z: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::audit::Hit;
 
     fn poisson_at_most(count: u32, mean: f64) -> f64 {
         let mut term = (-mean).exp();
@@ -125,7 +126,13 @@ mod tests {
         FrameAudit {
             pixels: 10_000.0,
             heaviest,
-            hits: hits.to_vec(),
+            hits: hits
+                .iter()
+                .map(|pixels| Hit {
+                    pixels: *pixels,
+                    doubtful: false,
+                })
+                .collect(),
             ..FrameAudit::default()
         }
     }

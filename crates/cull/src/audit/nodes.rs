@@ -12,9 +12,9 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
 use super::plan::{Costs, Lots, MOST};
-use super::strata::{Patches, STRATA};
+use super::strata::{DOUBTFUL, Patches, STRATA};
 use super::through;
-use super::{AUDIT, Audit, AuditOptions, FrameAudit};
+use super::{AUDIT, Audit, AuditOptions, FrameAudit, Hit};
 use crate::candidates::{Asked, Candidates};
 use crate::counting::Counting;
 use crate::frame_graph::FrameGraph;
@@ -29,6 +29,7 @@ use crate::view_nodes::ViewNodes;
 struct Looked {
     lots: Arc<Lots>,
     cuts: u64,
+    left_out: Option<f64>,
     pixels: f64,
     census: bool,
     /// There was no room for all that had to be drawn: the frame says nothing.
@@ -167,6 +168,7 @@ impl FrameGraph<'_> {
             *ctx.get_mut(looked)? = Looked {
                 lots: Arc::new(lots),
                 cuts: frame.cuts,
+                left_out: culled.left_out(),
                 pixels: f64::from(width) * f64::from(height),
                 census: options.census,
                 spilled,
@@ -231,6 +233,14 @@ impl<'a> Culled<'a> {
                 candidates,
                 unasked,
             } => !candidates.is_exempt(slot) && unasked.binary_search(&slot).is_err(),
+        }
+    }
+
+    /// What was left out by the frame's own count, in percent.
+    fn left_out(&self) -> Option<f64> {
+        match self {
+            Self::Host(verdicts) => verdicts.left_out_percent(),
+            Self::Gpu { .. } => None,
         }
     }
 
@@ -323,7 +333,10 @@ fn take(audit: &mut Audit, frame: u64, looked: &Looked, bytes: &[u8]) {
         audit.moments.note(*kind, f64::from(shown) / pixels_a_patch);
         if shown > 0 {
             let weight = looked.lots.weights.get(*kind).copied().unwrap_or(0.0);
-            hits.push(f64::from(shown) * weight);
+            hits.push(Hit {
+                pixels: f64::from(shown) * weight,
+                doubtful: *kind == DOUBTFUL,
+            });
         }
     }
     let heaviest = match looked.census {
@@ -337,5 +350,6 @@ fn take(audit: &mut Audit, frame: u64, looked: &Looked, bytes: &[u8]) {
         pixels: looked.pixels,
         heaviest,
         hits,
+        left_out: looked.left_out,
     });
 }

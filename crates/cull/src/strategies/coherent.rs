@@ -17,6 +17,7 @@ use antumbra_graph::Buffer;
 use fraction::Share;
 use one_eye::Eye;
 
+use crate::budget::Step;
 use crate::frame_graph::FrameGraph;
 use crate::setting::{Latency, Setting, SettingError};
 use crate::strategy::{DeclareError, Strategy, VisibleSet};
@@ -81,6 +82,26 @@ impl Coherence {
     fn conservative(self) -> bool {
         self.latency != Latency::FrameLate && self.fraction >= 1.0
     }
+
+    /// From all of the occluded tested to a twentieth of them.
+    fn steps(self) -> Vec<Step> {
+        let now = match self.latency {
+            Latency::SameFrame => "same-frame",
+            Latency::FrameLate | Latency::OnGpu => "on-gpu",
+        };
+        let latency = self.latency.to_string();
+        let exact = Step::of([("late", "0"), ("latency", now), ("fraction", "1")]);
+        let mut steps = vec![exact];
+        let parts = ["1", "0.7", "0.5", "0.35", "0.2", "0.1", "0.05"];
+        let skipped = usize::from(self.latency != Latency::FrameLate);
+        steps.extend(
+            parts
+                .into_iter()
+                .skip(skipped)
+                .map(|part| Step::of([("late", "0"), ("latency", &latency), ("fraction", part)])),
+        );
+        steps
+    }
 }
 
 /// The strategy `coherent`: each view on its own (OCF).
@@ -141,6 +162,10 @@ impl Strategy for Coherent {
         self.coherence.set_of("coherent", key, value)
     }
 
+    fn steps(&self) -> Vec<Step> {
+        self.coherence.steps()
+    }
+
     fn declare(
         &mut self,
         g: &mut FrameGraph<'_>,
@@ -183,6 +208,10 @@ impl Strategy for StereoCoherent {
 
     fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
         self.coherence.set_of("stereo-coherent", key, value)
+    }
+
+    fn steps(&self) -> Vec<Step> {
+        self.coherence.steps()
     }
 
     fn declare(

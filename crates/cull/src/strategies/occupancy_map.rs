@@ -8,6 +8,7 @@ mod settings;
 
 use antumbra_scene::hierarchy::Shape;
 
+use crate::budget::Step;
 use crate::frame_graph::FrameGraph;
 use crate::setting::{Latency, Setting, SettingError};
 use crate::strategy::{DeclareError, Strategy, VisibleSet};
@@ -94,6 +95,9 @@ impl Occupancy {
     }
 }
 
+/// What the steps of a trade drop, in pixels of width and height.
+const SMALL: [&str; 7] = ["0", "0.5", "1", "2", "4", "8", "16"];
+
 /// The strategy `occupancy-map`: multiple queries.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct OccupancyMaps {
@@ -144,6 +148,17 @@ impl Strategy for OccupancyMaps {
         }
     }
 
+    fn steps(&self) -> Vec<Step> {
+        let exact = Step::of([
+            ("latency", "same-frame"),
+            ("small", "0"),
+            ("occluded-for", "0"),
+        ]);
+        let latency = self.latency.to_string();
+        let fast = SMALL.map(|small| Step::of([("latency", &latency), ("small", small)]));
+        std::iter::once(exact).chain(fast).collect()
+    }
+
     fn declare(
         &mut self,
         g: &mut FrameGraph<'_>,
@@ -186,6 +201,12 @@ impl Strategy for OccupancyMapSingle {
             return Err(settings::unknown(self, key));
         }
         Ok(())
+    }
+
+    fn steps(&self) -> Vec<Step> {
+        let exact = Step::of([("small", "0"), ("occluded-for", "0")]);
+        let fast = SMALL.map(|small| Step::of([("small", small)]));
+        std::iter::once(exact).chain(fast).collect()
     }
 
     fn declare(

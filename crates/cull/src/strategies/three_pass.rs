@@ -5,9 +5,11 @@
 
 use antumbra_draw::Detail;
 
+use crate::budget::Step;
 use crate::counting::Counting;
+use crate::dial::Dial;
 use crate::frame_graph::FrameGraph;
-use crate::samples::SampleRule;
+use crate::samples::{Allowance, SampleRule};
 use crate::setting::{LATENCY_RANGE, Latency, Setting, SettingError, parse};
 use crate::strategy::{DeclareError, Strategy, VisibleSet};
 use crate::view_nodes::ViewNodes;
@@ -21,6 +23,9 @@ pub struct ThreePass {
     pub counting: Option<Counting>,
     /// An entity is drawn when more samples of its proxy are visible, in pixels of the final image.
     pub threshold: u32,
+    /// The part of the image, in percent, that a frame may leave out though it was seen: those with the fewest visible samples first, as many as
+    /// share no more than that. Beside the threshold; where answers stay on the GPU it must be 0.
+    pub allow: Dial,
     /// With at most this many visible samples an entity is drawn one level of detail coarser, with at most a quarter of them two,
     /// with a sixteenth three, in pixels of the final image; 0: never.
     pub coarser: u32,
@@ -81,6 +86,7 @@ impl Default for ThreePass {
             latency: Latency::FrameLate,
             counting: Option::None,
             threshold: 10,
+            allow: Dial::new(0.0),
             coarser: 0,
             occluders: StandIn::Proxy,
             occludees: StandIn::Proxy,
@@ -91,6 +97,7 @@ impl Default for ThreePass {
 
 const COUNTING_RANGE: &str = "auto, queries, atomics, compare or identity";
 const THRESHOLD_RANGE: &str = "a whole number of pixels, 0 to 1000000";
+const ALLOW_RANGE: &str = "a number of percent, 0 to 100";
 const COARSER_RANGE: &str = "a whole number of pixels, 0 (never) to 1000000";
 const OCCLUDERS_RANGE: &str = "proxy or full";
 const OCCLUDEES_RANGE: &str = "proxy, full or box";
@@ -138,7 +145,7 @@ impl ThreePass {
     }
 
     fn needs_counts(&self) -> bool {
-        self.threshold > 0 || self.coarser > 0
+        self.threshold > 0 || self.coarser > 0 || self.allow.get() > 0.0
     }
 
     fn conflict(&self, conflict: &str) -> DeclareError {
@@ -162,6 +169,7 @@ impl Strategy for ThreePass {
         // Not with boxes: that of a flat entity lies in its plane and may lose a pixel to it; those of lines and points cover less.
         self.latency != Latency::FrameLate
             && self.threshold == 0
+            && self.allow.get() == 0.0
             && self.coarser == 0
             && self.occluders == StandIn::Full
             && self.occludees == StandIn::Full
@@ -202,6 +210,12 @@ impl Strategy for ThreePass {
                 "an entity is drawn when more of its proxy's pixels are visible",
             ),
             setting(
+                "allow",
+                self.allow.get().to_string(),
+                ALLOW_RANGE,
+                "part of the image that a frame may leave out though it was seen, the smallest first",
+            ),
+            setting(
                 "coarser",
                 self.coarser.to_string(),
                 COARSER_RANGE,
@@ -236,6 +250,9 @@ impl Strategy for ThreePass {
             "threshold" => {
                 self.threshold = parse(key, value, THRESHOLD_RANGE, |pixels| *pixels <= 1_000_000)?
             }
+            "allow" => self.allow.turn(parse(key, value, ALLOW_RANGE, |percent| {
+                (0.0..=100.0).contains(percent)
+            })?),
             "coarser" => {
                 self.coarser = parse(key, value, COARSER_RANGE, |pixels| *pixels <= 1_000_000)?
             }
@@ -271,11 +288,55 @@ impl Strategy for ThreePass {
         Ok(())
     }
 
+    fn steps(&self) -> Vec<Step> {
+        // A late answer costs pixels whatever it is about.
+        let now = match self.latency {
+            Latency::SameFrame => "same-frame",
+            Latency::FrameLate | Latency::OnGpu => "on-gpu",
+        };
+        let base = [
+            ("latency", now),
+            ("threshold", "0"),
+            ("allow", "0"),
+            ("coarser", "0"),
+        ];
+        let step = |more: &[(&'static str, &str)]| {
+            let mut step = Step::of(base);
+            let more = more.iter().map(|(key, value)| (*key, (*value).to_owned()));
+            step.settings.extend(more);
+            step
+        };
+        let exact = step(&[("occluders", "full"), ("occludees", "full"), ("scale", "1")]);
+        let sharp = step(&[("scale", "1")]);
+        let mut steps = vec![exact];
+        match self.latency {
+            Latency::SameFrame => {
+                steps.push(sharp.with_dial("allow"));
+                if self.scale < 1.0 {
+                    steps.push(step(&[]).with_dial("allow"));
+                }
+            }
+            Latency::FrameLate => {
+                steps.extend([sharp, step(&[])]);
+                steps.push(step(&[("latency", "frame-late")]).with_dial("allow"));
+            }
+            Latency::OnGpu => {
+                steps.push(sharp);
+                let thresholds = ["0", "2", "5", "10", "20", "50", "100", "200", "500"];
+                steps.extend(thresholds.map(|threshold| step(&[("threshold", threshold)])));
+            }
+        }
+        steps
+    }
+
     fn declare(
         &mut self,
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
+        if self.latency == Latency::OnGpu && self.allow.get() > 0.0 {
+            return Err(self.conflict("what a frame may leave out is added up on the host: set allow to 0, or latency to frame-late or same-frame"));
+        }
         let way = self.way(g)?;
         let size = view
             .size()
@@ -294,6 +355,10 @@ impl Strategy for ThreePass {
             self.occludees.detail(),
         );
         let counts = g.count_samples(view, proxies, way, size);
-        Ok(g.visible_samples(view, candidates, counts, self.latency, rule))
+        let within = Allowance {
+            percent: self.allow.shared(),
+            pixels: size[0].saturating_mul(size[1]),
+        };
+        Ok(g.visible_samples_within(view, candidates, counts, self.latency, rule, &within))
     }
 }

@@ -1,0 +1,230 @@
+//! Keeps the mean of the wrong pixels under a budget: the fastest step whose error is believed to fit, its dial turned to what is left. What a frame
+//! leaves out by its own count is known at once; what else goes wrong, and how wrong that count is, the audit has to say.
+
+use super::belief::Belief;
+use super::{Standing, Step};
+use crate::audit::FrameAudit;
+
+/// Chooses steps by error.
+#[derive(Debug)]
+pub(super) struct ErrorKeeper {
+    budget: f64,
+    steps: Vec<Known>,
+    at: Standing,
+    /// The frame from which on the answers are about where it stands.
+    since: u64,
+    /// Frames in a row in which another step looked better.
+    patience: u32,
+    /// Percent that was not used up, added up over frames; below 0: overdrawn.
+    saved: f64,
+    /// What was found of what was meant to be left out, and what was meant.
+    doubtful: [f64; 2],
+    a_hit: f64,
+    frames: u64,
+}
+
+/// What is known of a step.
+#[derive(Debug)]
+struct Known {
+    has_dial: bool,
+    /// What goes wrong that is not meant to.
+    base: Belief,
+}
+
+/// The first step is conservative by contract; of the next nothing is known but that its author found it worth while. A part of the budget.
+const PRIOR: f64 = 0.4;
+/// By how much a step that was never stood on is believed to err more than the one before.
+const WORSENS: f64 = 2.0;
+/// So many times what is allowed is too much for patience.
+const URGENT: f64 = 4.0;
+/// How careful it is: standard deviations above the mean that must still fit.
+const CAREFUL: f64 = 0.5;
+/// The part of the budget that is meant to be used.
+const MEANT: f64 = 0.9;
+/// Frames in a row that another step must look better: changing costs a frame or two in which all is drawn.
+const PATIENCE: u32 = 8;
+/// Frames over which what was saved or overdrawn is made good.
+const HORIZON: f64 = 200.0;
+/// Frames until answers are about a new step.
+const SETTLES: u64 = 4;
+/// Frames' worth of the budget that are believed to be left out as counted.
+const BELIEF: f64 = 50.0;
+
+impl ErrorKeeper {
+    /// For these steps, of which there is one at least.
+    pub fn new(budget: f64, steps: &[Step]) -> Self {
+        let known = |step: &Step| Known {
+            has_dial: step.dial.is_some(),
+            base: Belief::default(),
+        };
+        let mut keeper = Self {
+            budget,
+            steps: steps.iter().map(known).collect(),
+            at: Standing::default(),
+            since: 0,
+            patience: 0,
+            saved: 0.0,
+            doubtful: [BELIEF * budget; 2],
+            a_hit: budget * 4.0,
+            frames: 0,
+        };
+        keeper.at = keeper.best().0;
+        keeper
+    }
+
+    /// Where it stands.
+    pub fn standing(&self) -> Standing {
+        self.at
+    }
+
+    /// Takes in what the audit found in a frame; `now` is the frame that is about to be drawn. Says where to stand from now on.
+    pub fn note(&mut self, found: &FrameAudit, now: u64) -> Standing {
+        let [plain, doubtful] = found.by_kind();
+        self.saved += self.budget - plain.percent - doubtful.percent;
+        // More than a horizon's worth of frugality is not handed down, nor of debts.
+        let most = self.budget * HORIZON;
+        self.saved = self.saved.clamp(-4.0 * most, most);
+        let hits = plain.hits + doubtful.hits;
+        if hits > 0.0 {
+            let each = (plain.percent + doubtful.percent) / hits;
+            self.a_hit += (each - self.a_hit) * 0.1;
+        }
+        let current = found.frame >= self.since;
+        for (number, step) in self.steps.iter_mut().enumerate() {
+            match number == self.at.step && current {
+                true => step.base.note(plain.percent, plain.hits),
+                false => step.base.fade(),
+            }
+        }
+        if current && let Some(meant) = found.left_out_percent() {
+            for (sum, more) in self.doubtful.iter_mut().zip([doubtful.percent, meant]) {
+                *sum = *sum * (1.0 - 1.0 / 1_000.0) + more;
+            }
+        }
+        self.frames += 1;
+        let (best, urgent) = self.best();
+        if best.step == self.at.step {
+            self.patience = 0;
+            self.at = best;
+        } else {
+            self.patience += 1;
+            if urgent || self.patience >= PATIENCE {
+                self.patience = 0;
+                self.at = best;
+                self.since = now + SETTLES;
+            }
+        }
+        self.at
+    }
+
+    /// What a frame may have wrong now.
+    fn allowed(&self) -> f64 {
+        let owed = (self.saved / HORIZON).clamp(-self.budget, 0.5 * self.budget);
+        self.budget * MEANT + owed
+    }
+
+    /// The fastest step that is believed to fit, among those up to the one after where it stands; and whether where it stands is far from fitting.
+    fn best(&self) -> (Standing, bool) {
+        let mut best = Standing::default();
+        if self.budget <= 0.0 {
+            return (best, false);
+        }
+        let allowed = self.allowed();
+        let mut prior = self.budget * PRIOR;
+        let mut urgent = false;
+        let reach = self.at.step + 1;
+        for (step, known) in self.steps.iter().enumerate().take(reach + 1).skip(1) {
+            let careful = known.base.careful(self.a_hit, prior, CAREFUL);
+            let mean = known.base.mean(self.a_hit, prior);
+            if careful <= allowed {
+                let allow = match known.has_dial {
+                    true => self.left(allowed - mean),
+                    false => 0.0,
+                };
+                best = Standing { step, allow };
+            }
+            urgent |= step == self.at.step && careful > URGENT * self.budget;
+            prior = prior.max(WORSENS * mean);
+        }
+        (best, urgent)
+    }
+
+    /// What may be left out by a frame's own count, of which the audit says how wrong it is.
+    fn left(&self, percent: f64) -> f64 {
+        let [found, meant] = self.doubtful;
+        let times = if meant > 0.0 { found / meant } else { 1.0 };
+        percent.max(0.0) / times.clamp(0.25, 8.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    /// A world in which each step has an error of its own, what is left out comes out so many times as wrong as counted, and the audit finds
+    /// `a_hit` percent at a time. Gives the mean error, and for how many of the frames each step was stood on.
+    fn live(
+        budget: f64,
+        errors: &[f64],
+        (dial, times): (bool, f64),
+        a_hit: f64,
+    ) -> (f64, Vec<u32>) {
+        let mut steps = vec![Step::default(); errors.len()];
+        if dial && let Some(last) = steps.last_mut() {
+            last.dial = Some("allow");
+        }
+        let mut keeper = ErrorKeeper::new(budget, &steps);
+        let mut random = Pcg64Mcg::seed_from_u64(9);
+        let mut stood = vec![0; errors.len()];
+        let mut wrong = 0.0;
+        let frames = 6_000;
+        for frame in 0..frames {
+            let at = keeper.standing();
+            stood[at.step] += 1;
+            let (base, meant) = (errors[at.step], at.allow);
+            wrong += base + meant * times;
+            let mut hit = |percent: f64, doubtful| {
+                random
+                    .random_bool((percent / a_hit).min(1.0))
+                    .then_some((a_hit, doubtful))
+            };
+            let hits = [hit(base, false), hit(meant * times, true)];
+            let found = FrameAudit::made_up(frame, hits.into_iter().flatten(), Some(meant));
+            keeper.note(&found, frame + 1);
+        }
+        (wrong / frames as f64, stood)
+    }
+
+    #[test]
+    fn the_mean_stays_under_the_budget_and_the_best_step_is_found() {
+        let errors = [0.0, 0.001, 0.004, 0.015, 0.08, 0.4, 2.0];
+        let (wrong, stood) = live(0.02, &errors, (false, 1.0), 0.4);
+        assert!(wrong <= 0.02, "{wrong} %, {stood:?}");
+        assert!(stood[3] > 3_000, "{wrong} %, {stood:?}");
+    }
+
+    #[test]
+    fn where_no_step_fits_it_stays_with_the_conservative_one() {
+        let (wrong, stood) = live(0.02, &[0.0, 0.5, 1.0], (false, 1.0), 0.4);
+        assert!(wrong <= 0.02 && stood[0] > 5_000, "{wrong} %, {stood:?}");
+    }
+
+    #[test]
+    fn a_dial_uses_what_is_left_however_wrong_its_count() {
+        for times in [0.5, 1.0, 3.0] {
+            let (wrong, stood) = live(0.1, &[0.0, 0.01], (true, times), 0.4);
+            assert!(
+                (0.05..=0.1).contains(&wrong),
+                "{times}: {wrong} %, {stood:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_budget_of_nothing_never_leaves_the_first_step() {
+        let (wrong, stood) = live(0.0, &[0.0, 0.0], (true, 1.0), 0.4);
+        assert_eq!((wrong, stood), (0.0, vec![6_000, 0]));
+    }
+}

@@ -1,0 +1,122 @@
+//! A budget at work: the controller says where to stand, and the strategy is set to it.
+
+use super::error::ErrorKeeper;
+use super::time::TimeKeeper;
+use super::{Budget, Standing, Step};
+use crate::audit::FrameAudit;
+use crate::strategy::{DeclareError, Strategy};
+
+/// A budget that is kept.
+#[derive(Debug)]
+pub(crate) struct Keeping {
+    keeper: Keeper,
+    steps: Vec<Step>,
+    /// What the strategy was set to by its user.
+    user: Vec<(&'static str, String)>,
+    at: Standing,
+}
+
+/// Who keeps it.
+#[derive(Debug)]
+enum Keeper {
+    Error(ErrorKeeper),
+    Time(TimeKeeper),
+}
+
+impl Keeping {
+    /// Puts the strategy on the step to begin with.
+    pub fn new(budget: Budget, strategy: &mut dyn Strategy) -> Result<Self, DeclareError> {
+        let mut steps = strategy.steps();
+        if steps.is_empty() && strategy.conservative() {
+            // It keeps any budget of errors as it is.
+            steps.push(Step::default());
+        }
+        if steps.is_empty() {
+            return Err(DeclareError::Settings {
+                strategy: strategy.name().to_owned(),
+                conflict: format!(
+                    "it is set to be aggressive, has no steps to trade accuracy for speed, and cannot keep {budget}: leave the budget out"
+                ),
+            });
+        }
+        let keeper = match budget {
+            Budget::WrongPixels(percent) => Keeper::Error(ErrorKeeper::new(percent, &steps)),
+            Budget::FrameTime(time) => Keeper::Time(TimeKeeper::new(time, &steps)),
+        };
+        let user = strategy.settings().into_iter();
+        let mut keeping = Self {
+            keeper,
+            steps,
+            user: user.map(|setting| (setting.key, setting.value)).collect(),
+            at: Standing::default(),
+        };
+        keeping.at = keeping.wanted();
+        keeping.apply(strategy)?;
+        Ok(keeping)
+    }
+
+    /// Where it stands, and the settings of that step.
+    pub fn standing(&self) -> Option<(Standing, &Step)> {
+        Some((self.at, self.steps.get(self.at.step)?))
+    }
+
+    /// Takes in what the audit found in a frame; `now` is the next frame's number.
+    pub fn note_audit(&mut self, found: &FrameAudit, now: u64) {
+        if let Keeper::Error(keeper) = &mut self.keeper {
+            keeper.note(found, now);
+        }
+    }
+
+    /// Takes in a frame's milliseconds.
+    pub fn note_time(&mut self, milliseconds: f64) {
+        if let Keeper::Time(keeper) = &mut self.keeper {
+            keeper.note(milliseconds);
+        }
+    }
+
+    fn wanted(&self) -> Standing {
+        match &self.keeper {
+            Keeper::Error(keeper) => keeper.standing(),
+            Keeper::Time(keeper) => keeper.standing(),
+        }
+    }
+
+    /// Goes where the controller wants to stand; whether the strategy has to be declared anew.
+    pub fn follow(&mut self, strategy: &mut dyn Strategy) -> Result<bool, DeclareError> {
+        let wanted = self.wanted();
+        let before = std::mem::replace(&mut self.at, wanted);
+        if wanted.step != before.step {
+            self.apply(strategy)?;
+            return Ok(true);
+        }
+        if wanted.allow != before.allow {
+            self.turn_dial(strategy)?;
+        }
+        Ok(false)
+    }
+
+    fn apply(&self, strategy: &mut dyn Strategy) -> Result<(), DeclareError> {
+        let step = self.steps.get(self.at.step);
+        let settings = step.map_or(&[][..], |step| &step.settings);
+        for (key, value) in self.user.iter().chain(settings) {
+            set(strategy, key, value)?;
+        }
+        self.turn_dial(strategy)
+    }
+
+    fn turn_dial(&self, strategy: &mut dyn Strategy) -> Result<(), DeclareError> {
+        match self.steps.get(self.at.step).and_then(|step| step.dial) {
+            Some(dial) => set(strategy, dial, &self.at.allow.min(100.0).to_string()),
+            None => Ok(()),
+        }
+    }
+}
+
+fn set(strategy: &mut dyn Strategy, key: &str, value: &str) -> Result<(), DeclareError> {
+    strategy
+        .set(key, value)
+        .map_err(|error| DeclareError::Settings {
+            strategy: strategy.name().to_owned(),
+            conflict: format!("a step of its own cannot be set: {error}"),
+        })
+}

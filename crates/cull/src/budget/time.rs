@@ -1,0 +1,126 @@
+//! Keeps the time of a frame under a budget: a step, or a turn of the dial, towards speed while frames take too long, and back while they leave room.
+
+use super::{Standing, Step};
+
+/// Chooses steps by time.
+#[derive(Debug)]
+pub(super) struct TimeKeeper {
+    budget: f64,
+    /// All it may stand at, from the most accurate to the fastest, with the last time known of each.
+    stands: Vec<(Standing, Option<f64>)>,
+    at: usize,
+    mean: Option<f64>,
+    frames: u32,
+}
+
+/// What a dial may stand at, in percent.
+const DIAL: [f64; 9] = [0.0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0];
+/// Frames after a change before anything is judged: at first all is drawn.
+const SETTLES: u32 = 4;
+/// Frames that are averaged before it moves.
+const AVERAGES: u32 = 8;
+/// It goes back to what is more accurate only where a frame takes less than this part of the budget.
+const ROOM: f64 = 0.85;
+/// What an old time is worth beside the budget, a frame later: what was too slow is tried again some day.
+const FORGETS: f64 = 0.999;
+
+impl TimeKeeper {
+    /// For these steps, of which there is one at least; it starts in the middle.
+    pub fn new(budget: f64, steps: &[Step]) -> Self {
+        let mut stands = Vec::new();
+        for (step, known) in steps.iter().enumerate() {
+            let dial = if known.dial.is_some() {
+                &DIAL
+            } else {
+                &DIAL[..1]
+            };
+            stands.extend(dial.iter().map(|allow| {
+                (
+                    Standing {
+                        step,
+                        allow: *allow,
+                    },
+                    None,
+                )
+            }));
+        }
+        Self {
+            budget,
+            at: stands.len() / 2,
+            stands,
+            mean: None,
+            frames: 0,
+        }
+    }
+
+    /// Where it stands.
+    pub fn standing(&self) -> Standing {
+        self.stands
+            .get(self.at)
+            .map(|stand| stand.0)
+            .unwrap_or_default()
+    }
+
+    /// Takes in a frame's milliseconds, and says where to stand from now on.
+    pub fn note(&mut self, time: f64) -> Standing {
+        for (_, known) in &mut self.stands {
+            if let Some(known) = known {
+                *known *= FORGETS;
+            }
+        }
+        self.frames += 1;
+        if self.frames <= SETTLES || !time.is_finite() {
+            return self.standing();
+        }
+        let mean = self
+            .mean
+            .map_or(time, |mean| mean + (time - mean) / f64::from(AVERAGES));
+        self.mean = Some(mean);
+        if let Some((_, known)) = self.stands.get_mut(self.at) {
+            *known = Some(mean);
+        }
+        if self.frames < SETTLES + AVERAGES {
+            return self.standing();
+        }
+        let fits = |at: usize| {
+            let known = self.stands.get(at).and_then(|stand| stand.1);
+            known.is_none_or(|time| time <= self.budget)
+        };
+        let next = match mean {
+            _ if mean > self.budget && self.at + 1 < self.stands.len() => self.at + 1,
+            _ if mean < self.budget * ROOM && self.at > 0 && fits(self.at - 1) => self.at - 1,
+            _ => self.at,
+        };
+        if next != self.at {
+            (self.at, self.mean, self.frames) = (next, None, 0);
+        }
+        self.standing()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Six steps, each a fifth faster than the one before.
+    fn stands_after(budget: f64, frames: u32) -> f64 {
+        let steps = vec![Step::default(); 6];
+        let mut keeper = TimeKeeper::new(budget, &steps);
+        let mut time = 0.0;
+        for _ in 0..frames {
+            time = 20.0 * 0.8f64.powi(keeper.standing().step as i32);
+            keeper.note(time);
+        }
+        time
+    }
+
+    #[test]
+    fn it_finds_the_slowest_step_that_fits() {
+        for (budget, expected) in [(25.0, 20.0), (16.5, 16.0), (11.0, 10.24), (7.0, 6.5536)] {
+            let time = stands_after(budget, 400);
+            assert!((time - expected).abs() < 1e-9, "{budget}: {time}");
+        }
+        // Nothing is as fast as that: it stays at the fastest.
+        assert!((stands_after(1.0, 400) - 6.5536).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,210 @@
+//! Budgets: every strategy's first step is conservative, a budget of nothing gets nothing wrong, and along paths with cuts and moving entities
+//! the mean of the wrong pixels stays under what was set.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use antumbra_cull::{
+    AuditOptions, Budget, Members, Oracle, Registry, Stage, StageError, StageOptions, ViewInput,
+    ViewSpec,
+};
+use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
+use antumbra_scene::builtin::{GridOptions, grid};
+use antumbra_scene::{Camera, Projection, Scene};
+use glam::{DAffine3, DVec3};
+
+const SIZE: [u32; 2] = [160, 120];
+
+fn gpu() -> Gpu {
+    Gpu::open(&AdapterChoice::Named("vulkan".to_owned()))
+        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
+}
+
+fn balls() -> Scene {
+    let mut scene = grid(GridOptions {
+        per_side: 7,
+        ..GridOptions::default()
+    })
+    .unwrap();
+    scene.ensure_proxies(&Default::default());
+    scene
+}
+
+fn camera(frame: u32) -> Camera {
+    // A cut every ninety frames: somewhere else, and on from there.
+    let angle = f64::from(frame) * 0.01 + f64::from(frame / 90) * 2.1;
+    let eye = DVec3::new(angle.cos(), 0.2, angle.sin()) * 9.0 * (1.2 + 0.3 * (angle * 3.0).sin());
+    let projection = Projection::Perspective {
+        fov_y: 0.9,
+        near: 0.05,
+    };
+    Camera::look_at(eye, DVec3::ZERO, DVec3::Y, projection).unwrap()
+}
+
+/// What came of a flight.
+struct Flown {
+    /// The mean of the wrong pixels in percent.
+    wrong: f64,
+    /// The worst frame's.
+    worst: f64,
+    /// The last step.
+    step: usize,
+    /// How often it changed.
+    changes: u32,
+}
+
+fn fly(strategy: &str, budget: Budget, frames: u32) -> Flown {
+    let gpu = gpu();
+    let mut scene = balls();
+    let movers: Vec<_> = scene.drawables().map(|(key, _)| key).step_by(9).collect();
+    let homes: Vec<DAffine3> = movers
+        .iter()
+        .map(|key| scene.local(*key).unwrap())
+        .collect();
+    let mut on_gpu = GpuScene::new(&gpu, &mut scene).unwrap();
+    let strategy = Registry::built_in().parse(strategy).unwrap();
+    let options = StageOptions {
+        budget: Some(budget),
+        // A small image has few triangles to spare.
+        audit: Some(AuditOptions {
+            share: 0.5,
+            seed: 5,
+            ..AuditOptions::default()
+        }),
+        ..StageOptions::default()
+    };
+    let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
+    let mut stage = Stage::new(&on_gpu, strategy, specs, options).unwrap();
+    let mut oracle = Oracle::new(&on_gpu, SIZE);
+    let mut flown = Flown {
+        wrong: 0.0,
+        worst: 0.0,
+        step: 0,
+        changes: 0,
+    };
+    let mut before = stage.standing().unwrap().0.step;
+    for frame in 0..frames {
+        for (key, home) in movers.iter().zip(&homes) {
+            let away = DVec3::Y * (f64::from(frame) * 0.05 + home.translation.x).sin() * 0.5;
+            let place = DAffine3::from_translation(away) * *home;
+            scene.set_local(*key, place).unwrap();
+        }
+        on_gpu.sync(&mut scene).unwrap();
+        let camera = camera(frame);
+        let input = ViewInput {
+            cut: frame % 90 == 0,
+            ..ViewInput::new(camera)
+        };
+        stage.frame(&on_gpu, &[input]).unwrap();
+        gpu.wait().unwrap();
+        let reference = oracle.look(&on_gpu, &camera, Members::Frustum).unwrap();
+        let verdicts = stage.verdicts(0, &on_gpu).unwrap();
+        let drawn = Members::Drawn(&verdicts);
+        let drawn = oracle.look(&on_gpu, &camera, drawn).unwrap();
+        let wrong = reference.wrong_pixels(&drawn) as f64 * 100.0 / f64::from(SIZE[0] * SIZE[1]);
+        flown.wrong += wrong / f64::from(frames);
+        flown.worst = flown.worst.max(wrong);
+        flown.step = stage.standing().unwrap().0.step;
+        flown.changes += u32::from(flown.step != before);
+        before = flown.step;
+    }
+    flown
+}
+
+#[test]
+fn the_first_step_of_every_strategy_is_conservative() {
+    let registry = Registry::built_in();
+    let mut with_steps = 0;
+    for name in registry.names() {
+        let latencies: &[&str] = match registry.make(name).unwrap().latency() {
+            Some(_) => &["frame-late", "same-frame", "on-gpu"],
+            None => &["none"],
+        };
+        for latency in latencies {
+            let mut strategy = registry.make(name).unwrap();
+            if *latency != "none" && strategy.set("latency", latency).is_err() {
+                continue;
+            }
+            let steps = strategy.steps();
+            with_steps += usize::from(steps.len() > 1);
+            for step in steps.iter().rev() {
+                for (key, value) in &step.settings {
+                    strategy.set(key, value).unwrap();
+                }
+                if let Some(dial) = step.dial {
+                    strategy.set(dial, "0.5").unwrap();
+                    strategy.set(dial, "0").unwrap();
+                }
+            }
+            let exact = steps.is_empty() || strategy.conservative();
+            assert!(exact, "{name}, {latency}: {:?}", strategy.settings());
+        }
+    }
+    assert!(with_steps >= 9, "{with_steps}");
+}
+
+#[test]
+fn a_budget_of_nothing_gets_nothing_wrong() {
+    for strategy in ["three-pass", "coherent", "occupancy-map:latency=frame-late"] {
+        let flown = fly(strategy, Budget::WrongPixels(0.0), 60);
+        assert_eq!((flown.worst, flown.step), (0.0, 0), "{strategy}");
+    }
+}
+
+#[test]
+fn the_mean_stays_under_the_budget_and_most_of_it_is_used() {
+    for (strategy, budget) in [
+        ("three-pass:latency=same-frame", 0.5),
+        ("three-pass:latency=on-gpu", 0.5),
+        ("three-pass", 0.5),
+    ] {
+        let flown = fly(strategy, Budget::WrongPixels(budget), 540);
+        println!(
+            "{strategy}: {:.3} % of {budget} %, worst {:.2}, step {}, {} changes",
+            flown.wrong, flown.worst, flown.step, flown.changes
+        );
+        assert!(flown.wrong <= budget, "{strategy}: {} %", flown.wrong);
+        assert!(flown.wrong > 0.0, "{strategy} traded nothing");
+    }
+}
+
+#[test]
+fn a_strategy_without_steps_that_errs_cannot_keep_a_budget() {
+    let gpu = gpu();
+    let scene = GpuScene::new(&gpu, &mut balls()).unwrap();
+    let options = StageOptions {
+        budget: Some(Budget::WrongPixels(0.1)),
+        ..StageOptions::default()
+    };
+    let specs = vec![ViewSpec::main(64, 48)];
+    struct Nothing;
+    impl antumbra_cull::Strategy for Nothing {
+        fn name(&self) -> &str {
+            "nothing"
+        }
+        fn summary(&self) -> &str {
+            "draws nothing"
+        }
+        fn conservative(&self) -> bool {
+            false
+        }
+        fn declare(
+            &mut self,
+            g: &mut antumbra_cull::FrameGraph<'_>,
+            view: &mut antumbra_cull::ViewNodes,
+        ) -> Result<antumbra_cull::VisibleSet, antumbra_cull::DeclareError> {
+            let inside = g.in_frustum(view);
+            Ok(g.visible_by(view, inside, |_, _, _| antumbra_cull::Verdict::Occluded))
+        }
+    }
+    let refused = Stage::new(&scene, Box::new(Nothing), specs.clone(), options.clone());
+    let Err(StageError::Declare(error)) = refused else {
+        panic!("it was taken");
+    };
+    let text = error.to_string();
+    assert!(
+        text.contains("'nothing'") && text.contains("wrong_pixels=0.1%"),
+        "{text}"
+    );
+    // One that never errs keeps any.
+    let frustum = Registry::built_in().make("frustum").unwrap();
+    assert!(Stage::new(&scene, frustum, specs, options).is_ok());
+}
