@@ -110,7 +110,7 @@ fn a_census_counts_what_the_oracle_counts() {
         let scene = GpuScene::new(&gpu, &mut scene).unwrap();
         let mut wrong_somewhere = 0;
         for strategy in AGGRESSIVE {
-            fly(&scene, named(strategy), CENSUS, 24, 9.0, |found, truth| {
+            fly(&scene, named(strategy), CENSUS, 16, 9.0, |found, truth| {
                 let all = found.wrong_pixels_percent();
                 assert!(
                     all.holds(truth),
@@ -120,7 +120,7 @@ fn a_census_counts_what_the_oracle_counts() {
                 wrong_somewhere += u32::from(truth > 0.0);
             });
         }
-        assert!(wrong_somewhere > 40, "{wrong_somewhere} frames with errors");
+        assert!(wrong_somewhere > 30, "{wrong_somewhere} frames with errors");
     }
 }
 
@@ -243,7 +243,6 @@ fn lots_are_right_on_average_and_within_their_interval_as_often_as_they_say() {
     let scene = GpuScene::new(&gpu, &mut balls(7)).unwrap();
     for (strategy, share) in [
         ("three-pass", 0.5),
-        ("three-pass:latency=same-frame:threshold=20", 0.5),
         ("three-pass:latency=on-gpu:threshold=20", 1.0),
     ] {
         let audit = AuditOptions {
@@ -252,7 +251,7 @@ fn lots_are_right_on_average_and_within_their_interval_as_often_as_they_say() {
             ..AuditOptions::default()
         };
         let (mut truths, mut held, mut found_all) = (Vec::new(), 0, Vec::new());
-        fly(&scene, named(strategy), audit, 400, 9.0, |found, truth| {
+        fly(&scene, named(strategy), audit, 240, 9.0, |found, truth| {
             let one = found.wrong_pixels_percent();
             held += u32::from(one.holds(truth));
             truths.push(truth);

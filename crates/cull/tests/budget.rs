@@ -144,19 +144,15 @@ fn the_first_step_of_every_strategy_is_conservative() {
 #[test]
 fn a_budget_of_nothing_gets_nothing_wrong() {
     for strategy in ["three-pass", "coherent", "occupancy-map:latency=frame-late"] {
-        let flown = fly(strategy, Budget::WrongPixels(0.0), 60);
+        let flown = fly(strategy, Budget::WrongPixels(0.0), 30);
         assert_eq!((flown.worst, flown.step), (0.0, 0), "{strategy}");
     }
 }
 
 #[test]
 fn the_mean_stays_under_the_budget_and_most_of_it_is_used() {
-    for (strategy, budget) in [
-        ("three-pass:latency=same-frame", 0.5),
-        ("three-pass:latency=on-gpu", 0.5),
-        ("three-pass", 0.5),
-    ] {
-        let flown = fly(strategy, Budget::WrongPixels(budget), 540);
+    for (strategy, budget) in [("three-pass:latency=on-gpu", 0.5), ("three-pass", 0.5)] {
+        let flown = fly(strategy, Budget::WrongPixels(budget), 270);
         println!(
             "{strategy}: {:.3} % of {budget} %, worst {:.2}, step {}, {} changes",
             flown.wrong, flown.worst, flown.step, flown.changes

@@ -54,6 +54,16 @@ impl Patches {
         &self.doubtful
     }
 
+    /// Marks a patch; they are to be sorted afterwards.
+    pub(super) fn mark(&mut self, patch: u32) {
+        if let Some(marked) = self.is_doubtful.get_mut(patch as usize)
+            && !*marked
+        {
+            *marked = true;
+            self.doubtful.push(patch);
+        }
+    }
+
     /// Marks the patches that entities below the threshold lie on. What is left unmarked is merely looked at less often, so boxes do for meshes.
     pub fn doubt(&mut self, table: &SceneTable, view: &ViewFrame, verdicts: &Verdicts) {
         let clip = view.clip_from_relative();
@@ -81,13 +91,7 @@ impl Patches {
             let [width, height] = view.size;
             for row in across(-high.y, -low.y, height, self.rows) {
                 for column in across(low.x, high.x, width, self.columns) {
-                    let patch = row * self.columns + column;
-                    if let Some(marked) = self.is_doubtful.get_mut(patch as usize)
-                        && !*marked
-                    {
-                        *marked = true;
-                        self.doubtful.push(patch);
-                    }
+                    self.mark(row * self.columns + column);
                 }
             }
         }
