@@ -5,7 +5,9 @@ use std::str::FromStr;
 
 use antumbra::cull::Latency;
 use antumbra::draw::AdapterChoice;
+use antumbra::measure::MeasureError;
 use antumbra::measure::stereo_picture::Layout;
+use antumbra::measure::trade::Budget;
 use antumbra::subsurface::{Axis, SampleBox};
 use antumbra::terrain::Method;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
@@ -34,6 +36,8 @@ impl Args {
 pub enum Command {
     /// Draw a scene under several strategies along a camera path, and say what each cost and got wrong
     Compare(CompareArgs),
+    /// Draw a scene under many settings of a strategy, and show the trade: speed against error
+    Sweep(SweepArgs),
     /// Draw one image
     Render(RenderArgs),
     /// Print the graph of a strategy
@@ -95,6 +99,33 @@ pub struct CompareArgs {
     #[arg(long, value_parser = latency)]
     pub latency: Option<Latency>,
     /// Where report.json and report.html go
+    #[arg(long, default_value = "out", value_name = "DIR")]
+    pub out: PathBuf,
+    /// Print nothing but errors
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// Arguments of `sweep`.
+#[derive(Debug, Clone, ClapArgs)]
+pub struct SweepArgs {
+    #[command(flatten)]
+    pub view: ViewArgs,
+    /// The strategy whose settings are varied, NAME or NAME:key=value; of several each is
+    #[arg(long, value_delimiter = ',', value_name = "A,B", required = true)]
+    pub strategy: Vec<String>,
+    /// A setting and the values it takes, of every strategy named or, as STRATEGY.KEY, of one alone; several settings take all
+    /// combinations. 1..8 is each whole number from 1 to 8, 0..1+0.25 are steps of a quarter, 1..256*4 is four times more each time (from 0:
+    /// 0, 1, 4, ...)
+    #[arg(long, value_name = "KEY=V1,V2", required = true)]
+    pub vary: Vec<String>,
+    /// A setting that stays as it is, of all strategies of that name
+    #[arg(long, value_name = "STRATEGY.KEY=VALUE")]
+    pub set: Vec<String>,
+    /// The most error that is put up with, to name the fastest setting within it: wrong_pixels=0.05%, false_culls=3 or flip=0.01
+    #[arg(long, value_name = "ERROR=MOST", value_parser = budget)]
+    pub budget: Vec<Budget>,
+    /// Where report.json, report.html and trade.svg go
     #[arg(long, default_value = "out", value_name = "DIR")]
     pub out: PathBuf,
     /// Print nothing but errors
@@ -344,6 +375,11 @@ impl FromStr for Size {
 fn method(text: &str) -> Result<Method, String> {
     text.parse()
         .map_err(|()| "it takes sound, rays or thesis".to_owned())
+}
+
+fn budget(text: &str) -> Result<Budget, String> {
+    text.parse()
+        .map_err(|error: MeasureError| error.to_string())
 }
 
 fn latency(text: &str) -> Result<Latency, String> {

@@ -5,3 +5,4 @@ pub mod doctor;
 pub mod graph;
 pub mod prepare;
 pub mod render;
+pub mod sweep;

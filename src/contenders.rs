@@ -138,7 +138,7 @@ pub fn contenders(
 }
 
 /// Two entries with the same settings are one.
-fn identity(strategy: &dyn Strategy) -> String {
+pub fn identity(strategy: &dyn Strategy) -> String {
     let settings: Vec<String> = strategy
         .settings()
         .iter()
@@ -147,7 +147,11 @@ fn identity(strategy: &dyn Strategy) -> String {
     format!("{} {}", strategy.name(), settings.join(" "))
 }
 
-fn split_set(text: &str) -> Result<(String, String, String), Failure> {
+/// Reads `STRATEGY.KEY=VALUE`.
+///
+/// # Errors
+/// [`Failure::Usage`] for anything else.
+pub fn split_set(text: &str) -> Result<(String, String, String), Failure> {
     let parts = text
         .split_once('=')
         .and_then(|(left, value)| left.split_once('.').map(|(name, key)| (name, key, value)));

@@ -1,4 +1,4 @@
-//! The command line: compare, render, graph, prepare, doctor.
+//! The command line: compare, sweep, render, graph, prepare, doctor.
 //!
 //! Exit status: 0, 1 when the work failed, 2 for wrong usage.
 
@@ -9,8 +9,10 @@ mod eyes;
 mod failure;
 mod input;
 mod landscape;
+mod measuring;
 mod progress;
 mod strategies;
+mod vary;
 
 use std::process::ExitCode;
 
@@ -28,6 +30,7 @@ fn main() -> ExitCode {
     let args = Args::parse();
     let outcome = match args.command() {
         Command::Compare(args) => commands::compare::run(args),
+        Command::Sweep(args) => commands::sweep::run(args),
         Command::Render(args) => commands::render::run(args),
         Command::Graph(args) => commands::graph::run(args),
         Command::Prepare(args) => commands::prepare::run(args),

@@ -16,7 +16,8 @@ use image::RgbaImage;
 
 use crate::path::Path;
 use crate::report::{Adapter, Noise, PoseRecord, Report, SceneFacts};
-use crate::{MeasureError, stats, views};
+use crate::store::write_beside;
+use crate::{MeasureError, plots, stats, views};
 
 mod accuracy;
 mod entry;
@@ -27,6 +28,7 @@ pub use accuracy::camera;
 use entry::Entries;
 pub use script::Script;
 use script::Set;
+pub(crate) use speed::usual_block;
 
 /// One entry of a comparison.
 pub struct Contender {
@@ -123,7 +125,7 @@ pub struct Comparison {
 
 impl Comparison {
     /// Writes `report.json`, its pictures and `report.html` into a folder, which is made if need
-    /// be.
+    /// be; of a sweep also `trade.svg`, its plot of speed against error.
     ///
     /// # Errors
     /// When a file cannot be written; what is there was written whole.
@@ -139,6 +141,11 @@ impl Comparison {
         }
         self.report.save(dir.join("report.json"))?;
         crate::html::write_html(&self.report, dir)?;
+        if self.report.sweep.is_some()
+            && let Some(svg) = plots::speed_against_error(&self.report)?
+        {
+            write_beside(&dir.join("trade.svg"), plots::on_paper(&svg).as_bytes())?;
+        }
         Ok(())
     }
 }
@@ -218,11 +225,13 @@ pub fn compare_scripted(
         },
         noise: Noise {
             frame_time_ratio_p95: noise,
+            block_frames: Some(speed.block as u64),
         },
         labels: BTreeMap::new(),
         seeds: BTreeMap::new(),
         poses: path.poses().iter().map(pose_record).collect(),
         strategies,
+        sweep: None,
     };
     Ok(Comparison { report, pictures })
 }

@@ -77,6 +77,14 @@ pub enum MeasureError {
         /// What is wrong with the values, with the index of the first bad one.
         problem: String,
     },
+    /// A text that is no budget of errors.
+    #[error("'{text}' is no budget: {forms}")]
+    Budget {
+        /// The text.
+        text: String,
+        /// What budgets look like.
+        forms: &'static str,
+    },
     /// Two images or buffers that should be of one size are not.
     #[error(
         "{what}: {got} where {expected} was expected; both must come from the same view and size"

@@ -46,7 +46,15 @@ pub fn page(report: &Report, dir: &Path) -> Result<String, MeasureError> {
     html += &overview::table(report);
     html += &figure(
         "Speed against error",
-        "Each strategy by how fast it is and how wrong its pictures are. Down and to the right is better.",
+        match report.sweep {
+            Some(_) => {
+                "Each setting by how fast it is and how wrong its pictures are. Down and to the right is better; the line \
+                 joins the settings worth having, and one takes the furthest right of those whose errors one puts up with."
+            }
+            None => {
+                "Each strategy by how fast it is and how wrong its pictures are. Down and to the right is better."
+            }
+        },
         plots::speed_against_error(report)?,
     );
     html += &figure(

@@ -12,6 +12,7 @@ mod labels;
 mod scatter;
 mod stages;
 
+pub use canvas::on_paper;
 pub use frames::frame_times;
 pub use scatter::speed_against_error;
 pub use stages::stage_times;

@@ -11,8 +11,13 @@ use antumbra_scene::Stereo;
 use serde::{Deserialize, Serialize};
 
 mod file;
+mod sweep;
 
 pub use file::MAX_REPORT_BYTES;
+pub use sweep::{Choice, Chosen, Measure, Over, RunnerUp, Sweep, Varied};
+
+/// Smaller differences in speed are not spoken of, however quiet the machine was.
+const LEAST_RATIO: f64 = 1.005;
 
 /// One comparison: what ran, on what, how noisy the machine was, and what each strategy cost and
 /// got wrong.
@@ -41,6 +46,9 @@ pub struct Report {
     pub poses: Vec<PoseRecord>,
     /// The strategies in the order they were asked for.
     pub strategies: Vec<StrategyReport>,
+    /// What was varied and what follows from it; absent for a comparison that is no sweep.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sweep: Option<Sweep>,
 }
 
 /// The adapter that drew.
@@ -103,6 +111,9 @@ pub struct Noise {
     /// below 2 % nothing was shown. Absent when no A/A run was made.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub frame_time_ratio_p95: Option<f64>,
+    /// Poses a block of all ratios of times; absent in reports of before it was written down.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub block_frames: Option<u64>,
 }
 
 /// One pose of the path, enough to stand there again.
@@ -293,10 +304,30 @@ pub struct WorstImages {
     pub marked: String,
 }
 
+impl Noise {
+    /// The ratio of times that a difference in speed must exceed to show anything: that of the A/A
+    /// run, and half a percent at least, which is all there is without one.
+    pub fn least_ratio(&self) -> f64 {
+        self.frame_time_ratio_p95.unwrap_or(1.0).max(LEAST_RATIO)
+    }
+}
+
 impl Report {
     /// The first strategy registered under `name`.
     pub fn strategy(&self, name: &str) -> Option<&StrategyReport> {
         self.strategies.iter().find(|s| s.name == name)
+    }
+
+    /// What the tables and plots of this report call a strategy: its title, less what the settings
+    /// of a single swept strategy have in common.
+    pub fn title_of<'a>(&self, strategy: &'a StrategyReport) -> &'a str {
+        let swept = self.sweep.as_ref().map(|sweep| sweep.strategies.as_slice());
+        let shorter = match swept {
+            Some([only]) => strategy.title().strip_prefix(only.as_str()),
+            _ => None,
+        };
+        let shorter = shorter.and_then(|rest| rest.strip_prefix(' '));
+        shorter.unwrap_or(strategy.title())
     }
 }
 

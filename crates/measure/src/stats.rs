@@ -104,6 +104,24 @@ pub fn noise_p95(ratios: &[f64]) -> Result<f64, MeasureError> {
     quantile("noise", &turned, 0.95)
 }
 
+/// How probable it is that of `all` fair coins at least `heads` show heads: the one-sided sign test,
+/// 1 for no coins. With blocks for coins it says how easily chance alone would make one strategy the
+/// slower one so often.
+///
+/// John Arbuthnot, "An Argument for Divine Providence", 1710.
+pub fn sign_test(heads: u64, all: u64) -> f64 {
+    if heads == 0 {
+        return 1.0;
+    }
+    // Logarithms, since 0.5 to the power of some thousands is less than a number can hold.
+    let (mut ways, mut sum) = (-(all as f64) * std::f64::consts::LN_2, 0.0);
+    for heads in (heads..=all).rev() {
+        sum += ways.exp();
+        ways += (heads as f64).ln() - ((all - heads + 1) as f64).ln();
+    }
+    sum.clamp(0.0, 1.0)
+}
+
 /// The length of the longest run of consecutive frames that are `true`.
 pub fn longest_run(frames: impl IntoIterator<Item = bool>) -> u64 {
     let (longest, _) = frames

@@ -8,6 +8,7 @@ use crate::report::{Report, StrategyReport};
 use crate::words;
 
 mod eyes;
+mod sweep;
 
 /// A report as rows and columns of text.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -49,7 +50,7 @@ pub struct Cell {
     pub best: bool,
 }
 
-type Show = fn(&StrategyReport) -> Option<String>;
+type Show = fn(&Report, &StrategyReport) -> Option<String>;
 type Cost = fn(&StrategyReport) -> Option<f64>;
 
 /// A column: how a strategy's cell reads, and what the best one has the least of, where less is
@@ -86,73 +87,80 @@ const fn number(
 }
 
 const COLUMNS: &[Definition] = &[
-    text("strategy", "", |s| Some(words::short(s.title(), 40))),
-    text("latency", "", |s| Some(words::short(&s.latency, 12))),
+    text("strategy", "", |report, s| {
+        Some(words::short(report.title_of(s), 40))
+    }),
+    text("latency", "", |_, s| Some(words::short(&s.latency, 12))),
     number(
         "frame",
         "ms",
-        |s| Some(words::milliseconds(s.frame_ms.median)),
+        |_, s| Some(words::milliseconds(s.frame_ms.median)),
         Some(|s| Some(s.frame_ms.median)),
     ),
     number(
         "free run",
         "ms",
-        |s| s.free_running_ms.map(words::milliseconds),
+        |_, s| s.free_running_ms.map(words::milliseconds),
         Some(|s| s.free_running_ms),
     ),
     number(
         "speed vs",
         "none",
-        |s| speed(s.time_vs_none),
+        |_, s| speed(s.time_vs_none),
         Some(|s| s.time_vs_none),
     ),
     number(
         "speed vs",
         "frustum",
-        |s| speed(s.time_vs_frustum),
+        |_, s| speed(s.time_vs_frustum),
         Some(|s| s.time_vs_frustum),
     ),
     number(
         "speed vs",
         "ideal",
-        |s| speed(s.time_vs_ideal),
+        |_, s| speed(s.time_vs_ideal),
         Some(|s| s.time_vs_ideal),
     ),
     number(
         "drawn",
         "entities",
-        |s| Some(words::count(s.drawn.entities)),
+        |_, s| Some(words::count(s.drawn.entities)),
         None,
     ),
     number(
         "queries",
         "a frame",
-        |s| Some(words::count(s.queries)),
+        |_, s| Some(words::count(s.queries)),
         None,
     ),
-    number("sync", "points", |s| Some(s.sync_points.to_string()), None),
+    number(
+        "sync",
+        "points",
+        |_, s| Some(s.sync_points.to_string()),
+        None,
+    ),
     number(
         "wrong px",
         "mean %",
-        |s| Some(words::percent(s.error.wrong_pixels_percent.mean)),
+        |_, s| Some(words::percent(s.error.wrong_pixels_percent.mean)),
         Some(|s| Some(s.error.wrong_pixels_percent.mean)),
     ),
     number(
         "wrong px",
         "max %",
-        |s| Some(words::percent(s.error.wrong_pixels_percent.max)),
+        |_, s| Some(words::percent(s.error.wrong_pixels_percent.max)),
         Some(|s| Some(s.error.wrong_pixels_percent.max)),
     ),
     number(
         "false",
         "culls",
-        |s| Some(words::count(s.error.false_culls.entities as f64)),
+        |_, s| Some(words::count(s.error.false_culls.entities as f64)),
         Some(|s| Some(s.error.false_culls.entities as f64)),
     ),
     number(
         "FLIP",
         "mean",
-        |s| Some(words::flip(s.error.flip.mean)),
+        |_, s| Some(words::flip(s.error.flip.mean)),
         Some(|s| Some(s.error.flip.mean)),
     ),
 ];
@@ -165,16 +173,18 @@ fn speed(time_ratio: Option<f64>) -> Option<String> {
 }
 
 impl Table {
-    /// The table of a report. A column in which nothing was measured is left out.
+    /// The table of a report, for a sweep with its efficient edge. A column in which nothing was
+    /// measured is left out.
     pub fn new(report: &Report) -> Self {
-        Self::of(report, COLUMNS)
+        Self::of(report, COLUMNS).with_edge(report)
     }
 
-    fn of(report: &Report, columns: &[Definition]) -> Self {
+    fn of<'a>(report: &Report, columns: impl IntoIterator<Item = &'a Definition>) -> Self {
         let used: Vec<&Definition> = columns
-            .iter()
+            .into_iter()
             .filter(|Definition(_, show, _)| {
-                report.strategies.is_empty() || report.strategies.iter().any(|s| show(s).is_some())
+                report.strategies.is_empty()
+                    || report.strategies.iter().any(|s| show(report, s).is_some())
             })
             .collect();
         let contest: Vec<&StrategyReport> = report
@@ -198,7 +208,7 @@ impl Table {
                 .iter()
                 .zip(&best)
                 .map(|(Definition(_, show, cost), best)| Cell {
-                    text: show(s).unwrap_or_else(|| "-".to_owned()),
+                    text: show(report, s).unwrap_or_else(|| "-".to_owned()),
                     best: !s.is_yardstick()
                         && best.is_some()
                         && cost.and_then(|cost| cost(s)) == *best,

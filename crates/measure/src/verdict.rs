@@ -46,11 +46,7 @@ pub struct Pick<'a> {
 
 /// Judges one strategy of a report.
 pub fn verdict(report: &Report, strategy: &StrategyReport) -> Verdict {
-    let (speed, faster) = match (strategy.time_vs_frustum, strategy.time_vs_none) {
-        _ if strategy.name == "frustum" => against(report, "none", strategy.time_vs_none),
-        (Some(ratio), _) => against(report, "frustum", Some(ratio)),
-        (None, ratio) => against(report, "none", ratio),
-    };
+    let (speed, faster) = speed(report, strategy);
     let wrong = strategy.error.wrong_pixels_percent;
     let right = all_right(strategy);
     let mut text = speed;
@@ -137,13 +133,21 @@ fn hardly_wrong(strategy: &StrategyReport) -> bool {
     strategy.error.wrong_pixels_percent.mean <= HARDLY_WRONG_PERCENT
 }
 
-/// "3.4 times as fast as frustum", and whether that is faster beyond the noise.
+/// "3.4 times as fast as frustum", or as another yardstick, and whether that is faster beyond the
+/// noise.
+pub(crate) fn speed(report: &Report, strategy: &StrategyReport) -> (String, bool) {
+    match (strategy.time_vs_frustum, strategy.time_vs_none) {
+        _ if strategy.name == "frustum" => against(report, "none", strategy.time_vs_none),
+        (Some(ratio), _) => against(report, "frustum", Some(ratio)),
+        (None, ratio) => against(report, "none", ratio),
+    }
+}
+
 fn against(report: &Report, baseline: &str, ratio: Option<f64>) -> (String, bool) {
     let Some(ratio) = ratio.filter(|r| *r > 0.0) else {
         return (format!("not measured against {baseline}"), false);
     };
-    let noise = report.noise.frame_time_ratio_p95.unwrap_or(1.0);
-    if ratio.max(ratio.recip()) <= noise.max(1.005) {
+    if ratio.max(ratio.recip()) <= report.noise.least_ratio() {
         (format!("as fast as {baseline}, within the noise"), false)
     } else if ratio < 1.0 {
         (

@@ -3,11 +3,13 @@
 
 #[path = "common/pictures.rs"]
 mod pictures;
+#[path = "common/swept.rs"]
+mod swept;
 #[path = "common/synthetic.rs"]
 mod synthetic;
 
 use antumbra_measure::html::{page, write_html};
-use antumbra_measure::plots::{frame_times, speed_against_error, stage_times};
+use antumbra_measure::plots::{frame_times, on_paper, speed_against_error, stage_times};
 use antumbra_measure::report::Report;
 
 const HOSTILE: &str = "</title><script>alert(1)</script><img src=x onerror='a()'>\"&";
@@ -221,4 +223,92 @@ fn many_strategies_still_fit() {
     }
     let dir = tempfile::tempdir().unwrap();
     assert!(page(&report, dir.path()).unwrap().contains("threshold=59"));
+}
+
+#[test]
+fn a_sweep_shows_its_trade() {
+    let report = swept::with(swept::known(), &["wrong_pixels=0.05%", "wrong_pixels=0"]);
+    let svg = speed_against_error(&report).unwrap().unwrap();
+    for words in [
+        "threshold=4 (chosen: 0.050 % mean, 0.050 % worst)",
+        "threshold=0 (chosen: 0 % mean, 0 % worst)",
+        "threshold=99",
+        "budget 0.050 %",
+        "noise of 5.0 %",
+        "every pixel right",
+        "efficient edge",
+        "not on the edge",
+        "chosen by a budget",
+    ] {
+        assert!(svg.contains(words), "{words}");
+    }
+    // The yardsticks do not compete, and ideal, 4.9 times as fast, is beyond the sheet.
+    assert!(!svg.contains(">\nfrustum\n") && svg.contains("further right, at 4.90x"));
+    let dir = tempfile::tempdir().unwrap();
+    let html = page(&report, dir.path()).unwrap();
+    for words in [
+        "Sweep of three-pass over threshold = 99, 0, 4, 5, 64",
+        "Fastest with at most 0.050&nbsp;% wrong pixels on average",
+        "Fastest with no wrong pixel",
+        "efficient<small>edge</small>",
+    ] {
+        assert!(html.contains(words), "{words}");
+    }
+    let alone = on_paper(&svg);
+    assert!(alone.starts_with("<svg ") && alone.contains("fill=\"#fff\""));
+    assert!(!alone.contains("currentColor") && !alone.contains("var("));
+}
+
+#[test]
+fn odd_sweeps_are_drawn_too() {
+    let odd = |settings: Vec<(f64, f64)>, noise: Option<f64>| {
+        let settings = settings.into_iter().enumerate();
+        let settings =
+            settings.map(|(i, (time, wrong))| swept::setting(&i.to_string(), time, wrong));
+        let mut report = swept::report(settings.collect());
+        report.noise.frame_time_ratio_p95 = noise;
+        swept::with(
+            report,
+            &[
+                "wrong_pixels=0.001%",
+                "wrong_pixels=100%",
+                "flip=0",
+                "false_culls=7",
+            ],
+        )
+    };
+    for (settings, noise) in [
+        (vec![(0.4, 0.0)], Some(1.0)),
+        (vec![(0.4, 100.0)], None),
+        (
+            vec![(1e-9, 1e-12), (1e9, f64::MIN_POSITIVE), (1.0, 50.0)],
+            Some(50.0),
+        ),
+        (
+            (1..150)
+                .map(|i| (f64::from(i), 1.0 / f64::from(i)))
+                .collect(),
+            Some(1.01),
+        ),
+    ] {
+        let report = odd(settings, noise);
+        let svg = speed_against_error(&report).unwrap().unwrap();
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+        let dir = tempfile::tempdir().unwrap();
+        assert!(page(&report, dir.path()).unwrap().ends_with("</html>\n"));
+    }
+    // Nothing was swept, and strangers' names.
+    let none = odd(Vec::new(), None);
+    assert_eq!(speed_against_error(&none).unwrap(), None);
+    let mut strange = swept::known();
+    for strategy in &mut strange.strategies {
+        strategy.label = HOSTILE.into();
+    }
+    let mut strange = swept::with(strange, &["wrong_pixels=1%"]);
+    let sweep = strange.sweep.as_mut().unwrap();
+    sweep.strategies = vec![HOSTILE.into(), HOSTILE.into()];
+    sweep.vary[0].key = HOSTILE.into();
+    let dir = tempfile::tempdir().unwrap();
+    let html = page(&strange, dir.path()).unwrap();
+    assert!(!html.contains("<script") && !html.contains("<img src=x"));
 }

@@ -1,6 +1,8 @@
 //! `report.json`: its published names, its way to disk and back, and what it refuses.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+#[path = "common/swept.rs"]
+mod swept;
 #[path = "common/synthetic.rs"]
 mod synthetic;
 
@@ -257,4 +259,80 @@ fn efficiency_is_the_share_of_ideal() {
     assert!((three.efficiency().unwrap() - 2.9 / 4.2).abs() < 1e-12);
     assert!(report.strategy("no such").is_none());
     assert!(!three.breaks_its_promise());
+}
+
+#[test]
+fn a_sweep_keeps_its_names_and_comes_back() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("report.json");
+    let report = swept::with(swept::known(), &["wrong_pixels=0.05%", "false_culls=3"]);
+    report.save(&file).unwrap();
+    assert_eq!(Report::load(&file).unwrap(), report);
+    let value: Value = serde_json::from_str(&report.to_json().unwrap()).unwrap();
+    assert_eq!(value["noise"]["block_frames"], 2);
+    let sweep = &value["sweep"];
+    assert_eq!(sweep["strategies"], json!(["three-pass"]));
+    assert_eq!(sweep["vary"][0]["key"], "threshold");
+    assert_eq!(sweep["vary"][0]["values"][1], "0");
+    assert_eq!(sweep["edge"][0], "three-pass threshold=0");
+    assert_eq!(sweep["budgets"][0]["measure"], "wrong_pixels_percent");
+    assert_eq!(sweep["budgets"][0]["limit"], 0.05);
+    assert_eq!(sweep["budgets"][1]["measure"], "false_culls");
+    let choices = &sweep["budgets"][0]["choices"];
+    assert_eq!(
+        (&choices[0]["over"], &choices[1]["over"]),
+        (&json!("mean"), &json!("max"))
+    );
+    assert_eq!(choices[0]["setting"], "three-pass threshold=4");
+    assert_eq!(choices[0]["within"], true);
+    for field in ["error", "margin", "fastest", "alike"] {
+        assert!(!choices[0][field].is_null(), "{field}");
+    }
+    for field in [
+        "setting",
+        "time_ratio",
+        "slower_blocks",
+        "blocks",
+        "by_chance",
+    ] {
+        assert!(!choices[0]["next"][field].is_null(), "{field}");
+    }
+    // Tables leave out what all settings of one strategy have in common.
+    assert_eq!(report.title_of(&report.strategies[4]), "threshold=0");
+    assert_eq!(report.title_of(&report.strategies[0]), "none");
+}
+
+#[test]
+fn reports_of_before_there_were_sweeps_are_read() {
+    let mut value = serde_json::to_value(synthetic::report()).unwrap();
+    assert!(value.get("sweep").is_none());
+    value["noise"]
+        .as_object_mut()
+        .unwrap()
+        .remove("block_frames");
+    let report: Report = serde_json::from_value(value).unwrap();
+    report.check().unwrap();
+    assert_eq!((report.sweep, report.noise.block_frames), (None, None));
+}
+
+#[test]
+fn a_sweep_that_names_no_setting_is_refused() {
+    let good = || swept::with(swept::known(), &["wrong_pixels=0.05%"]);
+    let refused = |change: fn(&mut antumbra_measure::report::Sweep)| {
+        let mut report = good();
+        change(report.sweep.as_mut().unwrap());
+        report.check().unwrap_err().to_string()
+    };
+    for text in [
+        refused(|s| s.budgets[0].choices[1].setting = "ghost".into()),
+        refused(|s| s.budgets[0].choices[1].alike = vec!["ghost".into()]),
+        refused(|s| s.budgets[0].choices[1].fastest = Some("ghost".into())),
+    ] {
+        assert!(
+            text.contains("sweep.budgets[0].choices[1]") && text.contains("ghost"),
+            "{text}"
+        );
+    }
+    assert!(refused(|s| s.edge[2] = "ghost".into()).contains("sweep.edge[2]"));
+    assert!(refused(|s| s.budgets[0].limit = f64::NAN).contains("sweep.budgets[0].limit"));
 }

@@ -1,7 +1,9 @@
 //! Properties of the statistics.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_measure::stats::{block_ratios, longest_run, mean, median, noise_p95, percentile};
+use antumbra_measure::stats::{
+    block_ratios, longest_run, mean, median, noise_p95, percentile, sign_test,
+};
 use proptest::prelude::*;
 
 fn values() -> impl Strategy<Value = Vec<f64>> {
@@ -111,4 +113,28 @@ fn what_has_no_answer_is_refused_with_the_place() {
     );
     says(noise_p95(&[1.0, 0.0]).unwrap_err(), "ratio 1");
     says(noise_p95(&[f64::INFINITY]).unwrap_err(), "value 0");
+}
+
+#[test]
+fn the_sign_test_counts_coins() {
+    // Six of six are one way in 64; five or more, seven.
+    for (heads, all, chance) in [
+        (6, 6, 1.0 / 64.0),
+        (5, 6, 7.0 / 64.0),
+        (0, 6, 1.0),
+        (1, 1, 0.5),
+        (0, 0, 1.0),
+        (3, 5, 0.5),
+        (7, 6, 0.0),
+    ] {
+        let tested = sign_test(heads, all);
+        assert!(
+            (tested - chance).abs() < 1e-12,
+            "{heads} of {all}: {tested}"
+        );
+    }
+    // Where 0.5 to that power is no number any more: two standard deviations above the middle.
+    let tested = sign_test(5_100, 10_000);
+    assert!((0.02..0.025).contains(&tested), "{tested}");
+    assert_eq!(sign_test(10_000, 10_000), 0.0);
 }

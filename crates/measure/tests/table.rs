@@ -2,6 +2,8 @@
 //! repaint a terminal.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+#[path = "common/swept.rs"]
+mod swept;
 #[path = "common/synthetic.rs"]
 mod synthetic;
 
@@ -291,4 +293,35 @@ fn two_eyes_have_a_table_of_their_own() {
         table.terminal(false).lines().count(),
         2 + report.strategies.len()
     );
+}
+
+#[test]
+fn a_sweep_has_a_short_table_with_its_edge_marked() {
+    assert_eq!(Table::sweep(&swept::known()), None, "no sweep");
+    let report = swept::with(swept::known(), &[]);
+    let table = Table::sweep(&report).unwrap();
+    let heads: Vec<_> = table.columns.iter().map(|c| (c.title, c.unit)).collect();
+    assert_eq!(
+        heads,
+        [
+            ("strategy", ""),
+            ("frame", "ms"),
+            ("speed vs", "frustum"),
+            ("speed vs", "ideal"),
+            ("wrong px", "mean %"),
+            ("wrong px", "max %"),
+            ("false", "culls"),
+            ("efficient", "edge"),
+        ]
+    );
+    for table in [table, Table::new(&report)] {
+        let marked = table
+            .rows
+            .iter()
+            .filter(|row| row.cells.last().unwrap().text == "*");
+        let marked: Vec<&str> = marked.map(|row| row.cells[0].text.as_str()).collect();
+        assert_eq!(marked, ["threshold=0", "threshold=4", "threshold=64"]);
+        assert_eq!(table.rows[1].cells[0].text, "frustum");
+    }
+    assert!(!Table::new(&swept::known()).terminal(false).contains("edge"));
 }

@@ -54,7 +54,7 @@ pub fn measure(
     let poses = set.path.poses().len();
     let block = options
         .block
-        .unwrap_or_else(|| poses.div_ceil(6).clamp(1, 20))
+        .unwrap_or_else(|| usual_block(poses))
         .clamp(1, poses.max(1));
     let mut runs: Vec<Run> = stages.iter().map(|_| Run::default()).collect();
     let blocks: Vec<std::ops::Range<usize>> = (0..poses)
@@ -96,6 +96,11 @@ pub fn measure(
     }
     free_running(set, stages, owners, &mut runs, &blocks, progress)?;
     Ok(Speed { runs, block })
+}
+
+/// Poses a block where nobody says how many.
+pub fn usual_block(poses: usize) -> usize {
+    poses.div_ceil(6).clamp(1, 20)
 }
 
 /// Brings a strategy to the path's beginning, so that no block pays for a jump that the path does

@@ -3,40 +3,57 @@
 use super::escape;
 use crate::report::Report;
 use crate::table::{Table, facts};
+use crate::trade;
 use crate::verdict::{self, Tone, Verdict};
 use crate::words;
 
 /// The title and the facts of the run.
 pub(super) fn header(report: &Report) -> String {
     let [scene, adapter] = facts(report);
+    let swept = report.sweep.as_ref().map(trade::swept);
     format!(
-        "<header>\n<p class=\"brand\">Antumbra {}</p>\n<h1>Occlusion culling: {}</h1>\n<p class=\"facts\">{}<br>{}</p>\n</header>\n",
+        "<header>\n<p class=\"brand\">Antumbra {}</p>\n<h1>Occlusion culling: {}</h1>\n<p class=\"facts\">{}{}<br>{}</p>\n</header>\n",
         escape(&report.antumbra),
         escape(&report.scene.name),
+        swept.map_or_else(String::new, |words| escape(&upper_first(&words)) + "<br>"),
         escape(&upper_first(&scene)),
         escape(&upper_first(&adapter)),
     )
 }
 
-/// The strategies to look at first, a card each, and how far from the limit the best of them is.
+/// What a sweep's budgets choose, or else the strategies to look at first, a card each; and how far from the limit the best of them is.
 pub(super) fn picks(report: &Report) -> String {
     let picks = verdict::picks(report);
     if picks.is_empty() {
         return String::new();
     }
     let mut html = "<section class=\"cards\">\n".to_owned();
-    for pick in &picks {
+    let answers = trade::answers(report);
+    for answer in &answers {
+        let lines = answer.lines.iter().map(|line| escape(&upper_first(line)));
+        html += &format!(
+            "<div class=\"card {}\"><p class=\"question\">{}</p><p class=\"name\">{}</p><p>{}</p></div>\n",
+            if answer.within { "good" } else { "poor" },
+            escape(&answer.question),
+            escape(report.title_of(answer.setting)),
+            lines.collect::<Vec<_>>().join(".</p><p>"),
+        );
+    }
+    // Whoever gave a budget has asked other questions.
+    for pick in picks.iter().filter(|_| answers.is_empty()) {
         html += &format!(
             "<div class=\"card {}\"><p class=\"question\">{}</p><p class=\"name\">{}</p><p>{}</p></div>\n",
             class(pick.verdict.tone),
             escape(pick.title),
-            escape(pick.strategy.title()),
+            escape(report.title_of(pick.strategy)),
             escape(&upper_first(&pick.verdict.text)),
         );
     }
     let efficiency = picks
         .iter()
         .filter_map(|pick| Some((pick.strategy.efficiency()?, pick.strategy)))
+        // What leaves out enough that is seen is faster than the limit of those that do not.
+        .filter(|(efficiency, _)| *efficiency <= 1.0)
         .max_by(|a, b| a.0.total_cmp(&b.0));
     if let Some((efficiency, strategy)) = efficiency {
         html += &format!(
@@ -52,11 +69,18 @@ pub(super) fn picks(report: &Report) -> String {
 
 /// The table, in stereo one of the eyes, and under them a sentence a strategy.
 pub(super) fn table(report: &Report) -> String {
-    let mut html = "<section>\n<h2>All strategies</h2>\n".to_owned();
+    let mut html = match report.sweep {
+        Some(_) => "<section>\n<h2>All settings</h2>\n",
+        None => "<section>\n<h2>All strategies</h2>\n",
+    }
+    .to_owned();
     html += &grid(&Table::new(report));
     html += "<p class=\"meaning\">Best values are marked; none, frustum and ideal are the yardsticks and do not \
              compete. Speed vs: how many times as fast (2x takes half the time). Drawn, queries: mean a frame. Wrong px: pixels whose \
              entity differs from the reference. False culls: seen entities not drawn, summed over all frames.</p>\n";
+    if report.sweep.is_some() {
+        html += &format!("<p class=\"meaning\">{}</p>\n", escape(trade::EDGE_MEANS));
+    }
     if let Some(eyes) = Table::eyes(report) {
         html += "<h3>Each eye</h3>\n";
         html += &grid(&eyes);

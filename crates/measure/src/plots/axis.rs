@@ -75,17 +75,23 @@ impl Axis {
         }
     }
 
-    /// Decades from the smallest to the largest of positive values, with ticks at 1, 2 and 5.
-    pub(super) fn times(low: f64, high: f64) -> Self {
+    /// Decades from the smallest to the largest of positive values, with ticks at 1, 2 and 5, and
+    /// with more of them where those are few.
+    pub(super) fn times(low: f64, high: f64, word: impl Fn(f64) -> String) -> Self {
         let (bottom, top) = (low.log10() - 0.05, high.log10() + 0.05);
-        let ticks = ((bottom.floor() as i32)..=(top.ceil() as i32))
-            .flat_map(|decade| [1.0, 2.0, 5.0].map(|m| m * 10f64.powi(decade)))
-            .filter(|v| (bottom..=top).contains(&v.log10()))
-            .map(|v| (v.log10(), words::trimmed(v)))
-            .collect();
+        let at = |digits: &[f64]| -> Vec<f64> {
+            ((bottom.floor() as i32)..=(top.ceil() as i32))
+                .flat_map(|decade| digits.iter().map(move |m| m * 10f64.powi(decade)))
+                .filter(|v| (bottom..=top).contains(&v.log10()))
+                .collect()
+        };
+        let mut values = at(&[1.0, 2.0, 5.0]);
+        if values.len() < 4 {
+            values = at(&[1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0]);
+        }
         Self {
             ends: bottom..top,
-            ticks,
+            ticks: values.into_iter().map(|v| (v.log10(), word(v))).collect(),
             scale: Scale::Decades { zero: bottom },
         }
     }

@@ -24,14 +24,15 @@ const LETTER: i32 = 14;
 pub(super) const INK: RGBColor = RGBColor(1, 2, 3);
 pub(super) const FAINT: RGBColor = RGBColor(4, 5, 6);
 pub(super) const GRID: RGBColor = RGBColor(7, 8, 9);
-const TO_CSS: [(&str, &str); 3] = [
-    ("#010203", "currentColor"),
-    ("#040506", "var(--faint, #777)"),
-    ("#070809", "var(--grid, #ddd)"),
+/// Stand-in, what it is on a page, and what it is on white paper.
+const INKS: [(&str, &str, &str); 3] = [
+    ("#010203", "currentColor", "#1c2027"),
+    ("#040506", "var(--faint, #777)", "#777"),
+    ("#070809", "var(--grid, #ddd)", "#ddd"),
 ];
 
 /// Colours that hold on white and on black and are told apart by most of the colour-blind.
-const PALETTE: [RGBColor; 9] = [
+pub(super) const PALETTE: [RGBColor; 9] = [
     RGBColor(47, 126, 237),
     RGBColor(240, 120, 20),
     RGBColor(22, 160, 90),
@@ -63,7 +64,7 @@ pub(super) fn sheet(
         plot: title,
         reason: e.to_string(),
     })?;
-    for (stand_in, css) in TO_CSS {
+    for (stand_in, css, _) in INKS {
         svg = svg.replace(stand_in, css);
     }
     // A title is what a screen reader says, and makes the width and height of the sheet those of
@@ -76,6 +77,22 @@ pub(super) fn sheet(
         height / UNIT
     );
     Ok(svg.replacen(&head, &css, 1))
+}
+
+/// A plot as a file of its own: on white paper, in ink that follows no page.
+pub fn on_paper(svg: &str) -> String {
+    const PAPER: &str = "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>";
+    let mut svg = svg.to_owned();
+    for (_, css, plain) in INKS {
+        svg = svg.replace(css, plain);
+    }
+    match svg.find('>') {
+        Some(head) => {
+            svg.insert_str(head + 1, PAPER);
+            svg
+        }
+        None => svg,
+    }
 }
 
 /// The frame of a chart below the legend: axes, grid, ticks and what the axes mean.
@@ -118,8 +135,38 @@ impl Frame<'_> {
 #[derive(Clone, Copy)]
 pub(super) enum Swatch {
     Line,
+    /// An upright line.
+    Upright,
+    /// A line between two ends.
+    Bar,
+    /// A line from a point up to an end.
+    Rise,
     Box,
     Dashes,
+    Mark(Mark),
+}
+
+/// How a point looks.
+#[derive(Clone, Copy)]
+pub(super) enum Mark {
+    Dot(RGBColor),
+    /// Hollow.
+    Ring(RGBColor),
+    /// A dot in a ring.
+    Target(RGBColor),
+}
+
+/// Draws a point.
+pub(super) fn mark(area: &Area<'_>, at: (i32, i32), radius: i32, mark: Mark) -> Drawing {
+    let ring = |radius, colour: RGBColor| Circle::new(at, radius, colour.stroke_width(UNIT as u32));
+    match mark {
+        Mark::Dot(colour) => area.draw(&Circle::new(at, radius, colour.filled())),
+        Mark::Ring(colour) => area.draw(&ring(radius - UNIT / 2, colour)),
+        Mark::Target(colour) => {
+            area.draw(&Circle::new(at, radius, colour.filled()))?;
+            area.draw(&ring(radius + 4 * UNIT, colour))
+        }
+    }
 }
 
 /// Draws a legend at the top, in as many rows as it takes, and gives the area left below.
@@ -150,6 +197,30 @@ pub(super) fn legend<'a>(
                 area.draw(&Rectangle::new(corners, colour.filled()))?;
             }
             Swatch::Dashes => area.draw(&dashes(line, *colour))?,
+            Swatch::Upright => {
+                let (x, half) = (x + 13 * UNIT, 8 * UNIT);
+                let line = [(x, middle - half), (x, middle + half)];
+                area.draw(&PathElement::new(
+                    line,
+                    colour.stroke_width(2 * UNIT as u32),
+                ))?;
+            }
+            Swatch::Bar => {
+                for end in [x, right] {
+                    let cap = [(end, middle - 4 * UNIT), (end, middle + 4 * UNIT)];
+                    area.draw(&PathElement::new(cap, colour.stroke_width(UNIT as u32)))?;
+                }
+                area.draw(&PathElement::new(line, colour.stroke_width(UNIT as u32)))?;
+            }
+            Swatch::Rise => {
+                let (x, half) = (x + 13 * UNIT, 8 * UNIT);
+                let rise = [(x, middle + half), (x, middle - half)];
+                let cap = [(x - 4 * UNIT, middle - half), (x + 4 * UNIT, middle - half)];
+                for line in [rise, cap] {
+                    area.draw(&PathElement::new(line, colour.stroke_width(UNIT as u32)))?;
+                }
+            }
+            Swatch::Mark(it) => mark(area, (x + 13 * UNIT, middle), 5 * UNIT, *it)?,
         }
         let style = letters(LETTER, &INK).pos(Pos::new(HPos::Left, VPos::Center));
         area.draw(&Text::new(word.as_str(), (x + 28 * UNIT, middle), style))?;
@@ -183,8 +254,8 @@ pub(super) fn text_width(text: &str, height: i32) -> i32 {
 }
 
 /// The words of a strategy on a plot.
-pub(super) fn name(strategy: &StrategyReport) -> String {
-    words::short(strategy.title(), 30)
+pub(super) fn name(report: &Report, strategy: &StrategyReport) -> String {
+    words::short(report.title_of(strategy), 30)
 }
 
 /// Every strategy with its colour: the same on all plots of a report; yardsticks are grey.

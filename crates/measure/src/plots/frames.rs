@@ -32,7 +32,7 @@ pub fn frame_times(report: &Report) -> Result<Option<String>, MeasureError> {
         .into_iter()
         .filter(|(s, _)| !s.frames.frame_ms.is_empty())
         .map(|(s, colour)| Line {
-            name: name(s),
+            name: name(report, s),
             colour,
             times: s.frames.frame_ms.clone(),
         })
@@ -55,7 +55,7 @@ pub fn frame_times(report: &Report) -> Result<Option<String>, MeasureError> {
     );
     let logarithmic = low > 0.0 && slowest > WIDE * fastest;
     let y = if logarithmic {
-        Axis::times(low, high)
+        Axis::times(low, high, words::trimmed)
     } else {
         Axis::even(0.0..(high * 1.1).max(1e-3), 7, words::trimmed)
     };

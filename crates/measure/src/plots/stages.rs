@@ -36,7 +36,7 @@ pub fn stage_times(report: &Report) -> Result<Option<String>, MeasureError> {
         .into_iter()
         .rev()
         .map(|(s, _)| Bar {
-            name: name(s),
+            name: name(report, s),
             cull: s.cull_ms.unwrap_or(0.0),
             draw: s.draw_ms.unwrap_or(0.0),
             frame: s.frame_ms.median,

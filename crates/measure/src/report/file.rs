@@ -54,7 +54,7 @@ impl Report {
     }
 
     /// Whether the report is fit to be written and shown: all numbers finite, the view not empty,
-    /// every image inside the report's folder.
+    /// every image inside the report's folder, every setting that a sweep names among the strategies.
     ///
     /// # Errors
     /// The first field that is not, by its name.
@@ -82,7 +82,37 @@ impl Report {
                 }
             }
         }
-        Ok(())
+        self.check_sweep()
+    }
+
+    /// Whether a sweep names settings that the report has.
+    fn check_sweep(&self) -> Result<(), MeasureError> {
+        let Some(sweep) = &self.sweep else {
+            return Ok(());
+        };
+        let known = |title: &str| self.strategies.iter().any(|s| s.title() == title);
+        let edge = sweep.edge.iter().zip(0..);
+        let edge = edge.map(|(title, i)| (title, format!("sweep.edge[{i}]")));
+        let choices = sweep.budgets.iter().zip(0..).flat_map(|(budget, i)| {
+            let choices = budget.choices.iter().zip(0..);
+            choices.flat_map(move |(choice, j)| {
+                let at = format!("sweep.budgets[{i}].choices[{j}]");
+                let next = choice.next.iter().map(|next| &next.setting);
+                [&choice.setting]
+                    .into_iter()
+                    .chain(&choice.fastest)
+                    .chain(&choice.alike)
+                    .chain(next)
+                    .map(move |title| (title, at.clone()))
+            })
+        });
+        match edge.chain(choices).find(|(title, _)| !known(title)) {
+            Some((title, field)) => Err(MeasureError::Report {
+                field,
+                problem: format!("names '{title}', which is none of the strategies"),
+            }),
+            None => Ok(()),
+        }
     }
 
     fn to_value(&self) -> Result<Value, MeasureError> {

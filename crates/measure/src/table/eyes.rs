@@ -5,43 +5,45 @@ use crate::report::{ErrorReport, Report, StrategyReport};
 use crate::words;
 
 const COLUMNS: &[Definition] = &[
-    text("strategy", "", |s| Some(words::short(s.title(), 40))),
-    number("queries", "left", |s| queries(s, 0), None),
-    number("queries", "right", |s| queries(s, 1), None),
+    text("strategy", "", |report, s| {
+        Some(words::short(report.title_of(s), 40))
+    }),
+    number("queries", "left", |_, s| queries(s, 0), None),
+    number("queries", "right", |_, s| queries(s, 1), None),
     number(
         "wrong px",
         "left, mean %",
-        |s| shown(mean(s, 0)),
+        |_, s| shown(mean(s, 0)),
         Some(|s| mean(s, 0)),
     ),
     number(
         "wrong px",
         "right, mean %",
-        |s| shown(mean(s, 1)),
+        |_, s| shown(mean(s, 1)),
         Some(|s| mean(s, 1)),
     ),
     number(
         "wrong px",
         "left, max %",
-        |s| shown(max(s, 0)),
+        |_, s| shown(max(s, 0)),
         Some(|s| max(s, 0)),
     ),
     number(
         "wrong px",
         "right, max %",
-        |s| shown(max(s, 1)),
+        |_, s| shown(max(s, 1)),
         Some(|s| max(s, 1)),
     ),
     number(
         "false culls",
         "left",
-        |s| culls(s, 0).map(words::count),
+        |_, s| culls(s, 0).map(words::count),
         Some(|s| culls(s, 0)),
     ),
     number(
         "false culls",
         "right",
-        |s| culls(s, 1).map(words::count),
+        |_, s| culls(s, 1).map(words::count),
         Some(|s| culls(s, 1)),
     ),
 ];

@@ -43,6 +43,7 @@ pub fn report() -> Report {
         },
         noise: Noise {
             frame_time_ratio_p95: Some(1.013),
+            block_frames: Some(20),
         },
         labels: BTreeMap::from([("driver".into(), "Mesa 22.3.6".into())]),
         seeds: BTreeMap::from([("path".into(), 7), ("rotation".into(), 11)]),
@@ -52,6 +53,7 @@ pub fn report() -> Report {
             cut: true,
         }],
         strategies,
+        sweep: None,
     }
 }
 

@@ -1,0 +1,219 @@
+//! What the plot of a sweep shows: its settings alone, close enough to tell them apart.
+
+use plotters::prelude::RGBColor;
+
+use super::draw::{Limit, Picture, Point, ideal};
+use super::entry;
+use super::speed::Speed;
+use crate::plots::axis::Axis;
+use crate::plots::canvas::{FAINT, INK, Mark, PALETTE, Swatch, name};
+use crate::report::{Chosen, Measure, Over, Report, StrategyReport, Sweep};
+use crate::trade::Clock;
+use crate::words;
+
+/// With no more settings than this, those off the edge have their names, too.
+const FEW: usize = 12;
+/// `ideal` is shown where it is no more than this many times as fast as the fastest setting, or
+/// further away by half of what the settings themselves are apart.
+const NEAR: f64 = 1.05;
+/// With the fastest this many times as fast as the slowest, the axis is logarithmic.
+const WIDE: f64 = 2.5;
+/// Free space on both sides, as a part of the spread, and the least spread as a part of the speed.
+const MARGIN: f64 = 0.12;
+const LEAST_SPREAD: f64 = 0.02;
+
+/// The plot of a report's sweep; `None` where no setting was measured.
+pub(super) fn picture(report: &Report, sweep: &Sweep) -> Option<Picture> {
+    let speed = Speed(Clock::of(report));
+    let settings: Vec<&StrategyReport> = report
+        .strategies
+        .iter()
+        .filter(|s| !s.is_yardstick())
+        .collect();
+    // Two bars of this factor overlap just where the ratio of their speeds is within the noise.
+    let blur = report.noise.least_ratio().sqrt();
+    let on_edge = |s: &&StrategyReport| sweep.edge.iter().any(|on| on == s.title());
+    let mut points: Vec<Point> = settings
+        .iter()
+        .map(|s| {
+            let (edge, chosen) = (on_edge(s), chosen(sweep, s));
+            let colour = colour(sweep, s);
+            let wrong = s.error.wrong_pixels_percent;
+            let mut words = String::new();
+            if edge || chosen.is_some() || settings.len() <= FEW {
+                words = name(report, s) + chosen.as_deref().unwrap_or_default();
+            }
+            let mark = match (edge, chosen.is_some()) {
+                (true, true) => Mark::Target(colour),
+                (false, true) => Mark::Target(FAINT),
+                (true, false) => Mark::Dot(colour),
+                (false, false) => Mark::Ring(FAINT),
+            };
+            let point = Point::new(words, mark, (speed.get(s), wrong.mean));
+            if edge || chosen.is_some() {
+                point.with_bars(blur, wrong.max)
+            } else {
+                point
+            }
+        })
+        .collect();
+    let slowest = points.iter().map(|p| p.speed / blur);
+    let fastest = points.iter().map(|p| p.speed * blur);
+    let (low, high) = (
+        slowest.reduce(f64::min)?,
+        fastest.fold(f64::MIN_POSITIVE, f64::max),
+    );
+    let limit = report.strategy("ideal").map(|s| speed.get(s));
+    let shown = limit.filter(|at| (low..high * (high / low).sqrt().max(NEAR)).contains(at));
+    let high = shown.map_or(high, |at| high.max(at));
+    let spread = (high - low).max(high * LEAST_SPREAD);
+    let x = if high > WIDE * low {
+        Axis::times(low, high, |v| speed.word(v))
+    } else {
+        let ends = (low - spread * MARGIN).max(0.0)..high + spread * MARGIN;
+        Axis::even(ends, 9, |v| speed.word(v))
+    };
+    let edge = settings.iter().zip(&points).filter(|(s, _)| on_edge(s));
+    let mut edge: Vec<(f64, f64)> = edge.map(|(_, point)| point.place()).collect();
+    edge.sort_by(|a, b| a.1.total_cmp(&b.1));
+    points.sort_by_key(|point| match point.mark {
+        Mark::Target(_) => 0,
+        Mark::Dot(_) => 1,
+        Mark::Ring(_) => 2,
+    });
+    Some(Picture {
+        height: 480,
+        speed,
+        x,
+        limits: limits(sweep),
+        legend: legend(
+            report,
+            sweep,
+            &points,
+            limit.map(|at| (at, shown.is_some())),
+        ),
+        points,
+        edge,
+        solid_edge: true,
+        ideal: shown,
+    })
+}
+
+/// Says which budget of wrong pixels a setting is the choice of, if any.
+fn chosen(sweep: &Sweep, setting: &StrategyReport) -> Option<String> {
+    let choices = sweep.budgets.iter().flat_map(|budget| {
+        let choices = budget.choices.iter().filter(|choice| choice.within);
+        choices.map(move |choice| (budget, choice))
+    });
+    let its = choices.filter(|(_, choice)| choice.setting == setting.title());
+    let its: Vec<String> = its
+        .map(|(budget, choice)| short(budget, choice.over))
+        .collect();
+    (!its.is_empty()).then(|| format!(" (chosen: {})", its.join(", ")))
+}
+
+/// "0.05 % mean", "3 false culls".
+fn short(budget: &Chosen, over: Over) -> String {
+    let over = match over {
+        Over::Mean => " mean",
+        Over::Max => " worst",
+        Over::Sum => "",
+    };
+    match budget.measure {
+        Measure::WrongPixelsPercent => format!("{} %{over}", words::percent(budget.limit)),
+        Measure::FalseCulls => words::plural(budget.limit as u64, "false cull"),
+        Measure::Flip => format!("FLIP {}{over}", words::flip(budget.limit)),
+    }
+}
+
+/// The budgets that have a place on an axis of wrong pixels.
+fn limits(sweep: &Sweep) -> Vec<Limit> {
+    let budgets = sweep.budgets.iter();
+    let budgets = budgets.filter(|b| b.measure == Measure::WrongPixelsPercent && b.limit > 0.0);
+    budgets
+        .map(|budget| Limit {
+            error: budget.limit,
+            words: format!("budget {} %", words::percent(budget.limit)),
+        })
+        .collect()
+}
+
+fn legend(
+    report: &Report,
+    sweep: &Sweep,
+    points: &[Point],
+    limit: Option<(f64, bool)>,
+) -> Vec<(String, RGBColor, Swatch)> {
+    let mut entries = vec![entry(
+        "efficient edge: no setting is both faster, beyond the noise, and less wrong",
+        INK,
+        Swatch::Line,
+    )];
+    if let [_, _, ..] = sweep.strategies.as_slice() {
+        let strategies = sweep.strategies.iter().zip(PALETTE.iter().cycle());
+        entries.extend(strategies.map(|(s, colour)| {
+            entry(
+                words::short(s, 30),
+                *colour,
+                Swatch::Mark(Mark::Dot(*colour)),
+            )
+        }));
+    }
+    if points.iter().any(|p| matches!(p.mark, Mark::Ring(_))) {
+        entries.push(entry(
+            "not on the edge",
+            FAINT,
+            Swatch::Mark(Mark::Ring(FAINT)),
+        ));
+    }
+    if points.iter().any(|p| matches!(p.mark, Mark::Target(_))) {
+        entries.push(entry(
+            "chosen by a budget",
+            INK,
+            Swatch::Mark(Mark::Target(INK)),
+        ));
+    }
+    let noise = (report.noise.least_ratio() - 1.0) * 100.0;
+    entries.push(entry(
+        format!(
+            "bar: noise of {} %; speeds whose bars overlap cannot be told apart",
+            words::percent(noise)
+        ),
+        FAINT,
+        Swatch::Bar,
+    ));
+    if points
+        .iter()
+        .any(|p| p.worst.is_some_and(|worst| worst > p.error))
+    {
+        entries.push(entry("up to its worst frame", FAINT, Swatch::Rise));
+    }
+    match limit {
+        Some((_, true)) => entries.push(ideal("ideal: the limit of any culling")),
+        Some((at, false)) => entries.push(ideal(&format!(
+            "ideal, the limit of any culling, is further {}, at {}",
+            if points.iter().any(|p| p.speed < at) {
+                "right"
+            } else {
+                "left"
+            },
+            match Clock::of(report) {
+                Clock::Alone => format!("{} frames per second", words::ratio(at)),
+                _ => format!("{}x", words::ratio(at)),
+            }
+        ))),
+        None => {}
+    }
+    entries
+}
+
+/// A colour for each strategy that was swept.
+fn colour(sweep: &Sweep, setting: &StrategyReport) -> RGBColor {
+    let of = |spec: &&String| {
+        let rest = setting.title().strip_prefix(spec.as_str());
+        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(' '))
+    };
+    let colours = sweep.strategies.iter().zip(PALETTE.iter().cycle());
+    let mut its = colours.filter(|(spec, _)| of(spec));
+    its.next().map_or(INK, |(_, colour)| *colour)
+}

@@ -1,0 +1,167 @@
+//! A budget: the most error that a picture may have.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::MeasureError;
+use crate::report::{ErrorReport, Measure, Over};
+
+/// The most of one kind of error that is put up with.
+///
+/// Written `wrong_pixels=0.05%`, `false_culls=3` or `flip=0.01`. A share of pixels has its percent
+/// sign, since 0.05 could as well mean one pixel in twenty; only nothing needs none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Budget {
+    measure: Measure,
+    limit: f64,
+}
+
+/// What budgets look like, for whoever wrote another.
+const FORMS: &str =
+    "write wrong_pixels=0.05% (0 to 100, with its %), false_culls=3, or flip=0.01 (0 to 1)";
+
+impl Budget {
+    /// At most `limit` of an error: percent of the pixels 0 to 100, entities, or FLIP 0 to 1.
+    ///
+    /// # Errors
+    /// [`MeasureError::Budget`] for a limit that its measure cannot have.
+    pub fn new(measure: Measure, limit: f64) -> Result<Self, MeasureError> {
+        let fits = match measure {
+            Measure::WrongPixelsPercent => (0.0..=100.0).contains(&limit),
+            Measure::FalseCulls => limit >= 0.0 && limit.is_finite() && limit.fract() == 0.0,
+            Measure::Flip => (0.0..=1.0).contains(&limit),
+        };
+        // Of -0 and 0 there shall be one.
+        let limit = limit.abs();
+        if fits {
+            Ok(Self { measure, limit })
+        } else {
+            Err(refused(&Self { measure, limit }.to_string()))
+        }
+    }
+
+    /// What is limited.
+    pub fn measure(&self) -> Measure {
+        self.measure
+    }
+
+    /// The most of it, in its unit.
+    pub fn limit(&self) -> f64 {
+        self.limit
+    }
+}
+
+impl Measure {
+    /// What of a measure is held against a limit.
+    pub(super) fn overs(self) -> &'static [Over] {
+        match self {
+            Self::WrongPixelsPercent | Self::Flip => &[Over::Mean, Over::Max],
+            Self::FalseCulls => &[Over::Sum],
+        }
+    }
+
+    /// An error block's number; `None` for one that the measure does not have.
+    pub(super) fn of(self, error: &ErrorReport, over: Over) -> Option<f64> {
+        let number = match (self, over) {
+            (Self::WrongPixelsPercent, Over::Mean) => error.wrong_pixels_percent.mean,
+            (Self::WrongPixelsPercent, Over::Max) => error.wrong_pixels_percent.max,
+            (Self::Flip, Over::Mean) => error.flip.mean,
+            (Self::Flip, Over::Max) => error.flip.max,
+            (Self::FalseCulls, Over::Sum) => error.false_culls.entities as f64,
+            _ => return None,
+        };
+        number.is_finite().then_some(number)
+    }
+}
+
+impl FromStr for Budget {
+    type Err = MeasureError;
+
+    fn from_str(text: &str) -> Result<Self, MeasureError> {
+        let parts = text.split_once('=');
+        let (name, limit) = parts.ok_or_else(|| refused(text))?;
+        let (measure, number) = match (name, limit.strip_suffix('%')) {
+            ("wrong_pixels", Some(percent)) => (Measure::WrongPixelsPercent, percent),
+            ("wrong_pixels", None) if limit.parse() == Ok(0.0) => {
+                (Measure::WrongPixelsPercent, limit)
+            }
+            ("false_culls", None) => (Measure::FalseCulls, limit),
+            ("flip", None) => (Measure::Flip, limit),
+            _ => return Err(refused(text)),
+        };
+        let limit = number.trim_end().parse().map_err(|_| refused(text))?;
+        Self::new(measure, limit).map_err(|_| refused(text))
+    }
+}
+
+impl fmt::Display for Budget {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let limit = self.limit;
+        match self.measure {
+            Measure::WrongPixelsPercent => write!(f, "wrong_pixels={limit}%"),
+            Measure::FalseCulls => write!(f, "false_culls={limit}"),
+            Measure::Flip => write!(f, "flip={limit}"),
+        }
+    }
+}
+
+fn refused(text: &str) -> MeasureError {
+    MeasureError::Budget {
+        text: text.to_owned(),
+        forms: FORMS,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn budgets_are_read_and_written_back() {
+        for text in [
+            "wrong_pixels=0.05%",
+            "wrong_pixels=0%",
+            "wrong_pixels=100%",
+            "false_culls=3",
+            "flip=0.01",
+            "flip=0",
+        ] {
+            let budget: Budget = text.parse().unwrap();
+            assert_eq!(budget.to_string(), text);
+        }
+        for (text, same) in [
+            ("wrong_pixels=0", "wrong_pixels=0%"),
+            ("wrong_pixels=-0%", "wrong_pixels=0%"),
+            ("wrong_pixels=5e-2 %", "wrong_pixels=0.05%"),
+        ] {
+            let budget: Budget = text.parse().unwrap();
+            assert_eq!(budget.to_string(), same);
+        }
+    }
+
+    #[test]
+    fn what_could_be_misread_is_refused() {
+        for text in [
+            "wrong_pixels=0.05",
+            "wrong_pixels=101%",
+            "wrong_pixels=-1%",
+            "wrong_pixels=%",
+            "wrong_pixels=nan%",
+            "wrong_pixels",
+            "0.05%",
+            "false_culls=0.5",
+            "false_culls=inf",
+            "false_culls=3%",
+            "flip=2",
+            "flip=NaN",
+            "speed=3",
+            "",
+        ] {
+            let error = text.parse::<Budget>().unwrap_err().to_string();
+            assert!(
+                error.contains(&format!("'{text}'")) && error.contains("wrong_pixels=0.05%"),
+                "{error}"
+            );
+        }
+    }
+}

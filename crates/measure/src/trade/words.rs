@@ -1,0 +1,169 @@
+//! What a person would say of a budget's choices.
+
+use super::settings;
+use crate::report::{Choice, Chosen, Measure, Over, Report, RunnerUp, StrategyReport, Sweep};
+use crate::{verdict, words};
+
+/// What the mark of the efficient edge says of a setting.
+pub const EDGE_MEANS: &str = "* efficient edge: no other setting is faster, beyond the noise, \
+                              without more wrong pixels on average.";
+
+/// What one budget chooses, in words.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer<'a> {
+    /// The question it answers: "Fastest with at most 0.05 % wrong pixels on average".
+    pub question: String,
+    /// The setting that is named.
+    pub setting: &'a StrategyReport,
+    /// Whether it stays within the budget.
+    pub within: bool,
+    /// How fast and how wrong it is, and how certain that nothing else is faster; a line each, without
+    /// the setting's name.
+    pub lines: Vec<String>,
+}
+
+/// "sweep of three-pass over threshold = 0, 1, 4".
+pub fn swept(sweep: &Sweep) -> String {
+    let varied: Vec<String> = sweep
+        .vary
+        .iter()
+        .map(|varied| {
+            let of = varied.strategy.iter().map(|name| format!("{name}."));
+            let values = varied.values.join(", ");
+            format!("{}{} = {values}", of.collect::<String>(), varied.key)
+        })
+        .collect();
+    words::clean(&format!(
+        "sweep of {} over {}",
+        sweep.strategies.join(", "),
+        varied.join("; ")
+    ))
+}
+
+/// The answers to all budgets of a report's sweep, in their order; none for a report that is no
+/// sweep or has no budget.
+pub fn answers(report: &Report) -> Vec<Answer<'_>> {
+    let budgets = report.sweep.iter().flat_map(|sweep| &sweep.budgets);
+    let choices = budgets.flat_map(|budget| budget.choices.iter().map(move |c| (budget, c)));
+    choices
+        .filter_map(|(budget, choice)| answer(report, budget, choice))
+        .collect()
+}
+
+fn answer<'a>(report: &'a Report, budget: &Chosen, choice: &Choice) -> Option<Answer<'a>> {
+    let setting = titled(report, &choice.setting)?;
+    // No error on average is none anywhere: that is said once.
+    let none = budget.limit == 0.0;
+    if none && choice.over == Over::Max {
+        return None;
+    }
+    let limit = error(budget.measure, budget.limit);
+    let over = over(choice.over);
+    let question = match (choice.within, none) {
+        (true, true) => format!("Fastest with {limit}"),
+        (true, false) => format!("Fastest with at most {limit}{over}"),
+        (false, true) => format!("No setting has {limit}; nearest"),
+        (false, false) => format!("No setting has at most {limit}{over}; nearest"),
+    };
+    let used = if none || choice.error == 0.0 {
+        String::new()
+    } else {
+        let share = 100.0 * choice.error / budget.limit;
+        format!(", {} % of the budget", words::percent(share))
+    };
+    let (speed, _) = verdict::speed(report, setting);
+    let mut lines = vec![format!(
+        "{speed}, {}{used}",
+        error(budget.measure, choice.error)
+    )];
+    if choice.within {
+        lines.extend(certainty(report, choice));
+    }
+    Some(Answer {
+        question,
+        setting,
+        within: choice.within,
+        lines,
+    })
+}
+
+/// How certain it is that nothing within the budget is faster.
+fn certainty(report: &Report, choice: &Choice) -> Vec<String> {
+    let noise = match report.noise.frame_time_ratio_p95 {
+        Some(ratio) => format!("the noise of {} %", words::percent((ratio - 1.0) * 100.0)),
+        None => "noise that was not measured".to_owned(),
+    };
+    let shown = |title: &String| match titled(report, title) {
+        Some(setting) => words::clean(report.title_of(setting)),
+        None => words::clean(title),
+    };
+    let mut lines = Vec::new();
+    if !choice.alike.is_empty() {
+        let alike: Vec<String> = choice.alike.iter().map(shown).collect();
+        lines.push(format!(
+            "as fast, within {noise}, but no less wrong: {}",
+            alike.join(", ")
+        ));
+    }
+    match (&choice.next, &choice.fastest) {
+        (Some(next), Some(fastest)) => {
+            let than = if *fastest == choice.setting {
+                String::new()
+            } else {
+                format!(" as {}", shown(fastest))
+            };
+            lines.push(format!(
+                "slower, beyond {noise}: {} takes {} times as long{than}{}",
+                shown(&next.setting),
+                words::ratio(next.time_ratio),
+                blocks(next)
+            ));
+        }
+        _ if settings(report).count() > choice.alike.len() + 1 => {
+            lines.push("all others are beyond the budget".to_owned());
+        }
+        _ => {}
+    }
+    lines
+}
+
+/// ", slower in 6 of 6 blocks (by chance 1 time in 64)".
+fn blocks(next: &RunnerUp) -> String {
+    let (Some(slower), Some(all), Some(chance)) = (next.slower_blocks, next.blocks, next.by_chance)
+    else {
+        return String::new();
+    };
+    let chance = match chance.recip() {
+        times if times < 3.0 => "chance alone does as much".to_owned(),
+        times if times < 1e6 => format!("by chance 1 time in {}", words::count(times.round())),
+        _ => "by chance hardly ever".to_owned(),
+    };
+    format!(
+        ", slower in {} of {} ({chance})",
+        words::count(slower as f64),
+        words::plural(all, "block")
+    )
+}
+
+/// "0.05 % wrong pixels", "no false cull", "a FLIP of 0.01".
+fn error(measure: Measure, error: f64) -> String {
+    match measure {
+        Measure::WrongPixelsPercent if error == 0.0 => "no wrong pixel".to_owned(),
+        Measure::WrongPixelsPercent => format!("{} % wrong pixels", words::percent(error)),
+        Measure::FalseCulls if error == 0.0 => "no false cull".to_owned(),
+        Measure::FalseCulls => words::plural(error as u64, "false cull"),
+        Measure::Flip => format!("a FLIP of {}", words::flip(error)),
+    }
+}
+
+fn over(over: Over) -> &'static str {
+    match over {
+        Over::Mean => " on average",
+        Over::Max => " in the worst frame",
+        Over::Sum => " in all frames",
+    }
+}
+
+fn titled<'a>(report: &'a Report, title: &str) -> Option<&'a StrategyReport> {
+    report.strategies.iter().find(|s| s.title() == title)
+}

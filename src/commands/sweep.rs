@@ -1,0 +1,70 @@
+//! `antumbra sweep`: the trade that a strategy's settings offer, speed against error.
+
+use antumbra::draw::Gpu;
+use antumbra::measure::report::Report;
+use antumbra::measure::table::{Table, facts, wants_colour};
+use antumbra::measure::trade::{self, EDGE_MEANS};
+use antumbra::measure::verdict::picks;
+
+use crate::args::SweepArgs;
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::measuring::measure;
+use crate::vary::settings;
+
+/// Compares all settings at once, writes the report, prints the trade and what the budgets choose.
+///
+/// # Errors
+/// What stopped it; nothing half-written stays behind.
+pub fn run(args: SweepArgs) -> Result<(), Failure> {
+    // Wrong words are found before anything is loaded.
+    settings(&args, None)?;
+    let gpu = Gpu::open(&args.view.adapter)?;
+    let input = Input::open(&args.view, &gpu)?;
+    let settings = settings(&args, input.horizon.as_ref())?;
+    let mut comparison = measure(&gpu, input, &settings.list, &args.view, args.quiet)?;
+    let report = &mut comparison.report;
+    report.sweep = Some(trade::sweep(
+        report,
+        args.strategy.clone(),
+        settings.vary,
+        &args.budget,
+    ));
+    comparison.save(&args.out)?;
+    if !args.quiet {
+        print(&comparison.report);
+        println!("report: {}", args.out.join("report.html").display());
+        println!("plot: {}", args.out.join("trade.svg").display());
+    }
+    Ok(())
+}
+
+fn print(report: &Report) {
+    for line in facts(report) {
+        println!("{line}");
+    }
+    if let Some(sweep) = &report.sweep {
+        println!("{}\n", trade::swept(sweep));
+    }
+    let colour = wants_colour(&std::io::stdout());
+    for table in [Table::sweep(report), Table::eyes(report)] {
+        if let Some(table) = table {
+            println!("{}", table.terminal(colour));
+        }
+    }
+    println!("{EDGE_MEANS}");
+    let answers = trade::answers(report);
+    for answer in &answers {
+        let setting = report.title_of(answer.setting);
+        println!("{}: {setting}", answer.question);
+        for line in &answer.lines {
+            println!("  {line}");
+        }
+    }
+    if answers.is_empty() {
+        for pick in picks(report) {
+            let setting = report.title_of(pick.strategy);
+            println!("{}: {setting}, {}", pick.title, pick.verdict.text);
+        }
+    }
+}

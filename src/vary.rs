@@ -1,0 +1,253 @@
+//! Which settings a sweep tries: what `--vary` says, written out, and all its combinations.
+
+use std::sync::Arc;
+
+use antumbra::measure::compare::Contender;
+use antumbra::measure::report::Varied;
+use antumbra::terrain::HorizonStrategy;
+
+use crate::args::SweepArgs;
+use crate::contenders::{identity, split_set};
+use crate::failure::Failure;
+use crate::strategies::registry;
+
+/// Each setting is a strategy with buffers of its own.
+const MOST_SETTINGS: usize = 200;
+/// What every sweep is held against.
+const YARDSTICKS: [&str; 3] = ["none", "frustum", "ideal"];
+
+/// What a sweep compares.
+pub struct Settings {
+    /// The yardsticks, then every setting.
+    pub list: Vec<Contender>,
+    /// What is varied.
+    pub vary: Vec<Varied>,
+}
+
+/// Reads the arguments; all of them are checked before anything is drawn.
+///
+/// # Errors
+/// [`Failure::Registry`] for a strategy, key or value that does not exist, with what exists; [`Failure::Usage`] for what cannot be read,
+/// a strategy that is varied and not swept, a key that is varied twice, and more settings than fit.
+pub fn settings(args: &SweepArgs, horizon: Option<&HorizonStrategy>) -> Result<Settings, Failure> {
+    let registry = Arc::new(registry(horizon));
+    let sets = args.set.iter().map(|set| split_set(set));
+    let sets = sets.collect::<Result<Vec<_>, _>>()?;
+    for (name, ..) in &sets {
+        registry.make(name)?;
+    }
+    let vary = args.vary.iter().map(|text| varied(text));
+    let vary = vary.collect::<Result<Vec<_>, _>>()?;
+    let names: Vec<&str> = args.strategy.iter().map(|spec| name_of(spec)).collect();
+    for (at, varied) in vary.iter().enumerate() {
+        refuse_strangers(varied, &names)?;
+        refuse_twice(varied, vary.get(at + 1..).unwrap_or_default())?;
+    }
+    let mut list = Vec::new();
+    let mut seen = Vec::new();
+    for name in YARDSTICKS {
+        seen.push(identity(registry.make(name)?.as_ref()));
+        list.push(Contender::of("", &registry, name)?);
+    }
+    for (spec, name) in args.strategy.iter().zip(&names) {
+        let sets = sets.iter().filter(|(of, ..)| of == name);
+        let fixed = sets.fold(spec.clone(), |spec, (_, key, value)| {
+            format!("{spec}:{key}={value}")
+        });
+        registry.parse(&fixed)?;
+        let its: Vec<&Varied> = vary.iter().filter(|varied| is_of(varied, name)).collect();
+        for chosen in combinations(&its)? {
+            let pairs = || its.iter().zip(&chosen);
+            let full = pairs().fold(fixed.clone(), |full, (varied, value)| {
+                format!("{full}:{}={value}", varied.key)
+            });
+            let label = pairs().fold(spec.clone(), |label, (varied, value)| {
+                format!("{label} {}={value}", varied.key)
+            });
+            let identity = identity(registry.parse(&full)?.as_ref());
+            if !seen.contains(&identity) {
+                seen.push(identity);
+                list.push(Contender::of(label, &registry, &full)?);
+            }
+        }
+        if list.len() > MOST_SETTINGS + YARDSTICKS.len() {
+            return Err(too_many(list.len() - YARDSTICKS.len()));
+        }
+    }
+    Ok(Settings { list, vary })
+}
+
+fn name_of(spec: &str) -> &str {
+    spec.split(':').next().unwrap_or_default()
+}
+
+fn is_of(varied: &Varied, name: &str) -> bool {
+    varied.strategy.as_deref().is_none_or(|of| of == name)
+}
+
+fn refuse_strangers(varied: &Varied, names: &[&str]) -> Result<(), Failure> {
+    match &varied.strategy {
+        Some(of) if !names.contains(&of.as_str()) => Err(Failure::Usage(format!(
+            "'{of}.{}' is varied, but --strategy does not name {of} (it names: {})",
+            varied.key,
+            names.join(", ")
+        ))),
+        _ => Ok(()),
+    }
+}
+
+fn refuse_twice(varied: &Varied, later: &[Varied]) -> Result<(), Failure> {
+    let same = |other: &&Varied| {
+        let of = [&varied.strategy, &other.strategy];
+        other.key == varied.key && (of.contains(&&None) || of[0] == of[1])
+    };
+    match later.iter().find(same) {
+        Some(_) => Err(Failure::Usage(format!(
+            "'{0}' is varied twice: name all its values at once, --vary {0}=1,2,3",
+            varied.key
+        ))),
+        None => Ok(()),
+    }
+}
+
+/// All ways to take one value of each; the last varies fastest.
+fn combinations<'a>(vary: &[&'a Varied]) -> Result<Vec<Vec<&'a str>>, Failure> {
+    let counts = vary.iter().map(|varied| varied.values.len());
+    let count = counts.fold(1, usize::saturating_mul);
+    if count > MOST_SETTINGS {
+        return Err(too_many(count));
+    }
+    let mut all = vec![Vec::new()];
+    for varied in vary {
+        all = all
+            .into_iter()
+            .flat_map(|chosen: Vec<&'a str>| {
+                varied.values.iter().map(move |value| {
+                    let mut chosen = chosen.clone();
+                    chosen.push(value.as_str());
+                    chosen
+                })
+            })
+            .collect();
+    }
+    Ok(all)
+}
+
+fn too_many(count: usize) -> Failure {
+    Failure::Usage(format!(
+        "{count} settings are too many for one sweep: {MOST_SETTINGS} at most, all combinations counted"
+    ))
+}
+
+/// Reads `[STRATEGY.]KEY=V1,V2`.
+fn varied(text: &str) -> Result<Varied, Failure> {
+    let form = || {
+        Failure::Usage(format!(
+            "'{text}' varies nothing: write KEY=V1,V2 or STRATEGY.KEY=V1,V2"
+        ))
+    };
+    let (left, right) = text.split_once('=').ok_or_else(form)?;
+    let (strategy, key) = match left.split_once('.') {
+        Some((strategy, key)) => (Some(strategy.to_owned()), key),
+        None => (None, left),
+    };
+    let mut values = Vec::new();
+    for part in right.split(',') {
+        match part.split_once("..") {
+            Some((from, rest)) => values.extend(range(part, from, rest)?),
+            None => values.push(part.to_owned()),
+        }
+    }
+    if key.is_empty() || values.iter().any(String::is_empty) {
+        return Err(form());
+    }
+    Ok(Varied {
+        strategy,
+        key: key.to_owned(),
+        values,
+    })
+}
+
+/// The values of `A..B`, `A..B+STEP` or `A..B*FACTOR`: B is among them where a step ends on it.
+fn range(text: &str, from: &str, rest: &str) -> Result<Vec<String>, Failure> {
+    let refused = || {
+        Failure::Usage(format!(
+            "'{text}' is no range: write 1..8, 0..1+0.25 (steps above 0) or 1..256*4 (factors above 1, from 0 on)"
+        ))
+    };
+    let (to, next): (&str, fn(f64, f64, f64) -> f64) = match rest.find(['+', '*']) {
+        Some(at) if rest[at..].starts_with('*') => (&rest[..at], |from, factor, n| {
+            // Nothing grows out of 0: it comes first, then 1.
+            match (from == 0.0, n == 0.0) {
+                (true, true) => 0.0,
+                (true, false) => factor.powf(n - 1.0),
+                _ => from * factor.powf(n),
+            }
+        }),
+        Some(at) => (&rest[..at], |from, step, n| from + step * n),
+        None => (rest, |from, step, n| from + step * n),
+    };
+    let step = rest.get(to.len() + 1..).unwrap_or("1");
+    let number = |text: &str| text.parse().ok().filter(|n: &f64| n.is_finite());
+    let read = (number(from), number(to), number(step));
+    let (Some(from), Some(to), Some(step)) = read else {
+        return Err(refused());
+    };
+    let grows = rest.contains('*');
+    if from > to || step <= 0.0 || (grows && (step <= 1.0 || from < 0.0)) {
+        return Err(refused());
+    }
+    // What a sum of decimals is off by is no reason to miss the end.
+    let end = to + (to - from) * 1e-9;
+    let values = (0..=MOST_SETTINGS).map(|n| next(from, step, n as f64));
+    let values: Vec<f64> = values.take_while(|value| *value <= end).collect();
+    if values.len() > MOST_SETTINGS {
+        return Err(Failure::Usage(format!(
+            "'{text}' are more than {MOST_SETTINGS} values"
+        )));
+    }
+    Ok(values.into_iter().map(written).collect())
+}
+
+/// A number as one would type it: 0.3, and not 0.30000000000000004.
+fn written(value: f64) -> String {
+    let text = format!("{value:.9}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+mod tests {
+    use super::*;
+
+    fn values(text: &str) -> Vec<String> {
+        varied(&format!("key={text}")).unwrap().values
+    }
+
+    #[test]
+    fn ranges_are_written_out_with_their_ends() {
+        assert_eq!(values("7,frame-late"), ["7", "frame-late"]);
+        assert_eq!(values("1..4"), ["1", "2", "3", "4"]);
+        assert_eq!(values("0..1+0.25"), ["0", "0.25", "0.5", "0.75", "1"]);
+        assert_eq!(values("0.1..0.3+0.1"), ["0.1", "0.2", "0.3"]);
+        assert_eq!(values("1..256*4"), ["1", "4", "16", "64", "256"]);
+        assert_eq!(values("0..10*2,50"), ["0", "1", "2", "4", "8", "50"]);
+        assert_eq!(values("0.05..1*2"), ["0.05", "0.1", "0.2", "0.4", "0.8"]);
+        assert_eq!(values("3..3"), ["3"]);
+    }
+
+    #[test]
+    fn what_is_no_range_is_refused() {
+        for text in [
+            "4..1", "1..", "..4", "a..b", "1..4*1", "1..4*0.5", "1..4+0", "-1..4*2", "1..inf",
+            "nan..4", "1..1e9", "1..4+", "1..4*2*2", "1...4",
+        ] {
+            let error = varied(&format!("key={text}")).unwrap_err().to_string();
+            assert!(error.contains(text), "{error}");
+        }
+        for text in ["key", "key=", "=1", "key=1,,2", "a.=1"] {
+            let error = varied(text).unwrap_err().to_string();
+            assert!(error.contains("KEY=V1,V2"), "{error}");
+        }
+    }
+}
