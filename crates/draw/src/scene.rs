@@ -5,6 +5,7 @@
 
 use std::collections::HashMap;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use antumbra_scene::hierarchy::NONE;
 use antumbra_scene::{Changes, EntityKey, Environment, ImageKey, MaterialKey, MeshKey, Scene};
@@ -71,6 +72,7 @@ impl Topology {
 /// A scene's drawable side on one device.
 #[derive(Debug)]
 pub struct GpuScene {
+    number: u64,
     gpu: Gpu,
     table: Arc<SceneTable>,
     arenas: MeshArenas,
@@ -107,7 +109,9 @@ impl GpuScene {
                 entries: &antumbra_shaders::jobs::shaded::JOB.layout_entries(2),
             });
         let white = texture::upload(gpu, &layout, &texture::white(), 0)?;
+        static SCENES: AtomicU64 = AtomicU64::new(0);
         let mut this = Self {
+            number: SCENES.fetch_add(1, Ordering::Relaxed),
             gpu: gpu.clone(),
             table: Arc::default(),
             arenas: MeshArenas::new(gpu)?,
@@ -177,6 +181,11 @@ impl GpuScene {
             positional_lights: self.lights.any_positional(),
             environment: self.environment.is_some(),
         }
+    }
+
+    /// Tells it from every other scene of this program: slots and epochs mean nothing beyond their own.
+    pub fn number(&self) -> u64 {
+        self.number
     }
 
     /// Everything drawable, by slot.
