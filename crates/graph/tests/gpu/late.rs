@@ -118,7 +118,10 @@ fn an_older_answer_never_follows_a_newer_one() {
         late.plan
             .record(&gpu.device, &gpu.queue, &mut encoder)
             .unwrap();
-        (encoder.finish(), late.seen.recv().unwrap().map(|seen| seen.0))
+        (
+            encoder.finish(),
+            late.seen.recv().unwrap().map(|seen| seen.0),
+        )
     };
     let [(older, _), (newer, _)] = [record(0), record(1)];
     gpu.queue.submit([newer]);
