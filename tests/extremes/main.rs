@@ -15,6 +15,7 @@ mod refusals;
 mod set;
 mod shapes;
 mod sizes;
+mod terrain;
 mod time;
 mod twin;
 mod worlds;
