@@ -126,12 +126,10 @@ fn dust_of_a_hundredth_of_a_pixel_adds_up_to_a_surface() {
     }
 }
 
-#[test]
-fn twins_in_one_place_and_at_equal_depth() {
-    let mut set = Set::plain();
+/// Surfaces at equal depth: the same place twice, a square flat on a face, two that overlap in one plane; and something behind all of them.
+fn twins(mut set: Set) -> (Play, Vec<EntityKey>, EntityKey) {
     let size = DVec3::new(12.0, 12.0, 4.0);
     let place = DVec3::new(-16.0, 0.0, -20.0);
-    // The same place twice; a square flat on a face; two that overlap in one plane; something behind all of them.
     let mut tied = vec![set.cube(place, size), set.cube(place, size)];
     let plane = DVec3::new(8.0, 0.0, -18.0);
     tied.push(set.cube(plane - DVec3::Z * 2.0, size));
@@ -140,14 +138,15 @@ fn twins_in_one_place_and_at_equal_depth() {
     let beside = crate::set::placed(plane + DVec3::X * 9.0, DVec3::new(10.0, 6.0, 1.0));
     tied.push(set.put(set.square, beside));
     let hidden = set.ball(place - DVec3::Z * 30.0, 5.0);
-    let mut play = Play::new(
-        set.scene,
-        vec![
-            over_pixels(DVec3::ZERO, SIZE),
-            over_pixels(DVec3::X * 0.3, SIZE),
-        ],
-    );
+    let frames = [0.0, 0.3].map(|x| over_pixels(DVec3::X * x, SIZE));
+    let mut play = Play::new(set.scene, frames.to_vec());
     play.apart = 0.25;
+    (play, tied, hidden)
+}
+
+#[test]
+fn twins_in_one_place_and_at_equal_depth() {
+    let (play, tied, hidden) = twins(Set::plain());
     let runs = play.is_right();
     let tied: Vec<u32> = tied.into_iter().map(|entity| slot(&play, entity)).collect();
     let hidden = slot(&play, hidden);
@@ -167,4 +166,15 @@ fn twins_in_one_place_and_at_equal_depth() {
             );
         }
     }
+}
+
+/// In colours that tell the twins apart.
+#[test]
+fn twins_show_the_same_to_all_that_shade_one_list() {
+    let (play, ..) = twins(Set::new());
+    let one_list = ["none", "frustum", "ideal", "three-pass"];
+    let mut strategies = strategies();
+    strategies.retain(|text| one_list.iter().any(|name| text.starts_with(name)));
+    assert_eq!(strategies.len(), 5);
+    play.is_right_by(&strategies);
 }
