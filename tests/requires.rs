@@ -4,6 +4,10 @@
 //! Pass by pass, the second eye and transparency stand in `crates/cull/tests/plans.rs`; here, their buffers and pipelines.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+#[path = "../examples/what_it_costs.rs"]
+#[allow(dead_code, reason = "it measures; here its scenes are looked at")]
+mod what_it_costs;
+
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex};
 
@@ -13,10 +17,8 @@ use antumbra::cull::{
 };
 use antumbra::draw::{AdapterChoice, Class, Gpu, GpuScene, PassKind};
 use antumbra::graph::Picture;
-use antumbra::scene::builtin::{GridOptions, grid};
-use antumbra::scene::{AlphaMode, Drawable, Environment, Image, Light, Material, Sampler, Scene};
-use antumbra::subsurface::{Axis, Slice, SliceOptions, VolumeLayout};
-use glam::{DAffine3, DVec3};
+use antumbra::scene::Scene;
+use what_it_costs::Part;
 
 /// What every plan of this page is of.
 const STRATEGIES: [&str; 7] = [
@@ -36,11 +38,14 @@ fn gpu() -> Gpu {
 
 /// Twenty-seven opaque balls under parallel light.
 fn plain() -> Scene {
-    let options = GridOptions {
-        per_side: 3,
-        ..GridOptions::default()
-    };
-    grid(options).unwrap()
+    what_it_costs::plain(3).unwrap()
+}
+
+/// The same with a part that it requires.
+fn with(part: Part) -> Scene {
+    let mut scene = plain();
+    part.add_to(&mut scene).unwrap();
+    scene
 }
 
 /// The names of everything in the plan: passes that run, and resources.
@@ -152,18 +157,7 @@ fn transparency_has_lists_of_its_own_where_something_is_transparent() {
     for text in STRATEGIES {
         let solid = plan(&mut plain(), text, &["main"]);
         assert!(!solid.has("transparent") && !solid.has("blended"), "{text}");
-        let mut scene = plain();
-        let (_, drawable) = scene.drawables().next().unwrap();
-        let material = scene.add_material(Material {
-            alpha: AlphaMode::Blend,
-            ..Material::default()
-        });
-        let glass = scene.spawn(None, DAffine3::IDENTITY).unwrap();
-        let mesh = drawable.mesh;
-        scene
-            .set_drawable(glass, Drawable { mesh, material })
-            .unwrap();
-        let glazed = plan(&mut scene, text, &["main"]);
+        let glazed = plan(&mut with(Part::Transparency), text, &["main"]);
         assert!(glazed.has("transparent"), "{text}: {:?}", glazed.passes);
         let more = glazed.resources.difference(&solid.resources).count();
         assert!(more > 0, "{text}");
@@ -237,48 +231,23 @@ fn a_tree_is_followed_by_those_who_walk_it_and_by_nobody_else() {
     assert!(plan(&mut plain(), "stop-and-wait:tree=divided", &["main"]).has("tree"));
 }
 
-/// A small image of one colour.
-fn image() -> Image {
-    Image {
-        name: "grey".to_owned(),
-        width: 8,
-        height: 4,
-        rgba: [128, 128, 128, 255].repeat(32),
-        sampler: Sampler::default(),
-    }
-}
-
 #[test]
 fn an_environment_is_reflected_where_there_is_one() {
-    let mut scene = plain();
-    assert!(!shading(&mut scene)[1]);
-    let image = scene.add_image(image()).unwrap();
-    assert!(!shading(&mut scene.clone())[1], "an image alone is nothing");
-    let around = Environment {
-        image,
-        intensity: 1.0,
-    };
-    scene.set_environment(Some(around)).unwrap();
+    assert!(!shading(&mut plain())[1]);
+    let mut scene = with(Part::Environment);
     assert!(shading(&mut scene.clone())[1]);
+    // Its image stays, and is nothing by itself.
     scene.set_environment(None).unwrap();
     assert!(!shading(&mut scene)[1]);
 }
 
 #[test]
 fn distances_to_lights_are_computed_where_a_light_has_a_place() {
-    let mut scene = plain();
-    assert!(!shading(&mut scene.clone())[0]);
-    let lamp = scene
-        .spawn(None, DAffine3::from_translation(DVec3::Y * 9.0))
-        .unwrap();
-    let light = Light::Point {
-        colour: [1.0; 3],
-        intensity: 100.0,
-        range: None,
-    };
-    scene.set_light(lamp, light).unwrap();
+    assert!(!shading(&mut plain())[0]);
+    let mut scene = with(Part::PositionalLights);
     assert!(shading(&mut scene.clone())[0]);
-    scene.clear_light(lamp);
+    let lamps: Vec<_> = scene.lights().map(|(lamp, ..)| lamp).collect();
+    scene.clear_light(lamps[lamps.len() - 1]);
     assert!(!shading(&mut scene)[0]);
 }
 
@@ -292,18 +261,15 @@ fn a_volume_brings_textures_and_without_one_there_are_none() {
         assert_eq!(scene.frame().textures.len() > 1, classes);
         classes
     };
-    let mut scene = plain();
-    assert!(!textured(&mut scene.clone()));
-    let layout = VolumeLayout {
-        size: [16, 16, 16],
-        brick: 8,
-        origin: DVec3::ZERO,
-        steps: [DVec3::X, DVec3::Z, DVec3::NEG_Y],
-        range: [-1.0, 1.0],
-    };
-    let options = SliceOptions::default();
-    let slice = Slice::spawn(&mut scene, None, &layout, Axis::Inline, 8, &options).unwrap();
+    assert!(!textured(&mut plain()));
+    let mut scene = with(Part::Volume);
     assert!(textured(&mut scene.clone()));
-    scene.despawn(slice.entity());
+    let slices: Vec<_> = scene
+        .roots()
+        .filter(|root| scene.children(*root).count() > 0)
+        .collect();
+    for slice in slices {
+        scene.despawn(slice);
+    }
     assert!(!textured(&mut scene));
 }
