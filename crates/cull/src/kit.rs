@@ -17,6 +17,8 @@
 //!   covers: in the first frame, after a cut, new in its slot, or new in the frustum.
 //! - The same input twice gives the same verdicts, and late answers settle while nothing moves.
 //! - Nothing fails, panics, or is refused by the device.
+//!
+//! [`Kit::play_on`] holds a strategy to the same on a scene of your own, from wherever you look at it.
 
 mod case;
 mod failure;
@@ -30,8 +32,10 @@ pub use failure::{Breach, KitFailure, Violation};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use antumbra_draw::{AdapterChoice, Gpu};
+use antumbra_scene::{Camera, Scene};
 
 use crate::strategy::Strategy;
+use crate::verdict::Verdicts;
 
 /// What to check with; the default is all cases on the fastest adapter that is not GL.
 #[derive(Debug, Clone)]
@@ -113,50 +117,87 @@ impl Kit {
         gpu: &Gpu,
         make: impl Fn() -> Box<dyn Strategy>,
     ) -> Result<KitReport, KitFailure> {
-        let strategy = title(make().as_ref());
-        let adapter = gpu.title();
         let mut frames = Vec::with_capacity(self.cases.len());
         let mut violations = Vec::new();
         for case in &self.cases {
-            let mut bench = play::Bench {
-                kit: self,
-                gpu,
-                make: &make,
-                frame: 0,
-                frames: 0,
-            };
             // The next case begins with a fresh strategy and a fresh scene, whatever this one left behind.
-            let outcome = catch_unwind(AssertUnwindSafe(|| stories::play(*case, &mut bench)));
-            let breach = match outcome {
-                Ok(Ok(())) => {
-                    frames.push((*case, bench.frames));
-                    continue;
-                }
-                Ok(Err(breach)) => breach,
-                Err(payload) => Breach::Panicked(said(payload.as_ref())),
+            let story = |bench: &mut play::Bench<'_>| {
+                stories::play(*case, bench)?;
+                Ok(bench.frames)
             };
-            violations.push(Violation {
-                case: *case,
-                frame: bench.frame,
-                breach,
-            });
+            match self.attempt(gpu, &make, *case, story) {
+                Ok(judged) => frames.push((*case, judged)),
+                Err(violation) => violations.push(violation),
+            }
         }
-        let seed = self.seed;
         if violations.is_empty() {
             return Ok(KitReport {
-                strategy,
-                adapter,
-                seed,
+                strategy: title(make().as_ref()),
+                adapter: gpu.title(),
+                seed: self.seed,
                 frames,
             });
         }
-        Err(KitFailure::Violations {
-            strategy,
-            adapter,
-            seed,
+        Err(self.failure(gpu, make().as_ref(), violations))
+    }
+
+    /// Plays a scene of your own, as [`Case::Own`]: a camera a view and frame, as many views in each frame as in the first. Every frame is
+    /// held against the oracle as those of the cases are. What it answers is each frame's verdicts, a view each, to compare with others.
+    ///
+    /// # Errors
+    /// [`KitFailure::Violations`] with the first thing that did not hold.
+    pub fn play_on(
+        &self,
+        gpu: &Gpu,
+        make: impl Fn() -> Box<dyn Strategy>,
+        scene: &Scene,
+        frames: &[Vec<Camera>],
+    ) -> Result<Vec<Vec<Verdicts>>, KitFailure> {
+        let story = |bench: &mut play::Bench<'_>| stories::own(bench, scene.clone(), frames);
+        self.attempt(gpu, &make, Case::Own, story)
+            .map_err(|violation| self.failure(gpu, make().as_ref(), vec![violation]))
+    }
+
+    /// Plays a story; a panic in it is a breach like any other.
+    fn attempt<'k, T>(
+        &'k self,
+        gpu: &'k Gpu,
+        make: &'k dyn Fn() -> Box<dyn Strategy>,
+        case: Case,
+        story: impl FnOnce(&mut play::Bench<'k>) -> Result<T, Breach>,
+    ) -> Result<T, Violation> {
+        let mut bench = play::Bench {
+            kit: self,
+            gpu,
+            make,
+            frame: 0,
+            frames: 0,
+        };
+        let breach = match catch_unwind(AssertUnwindSafe(|| story(&mut bench))) {
+            Ok(Ok(told)) => return Ok(told),
+            Ok(Err(breach)) => breach,
+            Err(payload) => Breach::Panicked(said(payload.as_ref())),
+        };
+        Err(Violation {
+            case,
+            frame: bench.frame,
+            breach,
+        })
+    }
+
+    fn failure(
+        &self,
+        gpu: &Gpu,
+        strategy: &dyn Strategy,
+        violations: Vec<Violation>,
+    ) -> KitFailure {
+        KitFailure::Violations {
+            strategy: title(strategy),
+            adapter: gpu.title(),
+            seed: self.seed,
             size: self.size,
             violations,
-        })
+        }
     }
 }
 

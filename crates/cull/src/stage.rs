@@ -169,6 +169,8 @@ pub struct Stage {
 }
 
 struct Built {
+    /// The scene it was built for: what it remembers is about that one's slots and epochs.
+    number: u64,
     topology: Topology,
     pipelines: HashMap<PassKind, Arc<PassPipelines>>,
     plan: Plan,
@@ -266,7 +268,8 @@ impl Stage {
         &mut self.built.plan
     }
 
-    /// Runs a frame and submits it. The scene must have been [synced](GpuScene::sync).
+    /// Runs a frame and submits it. The scene must have been [synced](GpuScene::sync). Another scene than the last frame's begins anew: nothing
+    /// that was found out about the last one is used.
     ///
     /// # Errors
     /// [`StageError::Input`] when the inputs are not one a view; otherwise what failed.
@@ -345,7 +348,8 @@ impl Stage {
             Some(keeping) => keeping.follow(self.strategy.as_mut())?,
             None => false,
         };
-        if turned || scene.topology() != self.built.topology {
+        let another = scene.number() != self.built.number;
+        if turned || another || scene.topology() != self.built.topology {
             // Pipelines follow the classes alone: a scene that outgrows its buffers keeps them.
             let pipelines = match scene.topology().classes == self.built.topology.classes {
                 true => self.built.pipelines.clone(),
@@ -555,6 +559,7 @@ fn build(
             errors,
         })?;
     Ok(Built {
+        number: scene.number(),
         topology,
         pipelines: shared.pipelines,
         plan,

@@ -6,8 +6,11 @@ mod faulty;
 
 use antumbra_cull::Strategy;
 use antumbra_cull::kit::{Breach, Case, Kit, KitFailure, Violation};
+use antumbra_cull::strategies::ThreePass;
 use antumbra_draw::{AdapterChoice, Gpu};
+use antumbra_scene::{Camera, Projection, builtin};
 use faulty::*;
+use glam::DVec3;
 
 fn gpu() -> Gpu {
     Gpu::open(&AdapterChoice::Named("vulkan".to_owned()))
@@ -60,11 +63,69 @@ fn a_late_strategy_without_fault_passes() {
 
 #[test]
 fn culling_at_random_is_a_false_cull() {
-    bites(
-        Random,
-        &[Case::RandomScenes, Case::Many],
-        |breach| matches!(breach, Breach::FalseCull { pixels, .. } if *pixels > 0),
-    );
+    bites(Random, &[Case::RandomScenes, Case::Many], is_false_cull);
+}
+
+fn is_false_cull(breach: &Breach) -> bool {
+    matches!(breach, Breach::FalseCull { pixels, .. } if *pixels > 0)
+}
+
+#[test]
+fn what_is_true_of_metres_is_found_wrong_in_a_tiny_world() {
+    bites(Small::Metres, &[Case::Worlds], is_false_cull);
+    assert_eq!(found(Small::Metres, &[Case::Lenses]).len(), 0);
+}
+
+#[test]
+fn what_is_true_of_the_eye_is_found_wrong_through_a_telescope() {
+    bites(Small::Radians, &[Case::Lenses], is_false_cull);
+    assert_eq!(found(Small::Radians, &[Case::Worlds]).len(), 0);
+}
+
+#[test]
+fn looking_at_every_fourth_pixel_misses_a_hole() {
+    let mut exact = ThreePass::default();
+    for (key, value) in [
+        ("latency", "same-frame"),
+        ("threshold", "0"),
+        ("occluders", "full"),
+        ("occludees", "full"),
+        ("scale", "1"),
+    ] {
+        exact.set(key, value).unwrap();
+    }
+    assert_eq!(found(Coarse(exact.clone()), &[Case::Gaps]).len(), 0);
+    exact.set("scale", "0.25").unwrap();
+    bites(Coarse(exact), &[Case::Gaps], is_false_cull);
+}
+
+#[test]
+fn a_scene_of_ones_own_is_played_and_judged() {
+    let mut scene = builtin::by_name("grid", Some(3)).unwrap();
+    scene.ensure_proxies(&Default::default());
+    let projection = Projection::Perspective {
+        fov_y: 1.0,
+        near: 0.1,
+    };
+    let camera = |x: f64| {
+        let eye = DVec3::new(x, 2.0, 9.0);
+        Camera::look_at(eye, DVec3::ZERO, DVec3::Y, projection).unwrap()
+    };
+    let frames = [
+        vec![camera(0.0), camera(0.1)],
+        vec![camera(1.0), camera(1.1)],
+    ];
+    let gpu = gpu();
+    let play = |strategy: Box<dyn Fn() -> Box<dyn Strategy>>| {
+        kit(&[]).play_on(&gpu, strategy, &scene, &frames)
+    };
+    let verdicts = play(Box::new(|| Box::new(Late::default()))).unwrap();
+    assert_eq!(verdicts.iter().map(Vec::len).collect::<Vec<_>>(), [2, 2]);
+    let failure = play(Box::new(|| Box::new(Random))).unwrap_err();
+    assert_eq!(failure.cases(), [Case::Own]);
+    // Without a scene there is nothing to play.
+    let alone = found(Late::default(), &[Case::Own]);
+    assert!(alone[0].to_string().contains("play_on"), "{}", alone[0]);
 }
 
 #[test]

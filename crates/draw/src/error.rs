@@ -22,11 +22,13 @@ pub enum DrawError {
     },
     /// A transform's numbers do not fit what the GPU computes with.
     #[error(
-        "entity '{entity}': its world transform does not fit 32-bit floats; bring its scale and position below 3e38"
+        "entity '{entity}': its world transform holds {number}, which does not fit 32-bit floats; bring its scale and position below 3e38"
     )]
     Transform {
         /// The entity's name, or its key where it has none.
         entity: String,
+        /// The first number that does not fit.
+        number: f64,
     },
     /// A texture is larger than the device allows.
     #[error("image {image}: {width} x {height} pixels exceed this device's {most}: scale it down")]

@@ -25,8 +25,8 @@ pub struct Instance {
 }
 
 impl Instance {
-    /// Packs a world transform, or `None` when one of its numbers does not fit an f32.
-    pub fn new(world: &DAffine3, material: u32) -> Option<Self> {
+    /// Packs a world transform that [fits](Self::misfit).
+    pub fn new(world: &DAffine3, material: u32) -> Self {
         let m = world.matrix3;
         let (high, low) = split(world.translation);
         let row = |i: usize, high: f32| {
@@ -37,18 +37,20 @@ impl Instance {
                 high,
             ]
         };
-        let instance = Self {
+        Self {
             row_x: row(0, high[0]),
             row_y: row(1, high[1]),
             row_z: row(2, high[2]),
             origin_low: low,
             material,
-        };
-        let rows = [instance.row_x, instance.row_y, instance.row_z];
-        rows.as_flattened()
-            .iter()
-            .all(|v| v.is_finite())
-            .then_some(instance)
+        }
+    }
+
+    /// The first number of a world transform that is too large for an f32, if there is one.
+    pub fn misfit(world: &DAffine3) -> Option<f64> {
+        let numbers = world.to_cols_array();
+        let fits = |number: &f64| (*number as f32).is_finite();
+        numbers.into_iter().find(|number| !fits(number))
     }
 }
 
@@ -70,7 +72,7 @@ mod tests {
     fn a_kilometre_wide_world_at_earth_scale_keeps_its_micrometres() {
         let origin = DVec3::new(6_378_137.123_456_7, -0.000_001, 1e9 + 1e-3);
         let eye = origin + DVec3::new(3.25, -7.5, 0.125);
-        let instance = Instance::new(&DAffine3::from_translation(origin), 0).unwrap();
+        let instance = Instance::new(&DAffine3::from_translation(origin), 0);
         let (eye_high, eye_low) = split(eye);
         let highs = [instance.row_x[3], instance.row_y[3], instance.row_z[3]];
         for axis in 0..3 {
@@ -85,7 +87,8 @@ mod tests {
 
     #[test]
     fn what_does_not_fit_is_refused() {
-        assert!(Instance::new(&DAffine3::from_scale(DVec3::splat(1e39)), 0).is_none());
-        assert!(Instance::new(&DAffine3::from_scale(DVec3::splat(1e20)), 0).is_some());
+        let misfit = |scale: f64| Instance::misfit(&DAffine3::from_scale(DVec3::splat(scale)));
+        assert_eq!(misfit(1e39), Some(1e39));
+        assert_eq!(misfit(1e20), None);
     }
 }

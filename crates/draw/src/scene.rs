@@ -5,9 +5,11 @@
 
 use std::collections::HashMap;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use antumbra_scene::hierarchy::NONE;
 use antumbra_scene::{Changes, EntityKey, Environment, ImageKey, MaterialKey, MeshKey, Scene};
+use glam::DAffine3;
 use slotmap::SecondaryMap;
 
 use crate::arena::Arena;
@@ -71,6 +73,7 @@ impl Topology {
 /// A scene's drawable side on one device.
 #[derive(Debug)]
 pub struct GpuScene {
+    number: u64,
     gpu: Gpu,
     table: Arc<SceneTable>,
     arenas: MeshArenas,
@@ -107,7 +110,9 @@ impl GpuScene {
                 entries: &antumbra_shaders::jobs::shaded::JOB.layout_entries(2),
             });
         let white = texture::upload(gpu, &layout, &texture::white(), 0)?;
+        static SCENES: AtomicU64 = AtomicU64::new(0);
         let mut this = Self {
+            number: SCENES.fetch_add(1, Ordering::Relaxed),
             gpu: gpu.clone(),
             table: Arc::default(),
             arenas: MeshArenas::new(gpu)?,
@@ -177,6 +182,11 @@ impl GpuScene {
             positional_lights: self.lights.any_positional(),
             environment: self.environment.is_some(),
         }
+    }
+
+    /// Tells it from every other scene of this program: slots and epochs mean nothing beyond their own.
+    pub fn number(&self) -> u64 {
+        self.number
     }
 
     /// Everything drawable, by slot.
@@ -302,16 +312,17 @@ impl GpuScene {
         self.free
             .extend(removed.iter().filter_map(|key| left.get(key)));
         for key in added {
-            let (Some(drawable), Some(world), Some(bounds)) = (
-                scene.drawable(*key),
-                scene.world(*key),
-                scene.world_bounds(*key),
-            ) else {
+            let (Some(drawable), Some(world)) = (scene.drawable(*key), scene.world(*key)) else {
                 continue;
             };
             let (Some(mesh), Some(material)) =
                 (scene.mesh(drawable.mesh), scene.material(drawable.material))
             else {
+                continue;
+            };
+            let Some(bounds) = scene.world_bounds(*key) else {
+                // Nothing to see, or nowhere to see it.
+                fits(scene, *key, &world)?;
                 continue;
             };
             let material_number = self.material(scene, drawable.material)?;
@@ -327,7 +338,7 @@ impl GpuScene {
                     number
                 }
             };
-            let instance = self.instance(scene, *key, &world, material_number)?;
+            let instance = instance(scene, *key, &world, material_number)?;
             let topology = mesh
                 .levels
                 .first()
@@ -373,9 +384,11 @@ impl GpuScene {
             .extend(added.iter().filter_map(|key| stay.get(key)));
         let mut turned = Vec::new();
         for key in moved {
-            let (Some(slot), Some(world), Some(bounds)) =
-                (self.slot(*key), scene.world(*key), scene.world_bounds(*key))
-            else {
+            let (Some(slot), Some(world)) = (self.slot(*key), scene.world(*key)) else {
+                continue;
+            };
+            let Some(bounds) = scene.world_bounds(*key) else {
+                fits(scene, *key, &world)?;
                 continue;
             };
             if table.class_of(slot).mirrored() != (world.matrix3.determinant() < 0.0) {
@@ -383,7 +396,7 @@ impl GpuScene {
                 continue;
             }
             let material = self.host_instances[slot as usize].material;
-            self.host_instances[slot as usize] = self.instance(scene, *key, &world, material)?;
+            self.host_instances[slot as usize] = instance(scene, *key, &world, material)?;
             table.move_to(slot, bounds, &world);
             dirty.push(slot);
         }
@@ -393,24 +406,6 @@ impl GpuScene {
             dirty.extend(self.change(table, scene, &turned, &turned, &[])?);
         }
         Ok(dirty)
-    }
-
-    fn instance(
-        &self,
-        scene: &Scene,
-        key: EntityKey,
-        world: &glam::DAffine3,
-        material: u32,
-    ) -> Result<Instance, DrawError> {
-        Instance::new(world, material).ok_or_else(|| {
-            let name = scene.entity_name(key);
-            let entity = if name.is_empty() {
-                format!("{key:?}")
-            } else {
-                name.to_owned()
-            };
-            DrawError::Transform { entity }
-        })
     }
 
     fn material(&mut self, scene: &Scene, key: MaterialKey) -> Result<u32, DrawError> {
@@ -476,6 +471,30 @@ impl GpuScene {
         }
         Ok(())
     }
+}
+
+fn instance(
+    scene: &Scene,
+    key: EntityKey,
+    world: &DAffine3,
+    material: u32,
+) -> Result<Instance, DrawError> {
+    fits(scene, key, world)?;
+    Ok(Instance::new(world, material))
+}
+
+/// Refuses a transform that the GPU cannot be told, naming its entity and the number.
+fn fits(scene: &Scene, key: EntityKey, world: &DAffine3) -> Result<(), DrawError> {
+    let Some(number) = Instance::misfit(world) else {
+        return Ok(());
+    };
+    let name = scene.entity_name(key);
+    let entity = if name.is_empty() {
+        format!("{key:?}")
+    } else {
+        name.to_owned()
+    };
+    Err(DrawError::Transform { entity, number })
 }
 
 /// Twice as many as there are now, and some.

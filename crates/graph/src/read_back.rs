@@ -146,6 +146,8 @@ pub(crate) struct Ring<Tag> {
     slots: Vec<Slot<Tag>>,
     size: u64,
     delivered: Cell<bool>,
+    /// The frame of the newest answer that was delivered: older ones that arrive after it are stale.
+    last: Option<u64>,
 }
 
 impl<Tag: Clone + Send + 'static> Ring<Tag> {
@@ -165,6 +167,7 @@ impl<Tag: Clone + Send + 'static> Ring<Tag> {
             slots,
             size,
             delivered: Cell::new(false),
+            last: None,
         })
     }
 
@@ -239,7 +242,8 @@ impl<Tag: Clone + Send + 'static> AnyRing for Ring<Tag> {
     fn end_frame(&mut self) {
         if self.delivered.replace(false) {
             for slot in &mut self.slots {
-                if matches!(slot.state, State::Offered { .. }) {
+                if let State::Offered { frame, .. } = slot.state {
+                    self.last = self.last.max(Some(frame));
                     slot.free();
                 }
             }
@@ -298,7 +302,8 @@ impl<Tag: Clone + Send + 'static> AnyRing for Ring<Tag> {
 }
 
 impl<Tag> Ring<Tag> {
-    /// Of several answers only the newest is worth having.
+    /// Of several answers only the newest is worth having, and only if it is newer than what was had before: submissions need not finish in the
+    /// order of the frames.
     fn keep_newest(&mut self) {
         let newest = self
             .slots
@@ -307,7 +312,8 @@ impl<Tag> Ring<Tag> {
                 State::Offered { frame, .. } => Some(frame),
                 _ => None,
             })
-            .max();
+            .max()
+            .filter(|newest| self.last.is_none_or(|last| *newest > last));
         for slot in &mut self.slots {
             if matches!(slot.state, State::Offered { frame, .. } if Some(frame) != newest) {
                 slot.free();

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
+use std::time::{Duration, Instant};
 
 use crate::handle::Raw;
 
@@ -15,6 +16,14 @@ pub(crate) struct Staging {
     requested: u64,
     view: Option<wgpu::BufferView>,
 }
+
+/// How long an answer may be on its way after the wait for it is over: another thread that polls the device may have been handed it, and says so
+/// as soon as it runs. Browsers have no such threads, and nobody may wait there.
+const ON_ITS_WAY: Duration = if cfg!(target_family = "wasm") {
+    Duration::ZERO
+} else {
+    Duration::from_secs(10)
+};
 
 const NONE: u8 = 0;
 const MAPPED: u8 = 1;
@@ -86,7 +95,7 @@ impl Staging {
 
     /// After the wait: opens the bytes.
     pub fn open(&mut self) -> Arrival {
-        match self.status.load(Ordering::Acquire) {
+        match self.arrived() {
             MAPPED => {}
             NONE => return Arrival::NotYet,
             _ => return Arrival::Lost,
@@ -101,6 +110,17 @@ impl Staging {
             }
             Err(_) => Arrival::Lost,
         }
+    }
+
+    fn arrived(&self) -> u8 {
+        let status = || self.status.load(Ordering::Acquire);
+        if status() == NONE && !ON_ITS_WAY.is_zero() {
+            let started = Instant::now();
+            while status() == NONE && started.elapsed() < ON_ITS_WAY {
+                std::thread::yield_now();
+            }
+        }
+        status()
     }
 
     /// The bytes, between `open` and `close`.

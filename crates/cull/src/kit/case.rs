@@ -36,11 +36,19 @@ pub enum Case {
     Still,
     /// Two views of one scene, left and right.
     Stereo,
+    /// Worlds of a millimetre and of a million kilometres, and one far from the origin.
+    Worlds,
+    /// Angles of view of a hundredth and of 179 degrees, near planes of a tenth of a millimetre and a kilometre, parallel views.
+    Lenses,
+    /// Walls that cover exactly, holes of one pixel, and dust that adds up to a surface.
+    Gaps,
+    /// A scene of your own, played by [`Kit::play_on`](super::Kit::play_on); not among [`Self::ALL`].
+    Own,
 }
 
 impl Case {
-    /// All of them.
-    pub const ALL: [Self; 15] = [
+    /// All of the kit's own.
+    pub const ALL: [Self; 18] = [
         Self::RandomScenes,
         Self::Cut,
         Self::InsideBox,
@@ -56,6 +64,9 @@ impl Case {
         Self::Repeat,
         Self::Still,
         Self::Stereo,
+        Self::Worlds,
+        Self::Lenses,
+        Self::Gaps,
     ];
 
     /// Its name in messages.
@@ -76,6 +87,10 @@ impl Case {
             Self::Repeat => "the same input twice",
             Self::Still => "still scene",
             Self::Stereo => "two views",
+            Self::Worlds => "tiny and huge worlds",
+            Self::Lenses => "narrow, wide and parallel views",
+            Self::Gaps => "exact covers and small gaps",
+            Self::Own => "a scene of one's own",
         }
     }
 }

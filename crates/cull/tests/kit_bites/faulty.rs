@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
+use antumbra_cull::strategies::ThreePass;
 use antumbra_cull::{
     Asked, CountLayout, Counting, DeclareError, FrameGraph, Latency, Samples, Stamp, Strategy,
     Verdict, Verdicts, ViewNodes, VisibleSet, outside,
@@ -302,5 +303,73 @@ impl Strategy for Panics {
         _: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
         panic!("on purpose")
+    }
+}
+
+/// Takes what is smaller than a millimetre, or than a ten-thousandth of a radian, for invisible: true of most scenes and cameras.
+#[derive(Clone)]
+pub enum Small {
+    Metres,
+    Radians,
+}
+
+impl Strategy for Small {
+    fn name(&self) -> &str {
+        "small"
+    }
+
+    fn summary(&self) -> &str {
+        "culls what seems too small to be seen"
+    }
+
+    fn conservative(&self) -> bool {
+        true
+    }
+
+    fn declare(
+        &mut self,
+        g: &mut FrameGraph<'_>,
+        view: &mut ViewNodes,
+    ) -> Result<VisibleSet, DeclareError> {
+        let candidates = g.in_frustum(view);
+        let by = self.clone();
+        Ok(g.visible_by(view, candidates, move |table, view, slot| {
+            let bounds = table.bounds(slot);
+            let size = bounds.half_extents().length();
+            let seen = match by {
+                Self::Metres => size > 1e-3,
+                Self::Radians => size > 1e-4 * bounds.centre().distance(view.camera.position),
+            };
+            match seen {
+                true => Verdict::Visible,
+                false => Verdict::BelowThreshold,
+            }
+        }))
+    }
+}
+
+/// Tests at a quarter of the view's size and claims to see all the same.
+#[derive(Clone)]
+pub struct Coarse(pub ThreePass);
+
+impl Strategy for Coarse {
+    fn name(&self) -> &str {
+        "coarse"
+    }
+
+    fn summary(&self) -> &str {
+        "looks at every fourth pixel"
+    }
+
+    fn conservative(&self) -> bool {
+        true
+    }
+
+    fn declare(
+        &mut self,
+        g: &mut FrameGraph<'_>,
+        view: &mut ViewNodes,
+    ) -> Result<VisibleSet, DeclareError> {
+        self.0.declare(g, view)
     }
 }

@@ -107,6 +107,35 @@ fn forgotten_answers_never_arrive() {
     assert_eq!(seen, [None, Some(0), Some(1), None]);
 }
 
+/// Who embeds a plan may submit its encoders in another order than they were recorded in.
+#[test]
+fn an_older_answer_never_follows_a_newer_one() {
+    let gpu = vulkan();
+    let mut late = graph(&gpu, true, 3);
+    let mut record = |number: u64| {
+        late.plan.set(late.number, number).unwrap();
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        late.plan
+            .record(&gpu.device, &gpu.queue, &mut encoder)
+            .unwrap();
+        (
+            encoder.finish(),
+            late.seen.recv().unwrap().map(|seen| seen.0),
+        )
+    };
+    let [(older, _), (newer, _)] = [record(0), record(1)];
+    gpu.queue.submit([newer]);
+    gpu.wait();
+    let (next, seen) = record(2);
+    assert_eq!(seen, Some(1));
+    gpu.queue.submit([older]);
+    gpu.wait();
+    assert_eq!(record(3).1, None, "the answer of frame 0 comes too late");
+    gpu.queue.submit([next]);
+    gpu.wait();
+    assert_eq!(record(4).1, Some(2));
+}
+
 #[test]
 fn a_frame_without_a_free_slot_goes_on_and_says_so() {
     let gpu = vulkan();

@@ -63,6 +63,42 @@ fn a_host_node_reads_what_the_gpu_wrote_this_frame() {
     }
 }
 
+/// Whoever polls a device may be handed another thread's answers, and hands them on after that thread's wait has returned.
+#[test]
+fn a_wait_ends_with_the_answer_though_other_threads_poll_the_device() {
+    let gpu = vulkan();
+    let done = std::sync::atomic::AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        for _ in 0..3 {
+            scope.spawn(|| {
+                while !done.load(std::sync::atomic::Ordering::Relaxed) {
+                    let _ = gpu.device.poll(wgpu::PollType::Poll);
+                }
+            });
+        }
+        let mut g = Graph::new("polled");
+        let data = g.buffer("data", BufferDesc::new(4).zeroed());
+        let data = step(&mut g, &gpu, "count", data, "data[0] += 1u;");
+        let found = g.host::<u32>("found");
+        let mut node = g.host_node("read");
+        node.read_back(data);
+        let found = node.write(found);
+        node.run(move |ctx| {
+            *ctx.get_mut(found)? = bytemuck::pod_read_unaligned(ctx.bytes(data)?);
+            Ok(())
+        });
+        g.output(found);
+        let mut plan = gpu.compile(g);
+        let failed = (0..2000).find_map(|frame| {
+            let outcome = plan.execute(&gpu.device, &gpu.queue);
+            outcome.err().map(|error| format!("frame {frame}: {error}"))
+        });
+        done.store(true, std::sync::atomic::Ordering::Relaxed);
+        assert_eq!(failed, None);
+        assert_eq!(plan.get(found), Some(&1));
+    });
+}
+
 #[test]
 fn uploads_take_their_place_among_the_commands() {
     let gpu = vulkan();

@@ -1,0 +1,195 @@
+//! Time running backwards: paths flown back, scenes that return to what they were, and answers about another past or another scene.
+//!
+//! That an older frame's answer never follows a newer one's is the graph's to keep: `crates/graph/tests/gpu/late.rs`.
+
+use antumbra::cull::{Members, Oracle, Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
+use antumbra::draw::{Gpu, GpuScene};
+use antumbra::scene::Camera;
+use glam::DVec3;
+
+use crate::play::{Play, gpus, made, strategies};
+use crate::set::{Set, look, perspective, placed};
+
+/// What answers a frame late and errs by its lateness alone.
+const LATE: [&str; 4] = [
+    "three-pass:latency=frame-late:threshold=0:scale=1:coarser=0:occluders=full:occludees=full",
+    "coherent:latency=frame-late",
+    "stereo-coherent:latency=frame-late",
+    "occupancy-map:latency=frame-late",
+];
+
+fn late_and_exact() -> Vec<String> {
+    let late = LATE.map(str::to_owned);
+    late.into_iter().chain(strategies()).collect()
+}
+
+fn camera(x: f64) -> Camera {
+    let eye = DVec3::new(x, 0.5, 6.0);
+    look(
+        eye,
+        DVec3::new(x * 0.5, 0.25, 0.0),
+        perspective(60.0, 0.125),
+    )
+}
+
+/// A stage of one view that is asked frame by frame.
+struct Run<'a> {
+    gpu: &'a Gpu,
+    stage: Stage,
+    needs_reference: bool,
+}
+
+impl<'a> Run<'a> {
+    fn new(gpu: &'a Gpu, scene: &GpuScene, text: &str) -> Self {
+        let views = vec![ViewSpec::main(64, 48)];
+        let strategy = made(text);
+        Self {
+            gpu,
+            needs_reference: strategy.needs_reference(),
+            stage: Stage::new(scene, strategy, views, StageOptions::default()).unwrap(),
+        }
+    }
+
+    /// Who owns a pixel and is not drawn, with the verdicts. The answers have arrived when the next frame asks for them.
+    fn frame(&mut self, scene: &GpuScene, camera: Camera) -> (Vec<u32>, Verdicts) {
+        let mut oracle = Oracle::new(scene, [64, 48]);
+        let owners = oracle
+            .look(scene, &camera, Members::Frustum)
+            .unwrap()
+            .owners();
+        assert!(owners.len() > 5);
+        let mut input = ViewInput::new(camera);
+        input.reference = self.needs_reference.then(|| owners.clone().into());
+        self.stage.frame(scene, &[input]).unwrap();
+        self.gpu.wait().unwrap();
+        let verdicts = self.stage.verdicts(0, scene).unwrap();
+        let missed = owners
+            .into_iter()
+            .filter(|slot| !verdicts.get(*slot).draws());
+        (missed.collect(), verdicts)
+    }
+}
+
+#[test]
+fn a_path_flown_back_is_seen_as_it_was_flown() {
+    let there: Vec<Camera> = (0..5).map(|i| camera(f64::from(i) * 0.75 - 1.5)).collect();
+    let back = there.iter().rev().copied();
+    let frames: Vec<Camera> = there.iter().copied().chain(back).collect();
+    let set = Set::still_life(1.0, DVec3::ZERO);
+    let play = Play {
+        apart: 0.0625,
+        ..Play::new(set.scene, frames)
+    };
+    for (strategy, frames) in play.is_right() {
+        // What remembers may draw more on the way back; what does not says the same of the same pose.
+        let remembers = ["coherent", "occupancy-map"];
+        if remembers.iter().any(|name| strategy.contains(name)) {
+            continue;
+        }
+        let (there, back) = frames.split_at(5);
+        for (pose, (there, back)) in there.iter().zip(back.iter().rev()).enumerate() {
+            assert!(there[0].agree(&back[0]), "{strategy}: pose {pose}");
+        }
+    }
+    // Late answers cover what is new on the way back as on the way there (the kit sees to it), and settle.
+    let still = std::iter::repeat_n(camera(-1.5), 5);
+    let frames = play.frames.iter().copied().chain(still).collect();
+    let play = Play { frames, ..play };
+    let [gpu, _] = gpus();
+    let (_, images) = play.seen(gpu);
+    let owners = images[images.len() - 1].owners();
+    for (strategy, frames) in play.is_right_by(&LATE.map(str::to_owned)) {
+        let last = &frames[frames.len() - 1][0];
+        assert!(
+            owners.iter().all(|slot| last.get(*slot).draws()),
+            "{strategy}"
+        );
+    }
+}
+
+#[test]
+fn a_scene_that_returns_to_what_it_was_is_no_past_state() {
+    let [gpu, _] = gpus();
+    for text in late_and_exact()
+        .iter()
+        .filter(|text| !text.contains("stereo"))
+    {
+        let late = LATE.contains(&text.as_str());
+        let mut set = Set::still_life(1.0, DVec3::ZERO);
+        let hidden = placed(DVec3::new(0.0, -0.5, -1.0), DVec3::splat(0.5));
+        let in_sight = placed(DVec3::new(0.0, -0.5, 1.5), DVec3::splat(0.5));
+        let moves = set.put(set.cube, hidden);
+        let mut scene = GpuScene::new(gpu, &mut set.scene).unwrap();
+        let mut run = Run::new(gpu, &scene, text);
+        let mut epoch = scene.table().epoch();
+        // Hidden, gone, back under another key in the same slot and in sight, hidden again: there is no way back to an earlier epoch.
+        let mut here = moves;
+        for step in 0..6 {
+            let (missed, _) = run.frame(&scene, camera(0.0));
+            assert!(late || missed.is_empty(), "{text}, step {step}: {missed:?}");
+            let slot = scene.slot(here).unwrap();
+            if step % 2 == 0 {
+                set.scene.despawn(here);
+                here = set.put(set.cube, in_sight);
+                scene.sync(&mut set.scene).unwrap();
+                assert_eq!(scene.slot(here), Some(slot), "{text}: the slot is free");
+                let (missed, _) = run.frame(&scene, camera(0.0));
+                assert!(
+                    missed.is_empty(),
+                    "{text}, step {step}: an answer about who is gone"
+                );
+            } else {
+                set.scene.set_local(here, hidden).unwrap();
+                scene.sync(&mut set.scene).unwrap();
+            }
+            assert!(scene.table().epoch() > epoch);
+            epoch = scene.table().epoch();
+        }
+    }
+}
+
+#[test]
+fn answers_about_another_scene_are_not_applied() {
+    let [vulkan, gl] = gpus();
+    for gpu in [vulkan, gl] {
+        // The same slots, and what is hidden in one is in sight in the other.
+        let mut sets = [1.0, -1.0].map(|front| {
+            let mut set = Set::still_life(1.0, DVec3::ZERO);
+            for column in -2..=2 {
+                let place = DVec3::new(f64::from(column), -1.0, -1.5 * front);
+                set.cube(place, DVec3::splat(0.5));
+            }
+            set
+        });
+        let [mut first, mut second] = sets
+            .each_mut()
+            .map(|set| GpuScene::new(gpu, &mut set.scene).unwrap());
+        // The first is many changes ahead: to it, answers about the second are old; to the second, those about the first are of the future.
+        for _ in 0..5 {
+            let moved = sets[0].ball(DVec3::new(0.0, 0.0, -9.0), 0.5);
+            first.sync(&mut sets[0].scene).unwrap();
+            sets[0].scene.despawn(moved);
+            first.sync(&mut sets[0].scene).unwrap();
+        }
+        second.sync(&mut sets[1].scene).unwrap();
+        assert!(first.table().epoch() > second.table().epoch());
+        assert_eq!(first.topology(), second.topology());
+        for text in late_and_exact()
+            .iter()
+            .filter(|text| !text.contains("stereo"))
+        {
+            let mut run = Run::new(gpu, &first, text);
+            for (turn, scene) in [&first, &first, &second, &first, &second, &second, &first]
+                .into_iter()
+                .enumerate()
+            {
+                let (missed, _) = run.frame(scene, camera(0.0));
+                assert!(
+                    missed.is_empty(),
+                    "{}, {text}, frame {turn}: {missed:?}",
+                    gpu.title()
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! Worlds by size and place.
+
+use glam::DVec3;
+
+use crate::play::{Play, gpus};
+use crate::set::{Set, look, perspective};
+
+/// The still life, seen from the front and a little beside, in a world where a metre is `metre` metres.
+fn world(metre: f64, origin: DVec3) -> Play {
+    let set = Set::still_life(metre, origin);
+    let at = |x: f64, y: f64, z: f64| origin + DVec3::new(x, y, z) * metre;
+    let from = |x: f64| {
+        look(
+            at(x, 0.5, 6.0),
+            at(x, 0.25, 0.0),
+            perspective(60.0, 0.125 * metre),
+        )
+    };
+    Play {
+        apart: 0.0625 * metre,
+        ..Play::new(set.scene, vec![from(0.0), from(0.5)])
+    }
+}
+
+/// A metre that halves and doubles without rounding.
+fn metre(power: i32) -> f64 {
+    2.0_f64.powi(power)
+}
+
+#[test]
+fn a_world_of_a_millimetre_is_drawn_as_the_same_world_in_metres() {
+    let small = world(metre(-13), DVec3::ZERO);
+    small.agrees_with_the_twin(0.75, 8);
+    assert_eq!(small.is_right(), world(1.0, DVec3::ZERO).is_right());
+}
+
+#[test]
+fn a_world_of_a_million_kilometres_is_drawn_as_the_same_world_in_metres() {
+    let large = world(metre(27), DVec3::ZERO);
+    large.agrees_with_the_twin(0.75, 8);
+    assert_eq!(large.is_right(), world(1.0, DVec3::ZERO).is_right());
+}
+
+#[test]
+fn ten_thousand_kilometres_away_the_verdicts_are_the_same() {
+    let away = world(1.0, DVec3::new(1e7, -1e7, 1e7));
+    away.agrees_with_the_twin(0.75, 8);
+    assert_eq!(away.is_right(), world(1.0, DVec3::ZERO).is_right());
+}
+
+/// Three walls a hundred thousand kilometres apart, each half hidden by the one before it, behind what is as near as a hand.
+fn walls_far_away(near: f64) -> Play {
+    let mut set = Set::new();
+    set.cube(
+        DVec3::new(-0.5, -0.25, -4.0) * near.max(1.0),
+        DVec3::splat(0.5 * near.max(1.0)),
+    );
+    for (number, far) in [1.0e9, 1.1e9, 1.2e9].into_iter().enumerate() {
+        let x = (number as f64 - 1.0) * 0.25 * far;
+        let size = DVec3::new(0.5 * far, 0.6 * far, 1e6);
+        set.cube(DVec3::new(x, 0.0, -far), size);
+    }
+    // Hidden by the nearest of them.
+    set.ball(DVec3::new(-0.3e9, 0.0, -1.3e9), 1e8);
+    let from = |x: f64| {
+        let eye = DVec3::X * x;
+        look(eye, eye - DVec3::Z, perspective(60.0, near))
+    };
+    Play::new(set.scene, vec![from(0.0), from(0.125)])
+}
+
+#[test]
+fn what_stands_a_million_kilometres_away_is_still_in_order() {
+    let [vulkan, gl] = gpus();
+    let play = walls_far_away(1e-4);
+    play.agrees_with_the_twin_on(&[vulkan], 0.9, 5);
+    play.is_right();
+    // On GL depth passes through -1..1, where a 2^24th of the near plane's is all that is left: what is farther than that ties.
+    walls_far_away(1e3).agrees_with_the_twin_on(&[gl], 0.9, 5);
+}

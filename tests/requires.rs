@@ -1,0 +1,275 @@
+//! Model only what a scene requires: what a scene does not need is in no plan that is made for it, as no pass, resource or kind of pipeline; and what
+//! it needs is there.
+//!
+//! Pass by pass, the second eye and transparency stand in `crates/cull/tests/plans.rs`; here, their buffers and pipelines.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+#[path = "../examples/what_it_costs.rs"]
+#[allow(dead_code, reason = "it measures; here its scenes are looked at")]
+mod what_it_costs;
+
+use std::collections::BTreeSet;
+use std::sync::{Arc, Mutex};
+
+use antumbra::cull::{
+    DeclareError, FrameGraph, Registry, Stage, StageOptions, Strategy, ViewNodes, ViewSpec,
+    VisibleSet,
+};
+use antumbra::draw::{AdapterChoice, Class, Gpu, GpuScene, PassKind};
+use antumbra::graph::Picture;
+use antumbra::scene::Scene;
+use what_it_costs::Part;
+
+/// What every plan of this page is of.
+const STRATEGIES: [&str; 7] = [
+    "none",
+    "frustum",
+    "stop-and-wait",
+    "three-pass:latency=same-frame",
+    "three-pass:latency=on-gpu",
+    "coherent:latency=same-frame",
+    "occupancy-map:latency=same-frame",
+];
+
+fn gpu() -> Gpu {
+    Gpu::open(&AdapterChoice::Named("vulkan".to_owned()))
+        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
+}
+
+/// Twenty-seven opaque balls under parallel light.
+fn plain() -> Scene {
+    what_it_costs::plain(3).unwrap()
+}
+
+/// The same with a part that it requires.
+fn with(part: Part) -> Scene {
+    let mut scene = plain();
+    part.add_to(&mut scene).unwrap();
+    scene
+}
+
+/// The names of everything in the plan: passes that run, and resources.
+struct Plan {
+    passes: BTreeSet<String>,
+    resources: BTreeSet<String>,
+}
+
+impl Plan {
+    fn has(&self, word: &str) -> bool {
+        let mut names = self.passes.iter().chain(&self.resources);
+        names.any(|name| name.contains(word))
+    }
+}
+
+fn stage(scene: &GpuScene, strategy: Box<dyn Strategy>, views: &[&str]) -> Stage {
+    let spec = |name: &&str| ViewSpec {
+        name: (*name).to_owned(),
+        size: [64, 48],
+    };
+    let specs = views.iter().map(spec).collect();
+    Stage::new(scene, strategy, specs, StageOptions::default()).unwrap()
+}
+
+fn plan(scene: &mut Scene, text: &str, views: &[&str]) -> Plan {
+    let scene = GpuScene::new(&gpu(), scene).unwrap();
+    let stage = stage(&scene, Registry::built_in().parse(text).unwrap(), views);
+    let picture = stage.plan().picture(Picture::Json);
+    let picture: serde_json::Value = serde_json::from_str(&picture).unwrap();
+    let names = |of: &str, is: &dyn Fn(&serde_json::Value) -> bool| {
+        let all = picture[of].as_array().unwrap().iter();
+        all.filter(|one| is(one))
+            .map(|one| one["name"].as_str().unwrap().to_owned())
+            .collect::<BTreeSet<_>>()
+    };
+    Plan {
+        passes: names("passes", &|pass| pass["pruned"] == false),
+        resources: names("resources", &|resource| resource["used"] == true),
+    }
+}
+
+/// Draws what is in the frustum, and notes what pipelines a strategy is given to shade with.
+struct Probe {
+    inner: Box<dyn Strategy>,
+    kinds: Arc<Mutex<Vec<PassKind>>>,
+}
+
+impl Strategy for Probe {
+    fn name(&self) -> &str {
+        "probe"
+    }
+    fn summary(&self) -> &str {
+        "draws what is in the frustum and looks at its pipelines"
+    }
+    fn conservative(&self) -> bool {
+        true
+    }
+    fn declare(
+        &mut self,
+        g: &mut FrameGraph<'_>,
+        view: &mut ViewNodes,
+    ) -> Result<VisibleSet, DeclareError> {
+        self.kinds.lock().unwrap().push(g.shaded_kind());
+        self.inner.declare(g, view)
+    }
+}
+
+/// Whether surfaces are shaded by lights with a place, and whether they reflect an environment.
+fn shading(scene: &mut Scene) -> [bool; 2] {
+    let scene = GpuScene::new(&gpu(), scene).unwrap();
+    let kinds = Arc::new(Mutex::new(Vec::new()));
+    let probe = Probe {
+        inner: Registry::built_in().make("frustum").unwrap(),
+        kinds: Arc::clone(&kinds),
+    };
+    let _stage = stage(&scene, Box::new(probe), &["main"]);
+    let kinds = kinds.lock().unwrap();
+    let [
+        PassKind::Shaded {
+            positional_lights,
+            environment,
+            ..
+        },
+    ] = kinds.as_slice()
+    else {
+        panic!("{kinds:?}");
+    };
+    assert_eq!(scene.frame().environment.is_some(), *environment);
+    assert_eq!(scene.topology().positional_lights, *positional_lights);
+    [*positional_lights, *environment]
+}
+
+#[test]
+fn a_second_eye_has_resources_of_its_own_and_one_eye_none() {
+    for text in STRATEGIES {
+        let one = plan(&mut plain(), text, &["main"]);
+        assert!(!one.has("left") && !one.has("right"), "{text}");
+        let two = plan(&mut plain(), text, &["left", "right"]);
+        let of = |eye: &str| {
+            let names = two.resources.iter();
+            names.filter(|name| name.starts_with(eye)).count()
+        };
+        assert!(of("left") > 4 && of("right") > 4, "{text}");
+    }
+}
+
+#[test]
+fn transparency_has_lists_of_its_own_where_something_is_transparent() {
+    for text in STRATEGIES {
+        let solid = plan(&mut plain(), text, &["main"]);
+        assert!(!solid.has("transparent") && !solid.has("blended"), "{text}");
+        let glazed = plan(&mut with(Part::Transparency), text, &["main"]);
+        assert!(glazed.has("transparent"), "{text}: {:?}", glazed.passes);
+        let more = glazed.resources.difference(&solid.resources).count();
+        assert!(more > 0, "{text}");
+    }
+}
+
+/// Words of what counts samples: an id buffer, histograms, counts a slot.
+const COUNTING: [&str; 4] = ["entity ids", "histogram", "visible samples", "count"];
+
+#[test]
+fn nothing_counts_where_zero_or_more_is_all_that_is_asked() {
+    for latency in ["frame-late", "same-frame", "on-gpu"] {
+        let queries = format!("three-pass:latency={latency}:counting=queries:threshold=0");
+        let found = plan(&mut plain(), &queries, &["main"]);
+        assert!(found.has("quer"), "{queries}: {:?}", found.passes);
+        // On the GPU the answers are brought from queries to slots, where the compaction looks for them.
+        let brought = |word: &&str| latency == "on-gpu" && *word == "visible samples";
+        for word in COUNTING.iter().filter(|word| !brought(word)) {
+            assert!(!found.has(word), "{queries} has '{word}'");
+        }
+        for (way, words) in [
+            (
+                "identity",
+                &["entity ids", "histogram", "visible samples"][..],
+            ),
+            ("compare", &["count", "visible samples"]),
+            ("atomics", &["count", "visible samples"]),
+        ] {
+            let text = format!("three-pass:latency={latency}:counting={way}:threshold=8");
+            let found = plan(&mut plain(), &text, &["main"]);
+            assert!(!found.has("quer"), "{text}: {:?}", found.passes);
+            for word in words {
+                assert!(
+                    found.has(word),
+                    "{text} has no '{word}': {:?} {:?}",
+                    found.passes,
+                    found.resources
+                );
+            }
+        }
+    }
+    for text in ["stop-and-wait", "coherent", "occupancy-map"] {
+        let found = plan(&mut plain(), text, &["main"]);
+        for word in COUNTING {
+            assert!(!found.has(word), "{text} has '{word}'");
+        }
+    }
+}
+
+#[test]
+fn a_tree_is_followed_by_those_who_walk_it_and_by_nobody_else() {
+    for text in STRATEGIES {
+        let walks = text.starts_with("occupancy");
+        assert_eq!(
+            plan(&mut plain(), text, &["main"]).has("tree"),
+            walks,
+            "{text}"
+        );
+    }
+    let two = plan(&mut plain(), "occupancy-map", &["left", "right"]);
+    let trees = two
+        .passes
+        .iter()
+        .filter(|name| name.starts_with("follow tree"));
+    assert_eq!(
+        trees.count(),
+        1,
+        "both eyes walk one tree: {:?}",
+        two.passes
+    );
+    assert!(plan(&mut plain(), "stop-and-wait:tree=divided", &["main"]).has("tree"));
+}
+
+#[test]
+fn an_environment_is_reflected_where_there_is_one() {
+    assert!(!shading(&mut plain())[1]);
+    let mut scene = with(Part::Environment);
+    assert!(shading(&mut scene.clone())[1]);
+    // Its image stays, and is nothing by itself.
+    scene.set_environment(None).unwrap();
+    assert!(!shading(&mut scene)[1]);
+}
+
+#[test]
+fn distances_to_lights_are_computed_where_a_light_has_a_place() {
+    assert!(!shading(&mut plain())[0]);
+    let mut scene = with(Part::PositionalLights);
+    assert!(shading(&mut scene.clone())[0]);
+    let lamps: Vec<_> = scene.lights().map(|(lamp, ..)| lamp).collect();
+    scene.clear_light(lamps[lamps.len() - 1]);
+    assert!(!shading(&mut scene)[0]);
+}
+
+/// A volume is shown by slices, whose tiles are images: without one there is neither texture nor pipeline that samples one.
+#[test]
+fn a_volume_brings_textures_and_without_one_there_are_none() {
+    let textured = |scene: &mut Scene| {
+        let scene = GpuScene::new(&gpu(), scene).unwrap();
+        let classes = scene.topology().classes().any(Class::textured);
+        // One white texel stands for no image.
+        assert_eq!(scene.frame().textures.len() > 1, classes);
+        classes
+    };
+    assert!(!textured(&mut plain()));
+    let mut scene = with(Part::Volume);
+    assert!(textured(&mut scene.clone()));
+    let slices: Vec<_> = scene
+        .roots()
+        .filter(|root| scene.children(*root).count() > 0)
+        .collect();
+    for slice in slices {
+        scene.despawn(slice);
+    }
+    assert!(!textured(&mut scene));
+}
