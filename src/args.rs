@@ -98,6 +98,13 @@ pub struct CompareArgs {
     /// When the answers of queries are used, for strategies that ask any: frame-late, same-frame, on-gpu
     #[arg(long, value_parser = latency)]
     pub latency: Option<Latency>,
+    /// Each strategy once more, auditing itself: its own estimate of its wrong pixels, beside the truth, and what that costs. It may draw this
+    /// part of its triangles again
+    #[arg(long, value_name = "SHARE", num_args = 0..=1, require_equals = true, default_missing_value = "0.02", value_parser = share)]
+    pub audit: Option<f64>,
+    /// Each strategy that can trade once more, with a budget in place of settings: wrong_pixels=0.02% or frame_time=16ms
+    #[arg(long, value_name = "WHAT=MOST")]
+    pub budget: Vec<antumbra::cull::Budget>,
     /// Where report.json and report.html go
     #[arg(long, default_value = "out", value_name = "DIR")]
     pub out: PathBuf,
@@ -380,6 +387,13 @@ fn method(text: &str) -> Result<Method, String> {
 fn budget(text: &str) -> Result<Budget, String> {
     text.parse()
         .map_err(|error: MeasureError| error.to_string())
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    text.parse()
+        .ok()
+        .filter(|share| *share > 0.0 && *share <= 1.0)
+        .ok_or_else(|| "it takes a number above 0, at most 1".to_owned())
 }
 
 fn latency(text: &str) -> Result<Latency, String> {

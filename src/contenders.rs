@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antumbra::cull::Strategy;
+use antumbra::cull::{AuditOptions, Strategy};
 use antumbra::measure::compare::Contender;
 use antumbra::terrain::HorizonStrategy;
 
@@ -12,6 +12,9 @@ use crate::strategies::registry;
 
 /// Waiting for each of more occludees than this takes minutes: only when asked for.
 const PATIENCE: usize = 500;
+
+/// Neither audited nor given a budget: they are what others are held against.
+const YARDSTICKS: [&str; 3] = ["none", "frustum", "ideal"];
 
 /// What is compared when nothing is asked for: label, then the strategy.
 const STANDARD: [(&str, &str); 13] = [
@@ -132,7 +135,32 @@ pub fn contenders(
             continue;
         }
         seen.push(identity);
-        list.push(Contender::of(label, &registry, &spec)?);
+        let made = |label: &str| Contender::of(label, &registry, &spec);
+        let title = match label.as_str() {
+            "" => name.clone(),
+            label => label.to_owned(),
+        };
+        list.push(made(&label)?);
+        if YARDSTICKS.contains(&name.as_str()) {
+            continue;
+        }
+        let audit = args.audit.map(|share| AuditOptions {
+            share,
+            ..AuditOptions::default()
+        });
+        if let Some(audit) = audit {
+            list.push(made(&format!("{title} audited"))?.audited(audit));
+        }
+        if strategy.steps().is_empty() {
+            continue;
+        }
+        for budget in &args.budget {
+            let within = made(&format!("{title} within {budget}"))?.within(*budget);
+            list.push(match audit {
+                Some(audit) => within.audited(audit),
+                None => within,
+            });
+        }
     }
     Ok(Contenders { list, notes })
 }

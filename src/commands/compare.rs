@@ -1,6 +1,7 @@
 //! `antumbra compare`: the main job.
 
 use antumbra::draw::Gpu;
+use antumbra::measure::keeping::kept;
 use antumbra::measure::table::{Table, facts, wants_colour};
 use antumbra::measure::verdict::picks;
 
@@ -47,6 +48,9 @@ pub fn run(args: CompareArgs) -> Result<(), Failure> {
                 pick.strategy.title(),
                 pick.verdict.text
             );
+        }
+        for kept in kept(&comparison.report) {
+            println!("{}: {}", kept.strategy.title(), kept.lines.join("\n  "));
         }
         println!("report: {}", args.out.join("report.html").display());
     }

@@ -150,6 +150,11 @@ impl Audit {
         Estimate::of(self.frames.iter().rev().take(frames))
     }
 
+    /// The mean over all that several views remember.
+    pub fn over_all(audits: &[&Self]) -> Estimate {
+        Estimate::of(audits.iter().flat_map(|audit| &audit.frames))
+    }
+
     /// Takes a frame in, forgetting the oldest where there are enough.
     pub(crate) fn take(&mut self, frame: FrameAudit) {
         if self.frames.len() == Self::REMEMBERED {

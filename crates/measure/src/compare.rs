@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::path::Path as FilePath;
 use std::sync::Arc;
 
-use antumbra_cull::{Registry, RegistryError, Stage, StageOptions, Strategy};
+use antumbra_cull::{AuditOptions, Budget, Registry, RegistryError, Stage, StageOptions, Strategy};
 use antumbra_draw::{Gpu, GpuScene};
 use antumbra_scene::{Scene, Stereo};
 use image::RgbaImage;
@@ -20,6 +20,7 @@ use crate::store::write_beside;
 use crate::{MeasureError, plots, stats, views};
 
 mod accuracy;
+mod audited;
 mod entry;
 mod script;
 mod speed;
@@ -35,6 +36,8 @@ pub struct Contender {
     label: String,
     name: String,
     make: Box<dyn Fn() -> Result<Box<dyn Strategy>, RegistryError>>,
+    audit: Option<AuditOptions>,
+    budget: Option<Budget>,
 }
 
 impl Contender {
@@ -44,7 +47,23 @@ impl Contender {
             label: label.into(),
             name: make().name().to_owned(),
             make: Box::new(move || Ok(make())),
+            audit: None,
+            budget: None,
         }
+    }
+
+    /// The same, auditing itself each frame.
+    #[must_use]
+    pub fn audited(mut self, audit: AuditOptions) -> Self {
+        self.audit = Some(audit);
+        self
+    }
+
+    /// The same with a budget in place of settings. One of wrong pixels audits itself.
+    #[must_use]
+    pub fn within(mut self, budget: Budget) -> Self {
+        self.budget = Some(budget);
+        self
     }
 
     /// A registered strategy by what [`Registry::parse`] takes: `name:key=value`.
@@ -61,6 +80,8 @@ impl Contender {
             label: label.into(),
             name: registry.parse(&spec)?.name().to_owned(),
             make: Box::new(move || registry.parse(&spec)),
+            audit: None,
+            budget: None,
         })
     }
 
@@ -243,6 +264,8 @@ fn stage(
 ) -> Result<Stage, MeasureError> {
     let stage_options = StageOptions {
         timing: true,
+        audit: contender.audit,
+        budget: contender.budget,
         ..StageOptions::default()
     };
     Ok(Stage::new(

@@ -9,6 +9,7 @@ pub mod compare;
 mod error;
 pub mod html;
 pub mod image_error;
+pub mod keeping;
 pub mod path;
 pub mod plots;
 pub mod report;

@@ -10,9 +10,11 @@ use std::collections::BTreeMap;
 use antumbra_scene::Stereo;
 use serde::{Deserialize, Serialize};
 
+mod audit;
 mod file;
 mod sweep;
 
+pub use audit::{AuditReport, BudgetReport};
 pub use file::MAX_REPORT_BYTES;
 pub use sweep::{Choice, Chosen, Measure, Over, RunnerUp, Sweep, Varied};
 
@@ -155,6 +157,9 @@ pub struct StrategyReport {
     /// Median time of the shaded and transparent passes, milliseconds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub draw_ms: Option<f64>,
+    /// Median time of the audit's passes, milliseconds; absent where there was no audit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub audit_ms: Option<f64>,
     /// Frame time over that of `none`, the median of the block ratios: 0.5 takes half the time.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time_vs_none: Option<f64>,
@@ -189,6 +194,12 @@ pub struct StrategyReport {
     /// Mean number of entities a frame with each verdict, summed over all views, by the verdict's name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub verdicts: BTreeMap<String, f64>,
+    /// What it said of its own wrong pixels; absent where there was no audit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub audit: Option<AuditReport>,
+    /// What it was to keep in place of settings; absent where settings stood. `settings` are those of the last frame then.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub budget: Option<BudgetReport>,
     /// The frame with the most wrong pixels, with its pictures.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub worst: Option<WorstFrame>,

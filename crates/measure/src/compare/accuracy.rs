@@ -12,12 +12,13 @@ use antumbra_draw::{Detail, GpuScene, read_back};
 use antumbra_scene::Camera;
 use image::RgbaImage;
 
+use super::audited::Audited;
 use super::script::Set;
 use super::{CompareOptions, Progress};
 use crate::MeasureError;
 use crate::image_error::flip;
 use crate::path::Path;
-use crate::report::MeanMax;
+use crate::report::{AuditReport, MeanMax};
 
 /// What all strategies got wrong.
 pub struct Accuracy {
@@ -42,6 +43,10 @@ pub struct Record {
     pub sync_points: u32,
     /// One a pose.
     pub poses: Vec<PoseCounts>,
+    /// What it said of itself.
+    pub audited: Audited,
+    /// The same, for the report.
+    pub audit: Option<AuditReport>,
 }
 
 /// What one pose took, all views together.
@@ -135,6 +140,12 @@ pub fn measure(
             for (view, look) in looks.iter_mut().enumerate() {
                 judge.judge(scene, stage, view, look, at, record)?;
             }
+            let Record { views, audited, .. } = record;
+            let truth = |view: usize, frame: usize| {
+                let view: &ViewRecord = views.get(view)?;
+                view.wrong_percent.get(frame).copied()
+            };
+            audited.take(stage, looks.len(), truth);
             record.poses.push(PoseCounts {
                 triangles: record.triangles - before.0,
                 asked: record.asked() - before.1,
@@ -143,8 +154,11 @@ pub fn measure(
         }
         owners.push(looks.into_iter().map(|look| look.owners).collect());
     }
-    for view in records.iter_mut().flat_map(|record| &mut record.views) {
-        view.finish()?;
+    for (record, stage) in records.iter_mut().zip(&*stages) {
+        record.audit = record.audited.report(stage, record.views.len());
+        for view in &mut record.views {
+            view.finish()?;
+        }
     }
     Ok(Accuracy { records, owners })
 }

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-use antumbra_cull::{Stage, Verdict};
+use antumbra_cull::{Budget, Stage, Verdict};
 use image::RgbaImage;
 
 use super::Contender;
@@ -66,6 +66,7 @@ impl Entries<'_> {
             .map(|view| error_report(&view.wrong_percent, &view.false_culls, view.flip))
             .collect::<Result<Vec<_>, _>>()?;
         let both = Both::of(record, poses);
+        let both_mean = stats::mean(&both.wrong_percent)?;
         // What one view would only repeat is left out.
         let eyes = match record.views.as_slice() {
             [_] => &[],
@@ -83,7 +84,11 @@ impl Entries<'_> {
                 .latency()
                 .map_or_else(|| "none".to_owned(), |latency| latency.to_string()),
             settings,
-            conservative: strategy.conservative(),
+            conservative: match contender.budget {
+                None | Some(Budget::WrongPixels(0.0)) => strategy.conservative(),
+                // Its settings are those of the last frame, and it may have traded before.
+                Some(_) => false,
+            },
             frame_ms: Spread {
                 median: stats::median(&run.frame_ms)?,
                 p95: stats::percentile(&run.frame_ms, 95.0)?,
@@ -91,6 +96,7 @@ impl Entries<'_> {
             free_running_ms: run.free_running_ms,
             cull_ms: run.group_median("cull"),
             draw_ms: run.group_median("draw"),
+            audit_ms: run.group_median(antumbra_cull::AUDIT),
             time_vs_none: self.against(at, "none")?,
             time_vs_frustum: self.against(at, "frustum")?,
             time_vs_ideal: self.against(at, "ideal")?,
@@ -117,6 +123,8 @@ impl Entries<'_> {
             },
             passes: run.pass_medians(),
             verdicts,
+            audit: record.audit.clone(),
+            budget: record.audited.budget_report(contender.budget, both_mean),
             worst: worst(record, &file_base(title, at), pictures)?,
         })
     }

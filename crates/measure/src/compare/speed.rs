@@ -80,7 +80,9 @@ pub fn measure(
                     let start = Instant::now();
                     stage.frame(scene, &inputs)?;
                     scene.gpu().wait()?;
-                    run.frame_ms.push(start.elapsed().as_secs_f64() * 1e3);
+                    let time = start.elapsed().as_secs_f64() * 1e3;
+                    stage.note_time(time);
+                    run.frame_ms.push(time);
                     run.take_timings(stage);
                 }
                 done += range.len() as u64;
@@ -203,8 +205,11 @@ impl Run {
             return;
         }
         self.last_timed = Some(timings.frame);
-        for (at, pass) in timings.passes.iter().enumerate() {
-            if self.passes.len() <= at {
+        for pass in &timings.passes {
+            // A budget may change the plan: passes are known by their names.
+            let known = self.passes.iter().position(|one| one.name == pass.name);
+            let at = known.unwrap_or(self.passes.len());
+            if known.is_none() {
                 let (name, group) = (pass.name.clone(), pass.group.unwrap_or(""));
                 self.passes.push(PassSeries {
                     name,

@@ -1,6 +1,7 @@
 //! The upper part of the page: what was measured, what to take from it, and the table.
 
 use super::escape;
+use crate::keeping;
 use crate::report::Report;
 use crate::table::{Table, facts};
 use crate::trade;
@@ -95,6 +96,14 @@ pub(super) fn table(report: &Report) -> String {
             class(tone),
             escape(strategy.title()),
             escape(&text)
+        );
+    }
+    for keeping::Kept { strategy, lines } in keeping::kept(report) {
+        let lines = lines.iter().map(|line| escape(&upper_first(line)));
+        html += &format!(
+            "<li><b>{}</b>: {}.</li>\n",
+            escape(strategy.title()),
+            lines.collect::<Vec<_>>().join(". ")
         );
     }
     html + "</ul>\n</section>\n"

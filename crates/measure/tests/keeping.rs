@@ -1,0 +1,75 @@
+//! Audits and budgets in words.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+#[path = "common/synthetic.rs"]
+mod synthetic;
+
+use antumbra_measure::keeping::kept;
+use antumbra_measure::report::{AuditReport, BudgetReport, FrameSeries, StrategyReport};
+
+fn strategy(label: &str, frame_ms: f64) -> StrategyReport {
+    StrategyReport {
+        name: "three-pass".to_owned(),
+        label: label.to_owned(),
+        frames: FrameSeries {
+            frame_ms: vec![frame_ms; 4],
+            ..FrameSeries::default()
+        },
+        ..StrategyReport::default()
+    }
+}
+
+#[test]
+fn an_audit_is_held_against_the_truth_and_its_cost_against_the_same_without() {
+    let mut report = synthetic::report();
+    let mut audited = strategy("late audited", 10.2);
+    audited.error.wrong_pixels_percent.mean = 0.04;
+    audited.audit = Some(AuditReport {
+        frames: 200,
+        percent: 0.05,
+        low: 0.02,
+        high: 0.1,
+        frames_within: 198,
+        ..AuditReport::default()
+    });
+    report.strategies = vec![strategy("late", 10.0), audited];
+    let all = kept(&report);
+    let [only] = all.as_slice() else {
+        panic!("{all:?}");
+    };
+    assert_eq!(only.strategy.label, "late audited");
+    let text = only.lines.join("; ");
+    for part in [
+        "by its own audit 0.050 %",
+        "(0.020 to 0.10)",
+        "in truth 0.040 %",
+        "99 % held",
+        "takes 2.0 %",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+}
+
+#[test]
+fn a_budget_says_whether_it_was_kept_and_where_frames_stood() {
+    let mut report = synthetic::report();
+    let within = |mean: f64, kept| {
+        let mut strategy = strategy("late within wrong_pixels=0.02%", 10.0);
+        strategy.error.wrong_pixels_percent.mean = mean;
+        strategy.budget = Some(BudgetReport {
+            asked: "wrong_pixels=0.02%".to_owned(),
+            kept: Some(kept),
+            frames_a_step: vec![3, 0, 21],
+            allowed_percent: 0.01,
+        });
+        strategy
+    };
+    report.strategies = vec![within(0.015, true), within(0.03, false)];
+    let all = kept(&report);
+    let texts: Vec<String> = all.iter().map(|kept| kept.lines.join("; ")).collect();
+    assert!(
+        texts[0].contains("kept with 0.015 %") && texts[0].contains("3, 0, 21"),
+        "{texts:?}"
+    );
+    assert!(texts[1].contains("overdrawn with 0.030 %"), "{texts:?}");
+}
