@@ -47,11 +47,16 @@ pub(super) fn picture(report: &Report, sweep: &Sweep) -> Option<Picture> {
             if edge || chosen.is_some() || settings.len() <= FEW {
                 words = words::short(own, 48) + chosen.as_deref().unwrap_or_default();
             }
+            // Names leave to colours which strategy it is, where there are several.
+            let beaten = match sweep.strategies.as_slice() {
+                [_] => FAINT,
+                _ => colour,
+            };
             let mark = match (edge, chosen.is_some()) {
                 (true, true) => Mark::Target(colour),
-                (false, true) => Mark::Target(FAINT),
+                (false, true) => Mark::Target(beaten),
                 (true, false) => Mark::Dot(colour),
-                (false, false) => Mark::Ring(FAINT),
+                (false, false) => Mark::Ring(beaten),
             };
             let point = Point::new(words, mark, (drawn(s), wrong.mean));
             if edge || chosen.is_some() {
