@@ -11,6 +11,8 @@ use crate::contenders::{identity, split_set};
 use crate::failure::Failure;
 use crate::strategies::registry;
 
+mod range;
+
 /// Each setting is a strategy with buffers of its own.
 const MOST_SETTINGS: usize = 200;
 /// What every sweep is held against.
@@ -154,7 +156,7 @@ fn varied(text: &str) -> Result<Varied, Failure> {
     let mut values = Vec::new();
     for part in right.split(',') {
         match part.split_once("..") {
-            Some((from, rest)) => values.extend(range(part, from, rest)?),
+            Some((from, rest)) => values.extend(range::values(part, from, rest)?),
             None => values.push(part.to_owned()),
         }
     }
@@ -166,53 +168,6 @@ fn varied(text: &str) -> Result<Varied, Failure> {
         key: key.to_owned(),
         values,
     })
-}
-
-/// The values of `A..B`, `A..B+STEP` or `A..B*FACTOR`: B is among them where a step ends on it.
-fn range(text: &str, from: &str, rest: &str) -> Result<Vec<String>, Failure> {
-    let refused = || {
-        Failure::Usage(format!(
-            "'{text}' is no range: write 1..8, 0..1+0.25 (steps above 0) or 1..256*4 (factors above 1, from 0 on)"
-        ))
-    };
-    let (to, next): (&str, fn(f64, f64, f64) -> f64) = match rest.find(['+', '*']) {
-        Some(at) if rest[at..].starts_with('*') => (&rest[..at], |from, factor, n| {
-            // Nothing grows out of 0: it comes first, then 1.
-            match (from == 0.0, n == 0.0) {
-                (true, true) => 0.0,
-                (true, false) => factor.powf(n - 1.0),
-                _ => from * factor.powf(n),
-            }
-        }),
-        Some(at) => (&rest[..at], |from, step, n| from + step * n),
-        None => (rest, |from, step, n| from + step * n),
-    };
-    let step = rest.get(to.len() + 1..).unwrap_or("1");
-    let number = |text: &str| text.parse().ok().filter(|n: &f64| n.is_finite());
-    let read = (number(from), number(to), number(step));
-    let (Some(from), Some(to), Some(step)) = read else {
-        return Err(refused());
-    };
-    let grows = rest.contains('*');
-    if from > to || step <= 0.0 || (grows && (step <= 1.0 || from < 0.0)) {
-        return Err(refused());
-    }
-    // What a sum of decimals is off by is no reason to miss the end.
-    let end = to + (to - from) * 1e-9;
-    let values = (0..=MOST_SETTINGS).map(|n| next(from, step, n as f64));
-    let values: Vec<f64> = values.take_while(|value| *value <= end).collect();
-    if values.len() > MOST_SETTINGS {
-        return Err(Failure::Usage(format!(
-            "'{text}' are more than {MOST_SETTINGS} values"
-        )));
-    }
-    Ok(values.into_iter().map(written).collect())
-}
-
-/// A number as one would type it: 0.3, and not 0.30000000000000004.
-fn written(value: f64) -> String {
-    let text = format!("{value:.9}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 #[cfg(test)]

@@ -47,10 +47,9 @@ fn print(report: &Report) {
         println!("{}\n", trade::swept(sweep));
     }
     let colour = wants_colour(&std::io::stdout());
-    for table in [Table::sweep(report), Table::eyes(report)] {
-        if let Some(table) = table {
-            println!("{}", table.terminal(colour));
-        }
+    let tables = [Table::sweep(report), Table::eyes(report)];
+    for table in tables.into_iter().flatten() {
+        println!("{}", table.terminal(colour));
     }
     println!("{EDGE_MEANS}");
     let answers = trade::answers(report);

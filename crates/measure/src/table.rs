@@ -88,7 +88,7 @@ const fn number(
 
 const COLUMNS: &[Definition] = &[
     text("strategy", "", |report, s| {
-        Some(words::short(report.title_of(s), 40))
+        Some(words::short(report.title_of(s), 64))
     }),
     text("latency", "", |_, s| Some(words::short(&s.latency, 12))),
     number(

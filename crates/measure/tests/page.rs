@@ -237,7 +237,7 @@ fn a_sweep_shows_its_trade() {
         "noise of 5.0 %",
         "every pixel right",
         "efficient edge",
-        "not on the edge",
+        "beaten, or faster within the noise alone",
         "chosen by a budget",
     ] {
         assert!(svg.contains(words), "{words}");
@@ -297,6 +297,13 @@ fn odd_sweeps_are_drawn_too() {
         let dir = tempfile::tempdir().unwrap();
         assert!(page(&report, dir.path()).unwrap().ends_with("</html>\n"));
     }
+    // No axis is endless.
+    let mut extreme = odd(vec![(0.4, 1.0), (0.5, 2.0)], Some(1e300));
+    for (at, time) in [(2, 1e-300), (3, f64::MIN_POSITIVE), (4, f64::MAX)] {
+        extreme.strategies[at].time_vs_frustum = Some(time);
+    }
+    let svg = speed_against_error(&extreme).unwrap().unwrap();
+    assert!(!svg.contains("NaN") && !svg.contains("inf"));
     // Nothing was swept, and strangers' names.
     let none = odd(Vec::new(), None);
     assert_eq!(speed_against_error(&none).unwrap(), None);

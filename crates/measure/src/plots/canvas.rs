@@ -253,9 +253,10 @@ pub(super) fn text_width(text: &str, height: i32) -> i32 {
     (wide * 0.58 * f64::from(height * UNIT)).ceil() as i32
 }
 
-/// The words of a strategy on a plot.
+/// The words of a strategy on a plot. What tells settings of a sweep apart stands at the end.
 pub(super) fn name(report: &Report, strategy: &StrategyReport) -> String {
-    words::short(report.title_of(strategy), 30)
+    let letters = if report.sweep.is_some() { 48 } else { 30 };
+    words::short(report.title_of(strategy), letters)
 }
 
 /// Every strategy with its colour: the same on all plots of a report; yardsticks are grey.

@@ -6,7 +6,7 @@ use crate::words;
 
 const COLUMNS: &[Definition] = &[
     text("strategy", "", |report, s| {
-        Some(words::short(report.title_of(s), 40))
+        Some(words::short(report.title_of(s), 64))
     }),
     number("queries", "left", |_, s| queries(s, 0), None),
     number("queries", "right", |_, s| queries(s, 1), None),

@@ -92,9 +92,9 @@ pub(super) fn sheet(picture: &Picture) -> Result<String, MeasureError> {
     canvas::sheet(TITLE, picture.height, |area| draw(area, picture))
 }
 
-/// Points of the picture on the sheet.
-struct Ground<'a> {
-    on: Box<dyn Fn((f64, f64)) -> (i32, i32) + 'a>,
+/// Where on the sheet a speed and an error are.
+struct Ground<On> {
+    on: On,
     left: i32,
     right: i32,
     top: i32,
@@ -129,7 +129,7 @@ fn draw(area: &Area<'_>, picture: &Picture) -> Drawing {
     let (left, bottom) = at(x.ends().start, y.ends().start);
     let (right, top) = at(x.ends().end, y.ends().end);
     let ground = Ground {
-        on: Box::new(|(speed, error)| at(x.place(speed), y.place(error))),
+        on: |(speed, error)| at(x.place(speed), y.place(error)),
         left,
         right,
         top,
@@ -145,7 +145,7 @@ fn draw(area: &Area<'_>, picture: &Picture) -> Drawing {
 /// Room that is taken on the sheet.
 type Taken = Result<Vec<Box4>, DrawingAreaErrorKind<std::io::Error>>;
 
-impl Ground<'_> {
+impl<On: Fn((f64, f64)) -> (i32, i32)> Ground<On> {
     /// The lines that mean something by where they are.
     fn lines(&self, area: &Area<'_>, picture: &Picture) -> Taken {
         let (left, right, zero) = (self.left, self.right, self.zero);

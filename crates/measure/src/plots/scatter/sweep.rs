@@ -6,7 +6,7 @@ use super::draw::{Limit, Picture, Point, ideal};
 use super::entry;
 use super::speed::Speed;
 use crate::plots::axis::Axis;
-use crate::plots::canvas::{FAINT, INK, Mark, PALETTE, Swatch, name};
+use crate::plots::canvas::{FAINT, INK, Mark, PALETTE, Swatch};
 use crate::report::{Chosen, Measure, Over, Report, StrategyReport, Sweep};
 use crate::trade::Clock;
 use crate::words;
@@ -21,6 +21,9 @@ const WIDE: f64 = 2.5;
 /// Free space on both sides, as a part of the spread, and the least spread as a part of the speed.
 const MARGIN: f64 = 0.12;
 const LEAST_SPREAD: f64 = 0.02;
+/// Faster, slower and noisier than this nothing is drawn, so that no file can ask for endless axes.
+const SPEED_MOST: f64 = 1e9;
+const BLUR_MOST: f64 = 1e3;
 
 /// The plot of a report's sweep; `None` where no setting was measured.
 pub(super) fn picture(report: &Report, sweep: &Sweep) -> Option<Picture> {
@@ -31,25 +34,31 @@ pub(super) fn picture(report: &Report, sweep: &Sweep) -> Option<Picture> {
         .filter(|s| !s.is_yardstick())
         .collect();
     // Two bars of this factor overlap just where the ratio of their speeds is within the noise.
-    let blur = report.noise.least_ratio().sqrt();
+    let blur = report.noise.least_ratio().sqrt().min(BLUR_MOST);
+    let drawn = |s: &StrategyReport| speed.get(s).clamp(1.0 / SPEED_MOST, SPEED_MOST);
     let on_edge = |s: &&StrategyReport| sweep.edge.iter().any(|on| on == s.title());
     let mut points: Vec<Point> = settings
         .iter()
         .map(|s| {
             let (edge, chosen) = (on_edge(s), chosen(sweep, s));
-            let colour = colour(sweep, s);
+            let (colour, own) = strategy(sweep, s);
             let wrong = s.error.wrong_pixels_percent;
             let mut words = String::new();
             if edge || chosen.is_some() || settings.len() <= FEW {
-                words = name(report, s) + chosen.as_deref().unwrap_or_default();
+                words = words::short(own, 48) + chosen.as_deref().unwrap_or_default();
             }
+            // Names leave to colours which strategy it is, where there are several.
+            let beaten = match sweep.strategies.as_slice() {
+                [_] => FAINT,
+                _ => colour,
+            };
             let mark = match (edge, chosen.is_some()) {
                 (true, true) => Mark::Target(colour),
-                (false, true) => Mark::Target(FAINT),
+                (false, true) => Mark::Target(beaten),
                 (true, false) => Mark::Dot(colour),
-                (false, false) => Mark::Ring(FAINT),
+                (false, false) => Mark::Ring(beaten),
             };
-            let point = Point::new(words, mark, (speed.get(s), wrong.mean));
+            let point = Point::new(words, mark, (drawn(s), wrong.mean));
             if edge || chosen.is_some() {
                 point.with_bars(blur, wrong.max)
             } else {
@@ -63,7 +72,7 @@ pub(super) fn picture(report: &Report, sweep: &Sweep) -> Option<Picture> {
         slowest.reduce(f64::min)?,
         fastest.fold(f64::MIN_POSITIVE, f64::max),
     );
-    let limit = report.strategy("ideal").map(|s| speed.get(s));
+    let limit = report.strategy("ideal").map(drawn);
     let shown = limit.filter(|at| (low..high * (high / low).sqrt().max(NEAR)).contains(at));
     let high = shown.map_or(high, |at| high.max(at));
     let spread = (high - low).max(high * LEAST_SPREAD);
@@ -161,7 +170,7 @@ fn legend(
     }
     if points.iter().any(|p| matches!(p.mark, Mark::Ring(_))) {
         entries.push(entry(
-            "not on the edge",
+            "beaten, or faster within the noise alone",
             FAINT,
             Swatch::Mark(Mark::Ring(FAINT)),
         ));
@@ -207,13 +216,15 @@ fn legend(
     entries
 }
 
-/// A colour for each strategy that was swept.
-fn colour(sweep: &Sweep, setting: &StrategyReport) -> RGBColor {
-    let of = |spec: &&String| {
-        let rest = setting.title().strip_prefix(spec.as_str());
-        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(' '))
+/// The colour of a setting's strategy, and what of the title is its own: where colours tell strategies
+/// apart, names need not.
+fn strategy<'a>(sweep: &Sweep, setting: &'a StrategyReport) -> (RGBColor, &'a str) {
+    let title = setting.title();
+    let own = |spec: &String| match title.strip_prefix(spec.as_str())? {
+        "" => Some(title),
+        rest => rest.strip_prefix(' '),
     };
     let colours = sweep.strategies.iter().zip(PALETTE.iter().cycle());
-    let mut its = colours.filter(|(spec, _)| of(spec));
-    its.next().map_or(INK, |(_, colour)| *colour)
+    let mut its = colours.filter_map(|(spec, colour)| Some((*colour, own(spec)?)));
+    its.next().unwrap_or((INK, title))
 }
