@@ -22,16 +22,24 @@ use glam::{DAffine3, DQuat, DVec3};
 /// What a scene, or a strategy's question, may require.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
+    /// Two views of everything.
     SecondEye,
+    /// Something to blend.
     Transparency,
+    /// A number of samples, where any would do.
     Counting,
+    /// A tree to walk.
     Hierarchy,
+    /// An image around it all to reflect.
     Environment,
+    /// A light that stands somewhere.
     PositionalLights,
+    /// A slice through a volume.
     Volume,
 }
 
 impl Part {
+    /// All of them.
     pub const ALL: [Self; 7] = [
         Self::SecondEye,
         Self::Transparency,
@@ -42,6 +50,7 @@ impl Part {
         Self::Volume,
     ];
 
+    /// What the command line calls it.
     pub fn name(self) -> &'static str {
         match self {
             Self::SecondEye => "second-eye",
