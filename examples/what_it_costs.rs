@@ -22,16 +22,24 @@ use glam::{DAffine3, DQuat, DVec3};
 /// What a scene, or a strategy's question, may require.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
+    /// Two views of everything.
     SecondEye,
+    /// Something to blend.
     Transparency,
+    /// A number of samples, where any would do.
     Counting,
+    /// A tree to walk.
     Hierarchy,
+    /// An image around it all to reflect.
     Environment,
+    /// A light that stands somewhere.
     PositionalLights,
+    /// A slice through a volume.
     Volume,
 }
 
 impl Part {
+    /// All of them.
     pub const ALL: [Self; 7] = [
         Self::SecondEye,
         Self::Transparency,
@@ -42,6 +50,7 @@ impl Part {
         Self::Volume,
     ];
 
+    /// What the command line calls it.
     pub fn name(self) -> &'static str {
         match self {
             Self::SecondEye => "second-eye",
@@ -59,17 +68,21 @@ impl Part {
         match self {
             Self::SecondEye | Self::Counting | Self::Hierarchy => {}
             Self::Transparency => {
-                // A pane of the scene's own mesh before the middle.
+                // A ball of glass in the line of sight.
                 let mesh = scene.drawables().next().map(|(_, drawable)| drawable.mesh);
                 let material = scene.add_material(Material {
                     alpha: AlphaMode::Blend,
                     base_colour: [0.6, 0.8, 1.0, 0.3],
                     ..Material::default()
                 });
-                let large = DAffine3::from_scale(DVec3::splat(4.0));
-                let pane = scene.spawn(None, large)?;
+                let large = DAffine3::from_scale_rotation_translation(
+                    DVec3::splat(4.0),
+                    DQuat::IDENTITY,
+                    DVec3::new(10.0, 5.0, 22.0),
+                );
+                let glass = scene.spawn(None, large)?;
                 if let Some(mesh) = mesh {
-                    scene.set_drawable(pane, Drawable { mesh, material })?;
+                    scene.set_drawable(glass, Drawable { mesh, material })?;
                 }
             }
             Self::Environment => {

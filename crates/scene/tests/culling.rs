@@ -343,13 +343,28 @@ fn boxes_that_are_not_finite_are_kept_and_empty_ones_are_not() {
         min: DVec3::NAN,
         max: DVec3::NAN,
     };
+    // Before the camera, were it not inside out.
+    let inverted = Aabb {
+        min: DVec3::new(9.0, 1.0, 1.0),
+        max: DVec3::new(7.0, -1.0, -1.0),
+    };
+    let partly = Aabb {
+        min: DVec3::new(7.0, 1.0, -1.0),
+        max: DVec3::new(9.0, -1.0, 1.0),
+    };
+    let half = Aabb {
+        min: DVec3::new(-1.0, f64::NEG_INFINITY, -1.0),
+        max: DVec3::INFINITY,
+    };
     let mut array = BoxArray::new();
-    for bounds in [everywhere, Aabb::EMPTY, odd] {
+    for bounds in [everywhere, Aabb::EMPTY, odd, inverted, partly, half] {
         array.push(bounds);
     }
     let mut out = Vec::new();
     frustum.cull(&array, &mut out);
-    assert_eq!(out, [0, 2]);
+    assert_eq!(out, [0, 2, 5]);
+    assert!(!frustum.intersects(&inverted) && !frustum.intersects(&partly));
+    assert!(frustum.intersects(&half));
     assert!(frustum.intersects(&everywhere));
     assert!(!frustum.intersects(&Aabb::EMPTY));
 }
