@@ -1,0 +1,156 @@
+//! How well budgets are kept, on paths nobody has tuned for: flights with camera cuts through a scene in which every ninth entity moves. Fixed
+//! settings run beside them, so that the best of these, known only in hindsight, can be held against what a budget finds by itself.
+//!
+//! ```text
+//! cargo run --release --example keep_a_budget -- 1000 320x240 10 out/budget
+//! ```
+//!
+//! Frames, image size, entities along a side of the grid, and the folder for `report.json` and `report.html`.
+
+use std::error::Error;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use antumbra::cull::{AuditOptions, Budget, Registry};
+use antumbra::draw::{AdapterChoice, Gpu};
+use antumbra::measure::compare::{CompareOptions, Contender, Script, compare_scripted};
+use antumbra::measure::keeping::kept;
+use antumbra::measure::path::Path;
+use antumbra::measure::table::{Table, facts};
+use antumbra::scene::builtin::{GridOptions, grid};
+use antumbra::scene::{Camera, EntityKey, Scene};
+use glam::{DAffine3, DVec3};
+
+/// Frames between two cuts.
+const CUT_EVERY: usize = 125;
+/// The flights' seeds are this one and those after it.
+const SEED: u64 = 100;
+
+/// Fixed settings, from the most accurate.
+const FIXED: [&str; 7] = [
+    "three-pass:latency=same-frame:threshold=0:scale=1:occluders=full:occludees=full",
+    "three-pass:latency=same-frame:threshold=0:scale=1",
+    "three-pass:latency=same-frame:threshold=0",
+    "three-pass:latency=same-frame:threshold=5",
+    "three-pass:latency=same-frame:threshold=10",
+    "three-pass:latency=same-frame:threshold=20",
+    "three-pass:latency=same-frame:threshold=50",
+];
+
+/// Budgets of wrong pixels, in percent.
+const BUDGETS: [f64; 4] = [0.0, 0.02, 0.1, 0.5];
+
+/// Entities that swing up and down, each at a pace of its own.
+struct Swinging(Vec<(EntityKey, DAffine3)>);
+
+impl Swinging {
+    fn of(scene: &Scene) -> Self {
+        let ninth = scene.drawables().map(|(key, _)| key).step_by(9);
+        Self(
+            ninth
+                .filter_map(|key| Some((key, scene.local(key)?)))
+                .collect(),
+        )
+    }
+}
+
+impl Script for Swinging {
+    fn set(&mut self, scene: &mut Scene, pose: usize, _: &Camera) -> Result<(), String> {
+        for (key, home) in &self.0 {
+            let away = (pose as f64 * 0.05 + home.translation.x).sin() * 0.5;
+            let place = DAffine3::from_translation(DVec3::Y * away) * *home;
+            scene
+                .set_local(*key, place)
+                .map_err(|error| error.to_string())?;
+        }
+        Ok(())
+    }
+}
+
+/// Flights of several seeds, one after the other, with a cut between them.
+fn flights(scene: &Scene, frames: usize) -> Result<Path, Box<dyn Error>> {
+    let bounds = scene.bounds().ok_or("the scene is empty")?;
+    let mut poses = Vec::with_capacity(frames);
+    let mut projection = None;
+    for (first, seed) in (0..frames).step_by(CUT_EVERY).zip(SEED..) {
+        let flight = Path::flight(&bounds, seed, CUT_EVERY.min(frames - first))?;
+        projection = Some(flight.projection());
+        let at = poses.len();
+        poses.extend_from_slice(flight.poses());
+        if let Some(pose) = poses.get_mut(at) {
+            pose.cut = true;
+        }
+    }
+    Ok(Path::new("flights", projection.ok_or("no frames")?, poses)?)
+}
+
+fn contenders() -> Result<Vec<Contender>, Box<dyn Error>> {
+    let registry = Arc::new(Registry::built_in());
+    let mut list = Vec::new();
+    for name in ["frustum", "ideal"] {
+        list.push(Contender::of("", &registry, name)?);
+    }
+    for spec in FIXED {
+        let label = spec.trim_start_matches("three-pass:latency=same-frame:");
+        list.push(Contender::of(label, &registry, spec)?);
+    }
+    for latency in ["same-frame", "on-gpu"] {
+        let spec = format!("three-pass:latency={latency}");
+        for budget in BUDGETS {
+            let budget = Budget::WrongPixels(budget);
+            let label = format!("{latency} within {budget}");
+            let within = Contender::of(label, &registry, &spec)?.within(budget);
+            list.push(within.audited(AuditOptions::default()));
+        }
+    }
+    Ok(list)
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut args = std::env::args().skip(1);
+    let mut next = |usual: &str| args.next().unwrap_or_else(|| usual.to_owned());
+    let frames: usize = next("1000").parse()?;
+    let size = next("320x240");
+    let (wide, high) = size.split_once('x').ok_or("write the size as 320x240")?;
+    let size = [wide.parse()?, high.parse()?];
+    let per_side = next("10").parse()?;
+    let out = PathBuf::from(next("out/budget"));
+
+    let gpu = Gpu::open(&AdapterChoice::Auto)?;
+    let mut scene = grid(GridOptions {
+        per_side,
+        ..GridOptions::default()
+    })?;
+    scene.ensure_proxies(&Default::default());
+    let path = flights(&scene, frames)?;
+    let mut script = Swinging::of(&scene);
+    let options = CompareOptions {
+        size,
+        command: format!("keep_a_budget {frames} {wide}x{high} {per_side}"),
+        scene_name: format!("grid:{per_side}, every ninth entity swinging"),
+        // One flight is enough: a second one would be no unseen path.
+        least_seconds: 0.0,
+        ..CompareOptions::default()
+    };
+    let mut comparison = compare_scripted(
+        &gpu,
+        &mut scene,
+        &mut script,
+        &path,
+        &contenders()?,
+        &options,
+        &mut |_| {},
+    )?;
+    let report = &mut comparison.report;
+    report.seeds.insert("path".to_owned(), SEED);
+    comparison.save(&out)?;
+    for line in facts(&comparison.report) {
+        println!("{line}");
+    }
+    println!("{}", Table::new(&comparison.report).terminal(false));
+    for kept in kept(&comparison.report) {
+        println!("{}: {}", kept.strategy.title(), kept.lines.join("\n  "));
+    }
+    println!("report: {}", out.join("report.html").display());
+    Ok(())
+}
