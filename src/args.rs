@@ -267,6 +267,9 @@ pub struct TerrainArgs {
     /// Sub-sectors of each sector, 1 to 1024; 4 where none are named
     #[arg(long)]
     pub parts: Option<u32>,
+    /// Reaches that horizons are found for, 1 to 8; 1 where none is named
+    #[arg(long)]
+    pub reaches: Option<u32>,
     /// How horizons are found: sound, rays or thesis; sound where none is named
     #[arg(long, value_parser = method)]
     pub method: Option<Method>,

@@ -32,7 +32,7 @@ pub fn run(args: PrepareArgs) -> Result<(), Failure> {
     }
     if args.terrain != TerrainArgs::default() {
         return Err(Failure::Usage(
-            "--vertices, --error, --sectors, --parts, --method, --seeds and --seed are for terrains: say --as terrain if that is what is to be made"
+            "--vertices, --error, --sectors, --parts, --reaches, --method, --seeds and --seed are for terrains: say --as terrain if that is what is to be made"
                 .to_owned(),
         ));
     }

@@ -47,7 +47,7 @@ impl BuiltInOptions {
     /// The most boxes.
     pub const MOST_BOXES: usize = 1_000_000;
 
-    /// Sets one by name. `size` is the number of vertices; `sectors` and `parts` are those of horizons, `seeds` those of groups.
+    /// Sets one by name. `size` is the number of vertices; `sectors`, `parts` and `reaches` are those of horizons, `seeds` those of groups.
     ///
     /// # Errors
     /// [`TerrainError::Setting`] for a name that is none, or a value that cannot be read or is out of its range.
@@ -70,10 +70,15 @@ impl BuiltInOptions {
             "relief" => self.landscape.relief = read("relief", value)?,
             "roughness" => self.landscape.roughness = read("roughness", value)?,
             "sectors" => {
-                self.prepare.sectors = Sectors::new(read("sectors", value)?, sectors.parts())?;
+                self.prepare.sectors = Sectors::new(read("sectors", value)?, sectors.parts())?
+                    .with_reaches(sectors.reaches())?;
             }
             "parts" => {
-                self.prepare.sectors = Sectors::new(sectors.count(), read("parts", value)?)?;
+                self.prepare.sectors = Sectors::new(sectors.count(), read("parts", value)?)?
+                    .with_reaches(sectors.reaches())?;
+            }
+            "reaches" => {
+                self.prepare.sectors = sectors.with_reaches(read("reaches", value)?)?;
             }
             "method" => self.prepare.method = read::<Method>("method", value)?,
             "seeds" => {
@@ -83,7 +88,7 @@ impl BuiltInOptions {
                 return Err(TerrainError::Setting {
                     what: "a setting of the scene terrain",
                     value: format!("`{key}`"),
-                    problem: "there are: size, boxes, seed, order, relief, roughness, sectors, parts, method, seeds",
+                    problem: "there are: size, boxes, seed, order, relief, roughness, sectors, parts, reaches, method, seeds",
                 });
             }
         }

@@ -298,7 +298,7 @@ impl Growth<'_> {
         let far = away.truncate().length();
         let sector = self.horizons.sectors().containing(away.truncate());
         sector.is_some_and(|sector| {
-            let hides = |&edge: &u32| self.horizons.along(edge, sector).hides(far, away.z);
+            let hides = |&edge: &u32| self.horizons.along(edge, sector, 0).hides(far, away.z);
             self.around.of(vertex).iter().all(hides)
         })
     }

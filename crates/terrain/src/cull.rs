@@ -95,7 +95,7 @@ impl<'a> Eye<'a> {
         self.is_behind(circle, heights[0], self.groups.regions(group))
     }
 
-    /// Whether they are in the regions of all sectors that the directions to them from places of a circle lie in, and lines from there, no lower than
+    /// Whether they are in a region of each of the sectors that the directions to them from places of a circle lie in, and lines from there, no lower than
     /// `low`, pass above the rim.
     pub(crate) fn is_behind(&self, circle: &Circle, low: f64, regions: &[Region]) -> bool {
         let way = self.at.truncate() - circle.middle;
@@ -104,8 +104,11 @@ impl<'a> Eye<'a> {
             return false;
         }
         let sectors = self.groups.sectors();
+        let reaches = sectors.reaches() as usize;
         let hides = |sector: usize| {
-            !self.faced[sector] || regions[sector].hides(self.along[sector], self.at.z)
+            let mut regions = regions[sector * reaches..][..reaches].iter();
+            let inside = |region: &Region| region.hides(self.along[sector], self.at.z);
+            !self.faced[sector] || regions.any(inside)
         };
         // Most groups are seen, and most of those are in the middle's sector.
         if !hides(sectors.about(way) as usize) {
@@ -116,7 +119,7 @@ impl<'a> Eye<'a> {
         let cosine = (1.0 - sine * sine).sqrt();
         let side = |sine: f64| DVec2::new(cosine, sine).rotate(way);
         let [first, last] = [side(-sine), side(sine)].map(|way| sectors.about(way) as usize);
-        let count = regions.len();
+        let count = sectors.count() as usize;
         let span = (last + count - first) % count;
         let hidden = (0..=span).all(|step| hides((first + step) % count));
         let passed = |(rim, from): (&Rim, DVec3)| {

@@ -49,8 +49,8 @@ use numbers::{Reader, Writer};
 
 /// The extension's name.
 pub const EXTENSION: &str = "ANTUMBRA_horizons";
-/// The version that is written, and the only one that is read.
-pub const VERSION: u64 = 1;
+/// The version that is written. The first, which has one reach, is read too.
+pub const VERSION: u64 = 2;
 
 /// A scene out of a file, and what is known of its terrain.
 #[derive(Debug)]
@@ -224,7 +224,8 @@ fn regions(
     layout: &Layout,
     rows: Vec<[f32; 2 * CORNERS + 1]>,
 ) -> Result<Vec<Region>, TerrainError> {
-    let sectors = layout.sectors.count() as usize;
+    let each = layout.sectors.rows();
+    let reaches = layout.sectors.reaches() as usize;
     let region = |(at, row): (usize, [f32; 2 * CORNERS + 1])| {
         let mut corners = [[0.0; 2]; CORNERS];
         corners
@@ -234,9 +235,9 @@ fn regions(
             .for_each(|(corner, number)| *corner = number);
         let slope = row.last().copied().unwrap_or_default();
         Region::from_parts(corners, slope).ok_or_else(|| {
-            let (group, sector) = (at / sectors, at % sectors);
+            let (group, sector, reach) = (at / each, at % each / reaches, at % reaches);
             bad(format!(
-                "what hides group {group} in sector {sector} is no region: {row:?}"
+                "what hides group {group} in sector {sector} and reach {reach} is no region: {row:?}"
             ))
         })
     };

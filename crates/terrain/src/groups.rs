@@ -45,7 +45,7 @@ impl Group {
 pub struct Groups {
     sectors: Sectors,
     groups: Vec<Group>,
-    /// A row of sectors for each group.
+    /// A row of sectors, with all reaches of each, for each group.
     regions: Vec<Region>,
     tops: Vec<u32>,
     order: Vec<u32>,
@@ -90,15 +90,16 @@ impl Groups {
             .par_iter()
             .map(|members| {
                 let edges = edges(members, &numbers);
-                let region = |sector| {
+                let region = |row: u32| {
+                    let [sector, reach] = [row / sectors.reaches(), row % sectors.reaches()];
                     let each = edges.iter().flat_map(|&edge| {
-                        let horizon = horizons.along(edge, sector);
+                        let horizon = horizons.along(edge, sector, reach);
                         let ends = field.ends(field.edges()[edge as usize]);
                         ends.map(|end| (end, horizon))
                     });
                     Region::around(each, &sectors, sector)
                 };
-                (0..sectors.count()).map(region).collect()
+                (0..sectors.rows() as u32).map(region).collect()
             })
             .collect();
         tree.finish(sectors, leaf_regions, crystals)
@@ -160,12 +161,12 @@ impl Groups {
         }
     }
 
-    /// What hides a group, sector by sector.
+    /// What hides a group, sector by sector, and in each reach by reach: whoever is in any of a sector's regions is hidden in that sector.
     #[must_use]
     pub fn regions(&self, group: u32) -> &[Region] {
-        let sectors = self.sectors.count() as usize;
-        let first = group as usize * sectors;
-        self.regions.get(first..first + sectors).unwrap_or_default()
+        let rows = self.sectors.rows();
+        let first = group as usize * rows;
+        self.regions.get(first..first + rows).unwrap_or_default()
     }
 }
 

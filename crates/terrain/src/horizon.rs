@@ -2,7 +2,7 @@
 //!
 //! Seen from a vertex, the terrain rises to a horizon in every direction. Whoever is farther away than what makes that horizon, and lower
 //! than the line over it, does not see the vertex, nor does the vertex see them: Stewart 1998. A [`Horizons`] table says so for whole
-//! sectors of directions. Three [`Method`]s fill it.
+//! sectors of directions, and for several reaches. Three [`Method`]s fill it.
 
 mod bearing;
 mod bundle;
@@ -40,6 +40,12 @@ impl Horizon {
         distance: f32::INFINITY,
     };
 
+    /// Hides everybody: before anything has been looked at.
+    pub(crate) const ALL: Self = Self {
+        slope: f32::INFINITY,
+        distance: 0.0,
+    };
+
     /// Whether somebody `far` metres away in the plan and `up` metres higher is hidden.
     #[must_use]
     pub fn hides(&self, far: f64, up: f64) -> bool {
@@ -60,7 +66,8 @@ impl Horizon {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Method {
     /// Edmondson's, after Stewart: the highest vertex of each sub-sector, the lowest of those of a sector. It misses edges that cross a
-    /// sub-sector between two vertices, and claims the highest vertex for directions in which the terrain is lower.
+    /// sub-sector between two vertices, and claims the highest vertex for directions in which the terrain is lower. It has one reach, whatever
+    /// is asked for.
     Thesis,
     /// The exact horizon along the middle of each sub-sector, the lowest of those of a sector. It claims it for all directions between.
     Rays,
@@ -73,6 +80,14 @@ pub enum Method {
 impl Method {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Thesis, Self::Rays, Self::Sound];
+
+    /// The sectors with as many of their reaches as it knows.
+    fn of(self, sectors: Sectors) -> Sectors {
+        match self {
+            Self::Thesis => sectors.far(),
+            Self::Rays | Self::Sound => sectors,
+        }
+    }
 }
 
 impl fmt::Display for Method {
@@ -105,19 +120,20 @@ pub enum Scope {
     Surface,
 }
 
-/// A horizon for every vertex, and perhaps every edge, and sector.
+/// A horizon for every vertex, and perhaps every edge, sector and reach.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Horizons {
     sectors: Sectors,
     vertices: usize,
     /// Vertices and edges.
     places: usize,
-    /// For each sector a row of vertices and then of edges.
+    /// For each reach of each sector a row of vertices and then of edges.
     table: Vec<Horizon>,
 }
 
 impl Horizons {
-    /// Finds the horizons of a field; `done` is told of every sector finished. Sectors run side by side.
+    /// Finds the horizons of a field; `done` is told of every sector finished. Sectors run side by side. It takes eight bytes a vertex, sector and
+    /// reach, and as many for each edge.
     pub fn find(
         field: &Field,
         sectors: Sectors,
@@ -125,24 +141,26 @@ impl Horizons {
         scope: Scope,
         done: &(dyn Fn() + Sync),
     ) -> Self {
+        let sectors = method.of(sectors);
         let vertices = field.points().len();
         let edges = match scope {
             Scope::Vertices => 0,
             Scope::Surface => field.edges().len(),
         };
         let places = vertices + edges;
-        let mut table = vec![Horizon::OPEN; places * sectors.count() as usize];
+        let mut table = vec![Horizon::OPEN; places * sectors.rows()];
         let finder: Box<dyn Finder> = match method {
             Method::Thesis => Box::new(thesis::Thesis::new(field)),
             Method::Rays => Box::new(rays::Rays::new(field)),
             Method::Sound => Box::new(sound::Sound::new(field)),
         };
         table
-            .par_chunks_mut(places.max(1))
+            .par_chunks_mut((places * sectors.reaches() as usize).max(1))
             .enumerate()
-            .for_each(|(sector, row)| {
-                let (vertices, edges) = row.split_at_mut(vertices);
-                finder.sector(&sectors, sector as u32, &mut Row { vertices, edges });
+            .for_each(|(sector, reaches)| {
+                let row = |row| Row::new(row, vertices);
+                let mut rows: Vec<Row<'_>> = reaches.chunks_mut(places.max(1)).map(row).collect();
+                finder.sector(&sectors, sector as u32, &mut rows);
                 done();
             });
         Self {
@@ -170,29 +188,35 @@ impl Horizons {
         }
     }
 
-    /// The sectors.
+    /// The sectors, with as many reaches as the method knows.
     #[must_use]
     pub fn sectors(&self) -> &Sectors {
         &self.sectors
     }
 
-    /// The horizon of a vertex in a sector; [`Horizon::OPEN`] where there is no such.
+    /// The horizon of a vertex in a sector and reach; [`Horizon::OPEN`] where there is no such. Whoever is hidden by that of any reach is hidden.
     #[must_use]
-    pub fn at(&self, vertex: u32, sector: u32) -> Horizon {
+    pub fn at(&self, vertex: u32, sector: u32, reach: u32) -> Horizon {
         let known = (vertex as usize) < self.vertices;
-        let horizon = self.row(sector).get(vertex as usize).filter(|_| known);
+        let row = self.row(sector, reach);
+        let horizon = row.get(vertex as usize).filter(|_| known);
         horizon.copied().unwrap_or(Horizon::OPEN)
     }
 
     /// The horizon of an edge, by its number in [`Field::edges`]: who is hidden by it from both ends is hidden from all places between.
     #[must_use]
-    pub fn along(&self, edge: u32, sector: u32) -> Horizon {
-        let horizon = self.row(sector).get(self.vertices + edge as usize);
+    pub fn along(&self, edge: u32, sector: u32, reach: u32) -> Horizon {
+        let row = self.row(sector, reach);
+        let horizon = row.get(self.vertices + edge as usize);
         horizon.copied().unwrap_or(Horizon::OPEN)
     }
 
-    fn row(&self, sector: u32) -> &[Horizon] {
-        let first = sector as usize * self.places;
+    fn row(&self, sector: u32, reach: u32) -> &[Horizon] {
+        let reaches = self.sectors.reaches();
+        if reach >= reaches {
+            return &[];
+        }
+        let first = (sector as usize * reaches as usize + reach as usize) * self.places;
         let row = self.table.get(first..first + self.places);
         row.unwrap_or_default()
     }
@@ -204,19 +228,28 @@ impl Horizons {
         let Some(sector) = self.sectors.containing(away.truncate()) else {
             return false;
         };
-        self.at(vertex, sector)
-            .hides(away.truncate().length(), away.z)
+        let far = away.truncate().length();
+        (0..self.sectors.reaches()).any(|reach| self.at(vertex, sector, reach).hides(far, away.z))
     }
 }
 
-/// Horizons in one sector, [`Horizon::OPEN`] until found.
+/// Horizons in one reach of one sector, [`Horizon::OPEN`] until found.
 struct Row<'a> {
     vertices: &'a mut [Horizon],
     /// Empty where edges are not asked for.
     edges: &'a mut [Horizon],
 }
 
-impl Row<'_> {
+impl<'a> Row<'a> {
+    fn new(row: &'a mut [Horizon], vertices: usize) -> Self {
+        let (vertices, edges) = row.split_at_mut(vertices);
+        Self { vertices, edges }
+    }
+
+    fn len(&self) -> usize {
+        self.vertices.len() + self.edges.len()
+    }
+
     /// Takes for each edge what both of its ends have.
     fn of_ends(&mut self, field: &Field) {
         for (horizon, &half) in self.edges.iter_mut().zip(field.edges()) {
@@ -228,6 +261,6 @@ impl Row<'_> {
 
 /// One of the three ways.
 trait Finder: Sync {
-    /// Fills in all horizons of one sector.
-    fn sector(&self, sectors: &Sectors, sector: u32, row: &mut Row<'_>);
+    /// Fills in all horizons of one sector, a row a reach.
+    fn sector(&self, sectors: &Sectors, sector: u32, rows: &mut [Row<'_>]);
 }

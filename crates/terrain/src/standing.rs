@@ -18,7 +18,7 @@ pub struct Stand {
     circle: Circle,
     /// Its lowest place, metres up.
     low: f64,
-    /// One a sector.
+    /// One for each reach of each sector.
     regions: Vec<Region>,
 }
 
@@ -36,7 +36,8 @@ impl Terrain {
         let horizons = find(self.field(), sectors, &tops, done);
         let stand = |(at, top): (usize, &[DVec3; 4])| {
             let rows = horizons.iter().skip(at).step_by(tops.len());
-            let region = |(sector, horizon): (u32, &Horizon)| {
+            let region = |(row, horizon): (u32, &Horizon)| {
+                let sector = row / sectors.reaches();
                 Region::around(top.map(|corner| (corner, *horizon)), &sectors, sector)
             };
             Stand {

@@ -142,8 +142,8 @@ fn a_block_with_a_margin_as_wide_as_the_field_has_the_horizons_of_the_whole() {
             .unwrap();
         for sector in 0..16 {
             let [a, b] = [
-                whole.at(same as u32, sector),
-                wide.at(vertex as u32, sector),
+                whole.at(same as u32, sector, 0),
+                wide.at(vertex as u32, sector, 0),
             ];
             claims += usize::from(a.slope.is_finite());
             assert!(

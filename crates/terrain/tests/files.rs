@@ -30,7 +30,7 @@ static MADE: LazyLock<Made> = LazyLock::new(|| {
     let points = near.points().iter().map(|point| *point + far);
     let field = Field::new(points.collect(), near.triangles().to_vec()).unwrap();
     let options = TerrainOptions {
-        sectors: Sectors::new(8, 4).unwrap(),
+        sectors: Sectors::new(8, 4).unwrap().with_reaches(2).unwrap(),
         method: Method::Sound,
         groups: Some(GroupOptions {
             seeds: 24,
@@ -80,7 +80,7 @@ fn rows() -> Rows {
         circles: next(count * 24),
         heights: next(count * 16),
         points: next(field.points().len() * 12),
-        regions: next(count * 8 * 36),
+        regions: next(count * 8 * 2 * 36),
         triangles: next(field.triangles().len() * 12),
         ranges: next(count * 8),
         children: next(count * 8),
@@ -158,6 +158,23 @@ fn any_reader_shows_the_mesh_and_requires_nothing() {
     assert!(!text.contains("extensionsRequired"));
 }
 
+#[test]
+fn a_file_of_the_first_version_has_one_reach() {
+    let options = TerrainOptions {
+        sectors: Sectors::default().with_reaches(1).unwrap(),
+        ..TerrainOptions::default()
+    };
+    let field = ridged(4, 10.0, 40.0, 3);
+    let terrain = Terrain::prepare(field, &options, &|| ()).unwrap();
+    let mut scene = Scene::new();
+    let shown = terrain.show_lit(&mut scene).unwrap();
+    let mut said = terrain.attachment(&shown).unwrap();
+    said.facts.insert("version".to_owned(), 1.into());
+    said.facts.remove("reaches");
+    let (read, _) = Terrain::read(&scene, &said).unwrap();
+    assert!(read.groups() == terrain.groups());
+}
+
 /// What reading says of a scene and an attachment that were changed.
 fn refused(change: impl FnOnce(&mut Scene, &mut Attachment)) -> String {
     let (mut scene, mut said) = (MADE.scene.clone(), MADE.said.clone());
@@ -180,13 +197,21 @@ fn facts_that_cannot_be_are_refused() {
             said.facts.insert(name.to_owned(), value);
         }
     };
-    refuses("version 2", set("version", 2.into()));
+    refuses("version 3", set("version", 3.into()));
     refuses("version 0", set("version", 0.into()));
     refuses("no number \"version\"", set("version", "1".into()));
     refuses("\"method\"", set("method", "magic".into()));
     refuses("4 to 1024", set("sectors", 3.into()));
     refuses("4 to 1024", set("sectors", u32::MAX.wrapping_sub(1).into()));
     refuses("1 to 1024", set("parts", 0.into()));
+    refuses("1 to 8", set("reaches", 0.into()));
+    refuses("1 to 8", set("reaches", 9.into()));
+    refuses("counted", set("reaches", u64::MAX.into()));
+    refuses("where it counts", set("reaches", 3.into()));
+    refuses("where it counts", set("version", 1.into()));
+    refuses("no number \"reaches\"", |_, said| {
+        said.facts.remove("reaches");
+    });
     for name in [
         "vertices",
         "triangles",

@@ -10,7 +10,18 @@ use rand_pcg::Pcg32;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
 fn find(field: &Field, sectors: (u32, u32), method: Method, scope: Scope) -> Horizons {
+    find_within(field, sectors, 1, method, scope)
+}
+
+fn find_within(
+    field: &Field,
+    sectors: (u32, u32),
+    reaches: u32,
+    method: Method,
+    scope: Scope,
+) -> Horizons {
     let sectors = Sectors::new(sectors.0, sectors.1).unwrap();
+    let sectors = sectors.with_reaches(reaches).unwrap();
     Horizons::find(field, sectors, method, scope, &|| ())
 }
 
@@ -60,6 +71,45 @@ fn sound_horizons_cull_nothing_visible_and_find_most_of_what_is_hidden() {
     }
 }
 
+#[test]
+fn horizons_of_several_reaches_find_more_and_cull_nothing_visible() {
+    let field = support::shaken(5, 30.0, 300.0, 42);
+    let [near, far] = [4, 1].map(|reaches| {
+        let scope = Scope::Surface;
+        let horizons = find_within(&field, (16, 4), reaches, Method::Sound, scope);
+        let points = tally(&field, &horizons, 20_000, 1);
+        let edges = tally_edges(&field, &horizons, 20_000, 1);
+        assert_eq!([points.wrong, edges.wrong], [0, 0], "{reaches}");
+        [points.found, edges.found]
+    });
+    assert!(near[0] * 20 > far[0] * 21, "{near:?} {far:?}");
+    assert!(near[1] > far[1], "{near:?} {far:?}");
+}
+
+#[test]
+fn a_reach_holds_the_highest_of_what_is_nearer() {
+    let field = support::shaken(4, 30.0, 120.0, 6);
+    let sectors = Sectors::new(16, 1).unwrap().with_reaches(3).unwrap();
+    let horizons = Horizons::find(&field, sectors, Method::Rays, Scope::Vertices, &|| ());
+    let [low, high] = field.plan_bounds();
+    for vertex in 0..field.points().len() as u32 {
+        for (sector, reach) in (0..16).flat_map(|sector| (0..3).map(move |reach| (sector, reach))) {
+            let most = sectors.reach(reach, (high - low).length());
+            let found = horizons.at(vertex, sector, reach);
+            match steepest(&field, vertex, sectors.middle(sector, 0), most) {
+                Some((slope, _)) => {
+                    assert!(
+                        (f64::from(found.slope) - slope).abs() < 1e-5,
+                        "{found:?} {slope}"
+                    );
+                    assert!(f64::from(found.distance) < most + 0.01, "{found:?} {most}");
+                }
+                None => assert_eq!(found, Horizon::OPEN),
+            }
+        }
+    }
+}
+
 /// Whether an edge's horizon hides both of its ends, and so all of it.
 fn is_hidden(field: &Field, horizons: &Horizons, edge: u32, camera: DVec3) -> bool {
     let away = field
@@ -68,9 +118,11 @@ fn is_hidden(field: &Field, horizons: &Horizons, edge: u32, camera: DVec3) -> bo
     let [first, last] = away.map(|away| horizons.sectors().containing(away.truncate()));
     first == last
         && first.is_some_and(|sector| {
-            let horizon = horizons.along(edge, sector);
-            away.iter()
-                .all(|away| horizon.hides(away.truncate().length(), away.z))
+            (0..horizons.sectors().reaches()).any(|reach| {
+                let horizon = horizons.along(edge, sector, reach);
+                away.iter()
+                    .all(|away| horizon.hides(away.truncate().length(), away.z))
+            })
         })
 }
 
@@ -127,8 +179,8 @@ fn the_thesis_culls_what_is_visible_where_sectors_are_wide() {
     assert!(narrow.wrong * 10 < wide.wrong, "{narrow:?} {wide:?}");
 }
 
-/// The steepest line from a vertex to any edge along a direction.
-fn steepest(field: &Field, vertex: u32, way: DVec2) -> Option<(f64, f64)> {
+/// The steepest line from a vertex to any edge along a direction, `most` metres away at most.
+fn steepest(field: &Field, vertex: u32, way: DVec2, most: f64) -> Option<(f64, f64)> {
     let from = field.point(vertex);
     let crossings = field.edges().iter().filter_map(|&half| {
         let [a, b] = field.ends(half);
@@ -138,7 +190,7 @@ fn steepest(field: &Field, vertex: u32, way: DVec2) -> Option<(f64, f64)> {
         }
         let at = a.lerp(b, left / (left - right)) - from;
         let far = way.dot(at.truncate());
-        (far > 0.01).then(|| (at.z / far, far))
+        (far > 0.01 && far <= most).then(|| (at.z / far, far))
     });
     crossings.max_by(|a, b| a.0.total_cmp(&b.0))
 }
@@ -150,8 +202,8 @@ fn rays_find_the_steepest_line_of_all() {
     let horizons = Horizons::find(&field, sectors, Method::Rays, Scope::Vertices, &|| ());
     for vertex in 0..field.points().len() as u32 {
         for sector in 0..37 {
-            let found = horizons.at(vertex, sector);
-            match steepest(&field, vertex, sectors.middle(sector, 0)) {
+            let found = horizons.at(vertex, sector, 0);
+            match steepest(&field, vertex, sectors.middle(sector, 0), f64::INFINITY) {
                 Some((slope, far)) => {
                     assert!(
                         (f64::from(found.slope) - slope).abs() < 1e-5,
@@ -191,7 +243,7 @@ fn the_thesis_finds_the_highest_vertex_of_each_sub_sector() {
                 });
                 lowest = lowest.min(steep.fold(f64::NEG_INFINITY, f64::max));
             }
-            let found = f64::from(horizons.at(vertex, sector).slope);
+            let found = f64::from(horizons.at(vertex, sector, 0).slope);
             assert!(
                 found == lowest || (found - lowest).abs() < 1e-5,
                 "{found} {lowest}"
@@ -204,8 +256,11 @@ fn the_thesis_finds_the_highest_vertex_of_each_sub_sector() {
 fn the_same_field_has_the_same_horizons() {
     let field = support::shaken(4, 30.0, 120.0, 5);
     for method in Method::ALL {
-        let [first, second] = [(), ()].map(|()| find(&field, (16, 4), method, Scope::Surface));
+        let [first, second] =
+            [(), ()].map(|()| find_within(&field, (16, 4), 3, method, Scope::Surface));
         assert!(first == second);
+        let reaches = if method == Method::Thesis { 1 } else { 3 };
+        assert_eq!(first.sectors().reaches(), reaches);
     }
 }
 
@@ -277,11 +332,11 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn awkward_fields_have_sound_horizons(kind in 0_u32..10, seed in 0_u64..1000, sectors in 0_usize..3, surface: bool) {
+    fn awkward_fields_have_sound_horizons(kind in 0_u32..10, seed in 0_u64..1000, sectors in 0_usize..3, reaches in 1_u32..5, surface: bool) {
         let field = awkward(kind, seed);
         let sectors = [(4, 1), (8, 3), (16, 4)][sectors];
         let scope = if surface { Scope::Surface } else { Scope::Vertices };
-        let horizons = find(&field, sectors, Method::Sound, scope);
+        let horizons = find_within(&field, sectors, reaches, Method::Sound, scope);
         let sights = Sights::new(&field);
         let mut chance = Pcg32::seed_from_u64(seed);
         let vertices = field.points().len() as u32;

@@ -11,9 +11,10 @@ use proptest::prelude::*;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
-fn prepared(field: Field, sectors: (u32, u32)) -> Terrain {
+fn prepared(field: Field, sectors: (u32, u32), reaches: u32) -> Terrain {
+    let sectors = Sectors::new(sectors.0, sectors.1).unwrap();
     let options = TerrainOptions {
-        sectors: Sectors::new(sectors.0, sectors.1).unwrap(),
+        sectors: sectors.with_reaches(reaches).unwrap(),
         method: Method::Sound,
         groups: Some(GroupOptions {
             seeds: 4,
@@ -123,14 +124,18 @@ fn boxes(terrain: &Terrain, count: usize, wide: f64, seed: u64) -> Vec<[DVec3; 2
 
 #[test]
 fn no_place_of_a_hidden_box_is_seen_and_a_share_of_the_hidden_is_found() {
-    let terrain = prepared(support::ridged(5, 30.0, 150.0, 42), (16, 8));
-    for (wide, least) in [(8.0, 0.65), (40.0, 0.5), (300.0, 0.1)] {
-        let boxes = boxes(&terrain, 120, wide, 3);
-        let tally = tally(&terrain, &boxes, 60, 4);
-        assert!(tally.wrong.is_empty(), "{wide}: {:?}", tally.wrong);
-        let share = tally.found as f64 / tally.hidden as f64;
-        assert!(share > least, "{wide}: {share} of {}", tally.hidden);
-    }
+    let [far, near] = [1, 3].map(|reaches| {
+        let terrain = prepared(support::ridged(5, 30.0, 150.0, 42), (16, 8), reaches);
+        [(8.0, 0.65), (40.0, 0.5), (300.0, 0.1)].map(|(wide, least)| {
+            let boxes = boxes(&terrain, 120, wide, 3);
+            let tally = tally(&terrain, &boxes, 60, 4);
+            assert!(tally.wrong.is_empty(), "{wide}: {:?}", tally.wrong);
+            let share = tally.found as f64 / tally.hidden as f64;
+            assert!(share > least, "{wide}: {share} of {}", tally.hidden);
+            share
+        })
+    });
+    assert!(near > far, "{near:?} {far:?}");
 }
 
 proptest! {
@@ -140,9 +145,10 @@ proptest! {
     fn nothing_that_is_seen_is_hidden_on_any_terrain(
         seed in 0_u64..1000,
         sectors in prop::sample::select(vec![(4, 1), (8, 3), (32, 2)]),
+        reaches in 1_u32..4,
         wide in prop::sample::select(vec![0.0, 5.0, 60.0, 2000.0]),
     ) {
-        let terrain = prepared(support::shaken(4, 30.0, 200.0, seed), sectors);
+        let terrain = prepared(support::shaken(4, 30.0, 200.0, seed), sectors, reaches);
         let tally = tally(&terrain, &boxes(&terrain, 40, wide, seed), 20, seed + 1);
         prop_assert!(tally.wrong.is_empty(), "{:?}", tally.wrong);
     }
@@ -156,7 +162,7 @@ fn ridge() -> Terrain {
             *height = (60.0 - 30.0 * (column as f64 - 16.0).abs()).max(0.0);
         }
     }
-    prepared(support::grid(&heights, 30.0, 1.0), (32, 4))
+    prepared(support::grid(&heights, 30.0, 1.0), (32, 4), 2)
 }
 
 /// A box of `size` metres around a place of the ridge's field, whose middle is its origin in the plan.
@@ -235,7 +241,7 @@ fn what_is_no_box_is_hidden_from_nobody() {
 
 #[test]
 fn boxes_are_judged_each_by_itself() {
-    let terrain = prepared(support::ridged(4, 30.0, 150.0, 8), (16, 4));
+    let terrain = prepared(support::ridged(4, 30.0, 150.0, 8), (16, 4), 1);
     let boxes = boxes(&terrain, 30, 30.0, 5);
     let together = terrain.stand(&boxes, &|| ());
     for (at, of) in boxes.iter().enumerate() {

@@ -46,8 +46,12 @@ pub fn scene(args: &PrepareArgs) -> Result<(), Failure> {
 fn say(args: &PrepareArgs, terrain: &Terrain) {
     let (field, groups) = (terrain.field(), terrain.groups());
     let crystals = groups.groups().iter().filter(|group| group.is_leaf());
+    let reaches = match groups.sectors().reaches() {
+        1 => String::new(),
+        reaches => format!(" with {reaches} reaches"),
+    };
     println!(
-        "{}: {} vertices and {} triangles; {} groups that hide together, {} triangles in none; horizons in {} sectors of {}, {}",
+        "{}: {} vertices and {} triangles; {} groups that hide together, {} triangles in none; horizons in {} sectors of {}, {}{reaches}",
         args.output.display(),
         field.points().len(),
         field.triangles().len(),
@@ -107,5 +111,6 @@ fn built_in(named: &str, args: &PrepareArgs) -> Result<PreparedScene, Failure> {
 fn sectors(wanted: &TerrainArgs, other: Sectors) -> Result<Sectors, Failure> {
     let count = wanted.sectors.unwrap_or(other.count());
     let parts = wanted.parts.unwrap_or(other.parts());
-    Ok(Sectors::new(count, parts)?)
+    let reaches = wanted.reaches.unwrap_or(other.reaches());
+    Ok(Sectors::new(count, parts)?.with_reaches(reaches)?)
 }

@@ -8,7 +8,16 @@ use rand_pcg::Pcg32;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
 
-use crate::tables::SETTINGS;
+use crate::tables::{REACHES, SETTINGS};
+
+/// The methods in the order of the columns, with how many reaches.
+const METHODS: [(Method, u32); 5] = [
+    (Method::Thesis, 1),
+    (Method::Rays, 1),
+    (Method::Rays, REACHES),
+    (Method::Sound, 1),
+    (Method::Sound, REACHES),
+];
 
 /// How many pairs.
 const PAIRS: usize = 100_000;
@@ -51,16 +60,12 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
     let blocked = hidden.iter().filter(|hidden| **hidden).count();
     println!("{PAIRS} pairs (seed {SEED}), {blocked} of them hidden.\n");
     println!(
-        "| sectors / sub-sectors | method | visible ones said to be hidden | hidden ones found |\n|---|---|---|---|"
+        "| sectors / sub-sectors | method | reaches | visible ones said to be hidden | hidden ones found |\n|---|---|---|---|---|"
     );
     for [count, parts] in SETTINGS.into_iter().chain([[16, 16]]) {
-        let sectors = Sectors::new(count, parts)?;
-        for (method, scope) in [
-            (Method::Thesis, Scope::Vertices),
-            (Method::Rays, Scope::Vertices),
-            (Method::Sound, Scope::Vertices),
-        ] {
-            let horizons = Horizons::find(field, sectors, method, scope, &|| ());
+        for (method, reaches) in METHODS {
+            let sectors = Sectors::new(count, parts)?.with_reaches(reaches)?;
+            let horizons = Horizons::find(field, sectors, method, Scope::Vertices, &|| ());
             let (mut wrong, mut found) = (0, 0);
             for (&(vertex, eye), &hidden) in pairs.iter().zip(&hidden) {
                 let said = horizons.hides(field, vertex, eye);
@@ -68,7 +73,7 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
                 found += usize::from(said && hidden);
             }
             println!(
-                "| {count} / {parts} | {method}, {scope:?} | {wrong} ({:.2} %) | {:.1} % |",
+                "| {count} / {parts} | {method} | {reaches} | {wrong} ({:.2} %) | {:.1} % |",
                 100.0 * wrong as f64 / (PAIRS - blocked) as f64,
                 100.0 * found as f64 / blocked as f64,
             );

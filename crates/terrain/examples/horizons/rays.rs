@@ -5,6 +5,7 @@ use std::error::Error;
 use antumbra_terrain::{Field, Horizons, Method, Scope, Sectors};
 
 use crate::clock::Clock;
+use crate::tables::REACHES;
 
 pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
     println!(
@@ -14,12 +15,16 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
     let large = field.points().len() > 200_000;
     let sectors = Sectors::new(16, if large { 1 } else { 4 })?;
     let questions = field.points().len() as f64 * f64::from(sectors.count() * sectors.parts());
-    for (method, scope) in [
-        (Method::Thesis, Scope::Vertices),
-        (Method::Rays, Scope::Vertices),
-        (Method::Sound, Scope::Vertices),
-        (Method::Sound, Scope::Surface),
+    for (method, scope, reaches) in [
+        (Method::Thesis, Scope::Vertices, 1),
+        (Method::Rays, Scope::Vertices, 1),
+        (Method::Rays, Scope::Vertices, REACHES),
+        (Method::Sound, Scope::Vertices, 1),
+        (Method::Sound, Scope::Vertices, REACHES),
+        (Method::Sound, Scope::Surface, 1),
+        (Method::Sound, Scope::Surface, REACHES),
     ] {
+        let sectors = sectors.with_reaches(reaches)?;
         if large && scope == Scope::Surface {
             continue;
         }
@@ -38,7 +43,7 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
         }
         let [one, two] = walls;
         println!(
-            "| {method}, {scope:?} | {each:.2} | {one:.2} | {two:.2} | {:.2} |",
+            "| {method}, {scope:?}, reaches {reaches} | {each:.2} | {one:.2} | {two:.2} | {:.2} |",
             one / two
         );
     }

@@ -9,6 +9,9 @@ use crate::clock::Clock;
 /// Sectors and sub-sectors of each.
 pub const SETTINGS: [[u32; 2]; 7] = [[8, 1], [8, 2], [8, 4], [8, 8], [16, 4], [32, 2], [64, 1]];
 
+/// How many reaches the other tables have besides one.
+pub const REACHES: u32 = 5;
+
 /// The methods in the order of the columns.
 const METHODS: [(Method, Scope); 4] = [
     (Method::Thesis, Scope::Surface),

@@ -9,7 +9,7 @@ use antumbra_terrain::{
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::tables;
+use crate::tables::{self, REACHES};
 
 /// Metres that somebody's eyes are above the ground.
 const EYES: f64 = 2.0;
@@ -75,14 +75,14 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
         .map(|(name, eye)| (name, eye, seen(field, eye)))
         .collect();
     println!(
-        "| sectors / sub-sectors | seeds | groups | triangles a group, median | over 130 | always drawn | hidden of valley, slope, peak | of those culled | seen and culled | µs a frame |\n|---|---|---|---|---|---|---|---|---|---|"
+        "| sectors / sub-sectors | reaches | seeds | groups | triangles a group, median | over 130 | always drawn | hidden of valley, slope, peak | of those culled | seen and culled | µs a frame |\n|---|---|---|---|---|---|---|---|---|---|---|"
     );
     let thesis = tables::groups(field);
     let own = GroupOptions::for_triangles(field.triangles().len());
-    for [count, parts] in [[16, 4], [32, 4]] {
+    for [count, parts, reaches] in [[16, 4, 1], [16, 4, REACHES], [32, 4, 1], [32, 4, REACHES]] {
         let horizons = Horizons::find(
             field,
-            Sectors::new(count, parts)?,
+            Sectors::new(count, parts)?.with_reaches(reaches)?,
             Method::Sound,
             Scope::Surface,
             &|| (),
@@ -140,7 +140,7 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
                 );
             }
             println!(
-                "| {count} / {parts} | {} | {} | {} | {:.0} % | {:.1} % | {}| {}| {}| {times}|",
+                "| {count} / {parts} | {reaches} | {} | {} | {} | {:.0} % | {:.1} % | {}| {}| {}| {times}|",
                 options.seeds,
                 sizes.len(),
                 sizes.get(sizes.len() / 2).copied().unwrap_or_default(),

@@ -27,6 +27,7 @@ impl Layout {
             ("version", VERSION),
             ("sectors", self.sectors.count().into()),
             ("parts", self.sectors.parts().into()),
+            ("reaches", self.sectors.reaches().into()),
             ("vertices", self.vertices as u64),
             ("triangles", self.triangles as u64),
             ("groups", self.groups as u64),
@@ -47,9 +48,9 @@ impl Layout {
         };
         // Before all else: what other versions have is theirs to say.
         let version = number("version")?;
-        if version != VERSION {
+        if !(1..=VERSION).contains(&version) {
             return Err(bad(format!(
-                "it is of version {version}, and {VERSION} alone is known here"
+                "it is of version {version}, and 1 to {VERSION} are known here"
             )));
         }
         let count = |name: &str| {
@@ -60,13 +61,16 @@ impl Layout {
             Ok::<_, TerrainError>(count)
         };
         let size = |name: &str| Ok::<_, TerrainError>(count(name)? as usize);
+        // The first version knows of one alone.
+        let reaches = if version == 1 { 1 } else { count("reaches")? };
+        let sectors = Sectors::new(count("sectors")?, count("parts")?)
+            .and_then(|sectors| sectors.with_reaches(reaches));
         let method = facts.get("method").and_then(Value::as_str);
         let method = method.and_then(|method| method.parse().ok());
         Ok(Self {
             method: method
                 .ok_or_else(|| bad("its \"method\" is none of sound, rays and thesis"))?,
-            sectors: Sectors::new(count("sectors")?, count("parts")?)
-                .map_err(|error| bad(error.to_string()))?,
+            sectors: sectors.map_err(|error| bad(error.to_string()))?,
             vertices: size("vertices")?,
             triangles: size("triangles")?,
             groups: size("groups")?,
@@ -76,9 +80,9 @@ impl Layout {
         })
     }
 
-    /// A region for each group and sector.
+    /// A region for each group, sector and reach.
     pub(super) fn regions(&self) -> usize {
-        self.groups * self.sectors.count() as usize
+        self.groups * self.sectors.rows()
     }
 
     /// Whether so many bytes are what it counts.

@@ -6,6 +6,7 @@
 
 use glam::{DVec2, DVec3, Vec4};
 
+use super::Sectors;
 use crate::field::{Field, NONE};
 use crate::packed::{WIDTH, order};
 
@@ -18,8 +19,8 @@ pub(super) struct Edges {
     ends: Vec<[u32; 2]>,
     /// For each half-edge with a name in `halves`, where it stands there.
     places: Vec<u32>,
-    /// Closer than this, nothing is told apart from the vertex itself, metres.
-    close: f32,
+    /// From corner to corner, metres.
+    across: f64,
 }
 
 impl Edges {
@@ -50,8 +51,19 @@ impl Edges {
             halves,
             ends,
             places,
-            close: (high - low).length() as f32 / 1e6,
+            across: (high - low).length(),
         }
+    }
+
+    /// Closer than this, nothing is told apart from the vertex itself, metres.
+    fn close(&self) -> f32 {
+        self.across as f32 / 1e6
+    }
+
+    /// How far each reach goes, metres.
+    pub fn reaches(&self, sectors: &Sectors) -> Vec<f32> {
+        let reach = |reach| sectors.reach(reach, self.across) as f32;
+        (0..sectors.reaches()).map(reach).collect()
     }
 
     /// The half-edge that stands at a place.
@@ -89,16 +101,17 @@ impl FourEdges {
         up: [Vec4::NAN; 2],
     };
 
-    /// How steeply the line from a vertex to each edge rises, where the vertex's line crosses it.
+    /// How steeply the line from a vertex to each edge rises, where the vertex's line crosses it between two distances.
     #[inline(always)]
-    fn slopes(&self, [along, across, up]: [Vec4; 3], close: Vec4) -> Vec4 {
+    fn slopes(&self, [along, across, up]: [Vec4; 3], [close, reach]: [Vec4; 2]) -> Vec4 {
         let [left, right] = [across - self.across[0], self.across[1] - across];
         let same = (left * right).cmpge(Vec4::ZERO);
         let [left, right] = [left.abs(), right.abs()];
         // Both times the width of the edge, to divide once.
         let far = (self.along[0] - along) * right + (self.along[1] - along) * left;
         let rise = (self.up[0] - up) * right + (self.up[1] - up) * left;
-        let crosses = same & far.cmpgt(close * (left + right));
+        let width = left + right;
+        let crosses = same & far.cmpgt(close * width) & far.cmple(reach * width);
         Vec4::select(crosses, rise / far, Vec4::splat(LOWEST))
     }
 }
@@ -111,16 +124,17 @@ impl FourBoxes {
     };
 
     /// How far the tops of the boxes reach above a line that rises by `slope`, metres: where that is more than 0, a line to what is in the
-    /// box may rise more steeply. [`LOWEST`] for boxes that the vertex's line misses.
+    /// box may rise more steeply. [`LOWEST`] for boxes that the vertex's line misses between two distances.
     #[inline(always)]
-    fn above(&self, [along, across, up]: [Vec4; 3], close: Vec4, slope: f32) -> Vec4 {
+    fn above(&self, [along, across, up]: [Vec4; 3], [close, reach]: [Vec4; 2], slope: f32) -> Vec4 {
         let near = (self.along[0] - along).max(close);
-        let far = self.along[1] - along;
+        let far = (self.along[1] - along).min(reach);
         // A line that rises is lowest at the box's near end, one that falls at its far end.
         let line = if slope >= 0.0 { near } else { far };
         let above = self.top - up - line * slope;
         let beside = across.cmpge(self.across[0]) & across.cmple(self.across[1]);
-        Vec4::select(beside & far.cmpgt(close), above, Vec4::splat(LOWEST))
+        let within = far.cmpgt(close) & near.cmple(reach);
+        Vec4::select(beside & within, above, Vec4::splat(LOWEST))
     }
 
     /// Fits box `k` around four edges.
@@ -213,26 +227,37 @@ impl<'a> Bearing<'a> {
         }
     }
 
-    /// The edge, as its half-edge, to which the line from a vertex rises most steeply; [`NONE`] if nothing lies that way. Edges that
-    /// may stand as high, because they do from a neighbour or did in a neighbouring direction, make it faster.
-    pub fn highest(&mut self, vertex: u32, likely: [u32; 2]) -> u32 {
-        self.highest_from(self.vertices[vertex as usize], self.edges.close, likely)
+    /// The edge, as its half-edge, to which the line from a vertex rises most steeply, of those no farther away than `reach` metres; [`NONE`] if
+    /// nothing lies there. Edges that may stand as high, because they do from a neighbour or did in a neighbouring direction, make it faster.
+    pub fn highest(&mut self, vertex: u32, reach: f32, likely: [u32; 2]) -> u32 {
+        let between = [self.edges.close(), reach];
+        self.highest_from(self.vertices[vertex as usize], between, likely)
     }
 
-    /// The same from any place, of what lies farther along the direction, which this one was turned to, than `beyond` metres.
-    pub fn highest_beyond(&mut self, way: DVec2, from: DVec3, beyond: f64) -> u32 {
+    /// Whether the line from a vertex crosses an edge no farther away than `reach` metres: if it is the highest of a farther reach, it is the
+    /// highest of this one too.
+    pub fn is_within(&self, vertex: u32, half: u32, reach: f32) -> bool {
+        let place = self.edges.places[half as usize] as usize;
+        let eye = self.vertices[vertex as usize].map(Vec4::splat);
+        let between = [self.edges.close(), reach].map(Vec4::splat);
+        self.fours[place / WIDTH].slopes(eye, between)[place % WIDTH] > LOWEST
+    }
+
+    /// The same as [`Self::highest`] from any place, of what lies farther along the direction, which this one was turned to, than `beyond` metres and
+    /// no farther than `reach`.
+    pub fn highest_beyond(&mut self, way: DVec2, from: DVec3, beyond: f64, reach: f32) -> u32 {
         let plan = from.truncate();
         let eye = [way.dot(plan), way.perp_dot(plan), from.z].map(|number| number as f32);
-        let close = beyond.max(0.0) as f32 + self.edges.close;
-        self.highest_from(eye, close, [NONE; 2])
+        let close = beyond.max(0.0) as f32 + self.edges.close();
+        self.highest_from(eye, [close, reach], [NONE; 2])
     }
 
-    fn highest_from(&mut self, eye: [f32; 3], close: f32, likely: [u32; 2]) -> u32 {
+    fn highest_from(&mut self, eye: [f32; 3], between: [f32; 2], likely: [u32; 2]) -> u32 {
         let eye = eye.map(Vec4::splat);
-        let close = Vec4::splat(close);
+        let between = between.map(Vec4::splat);
         let (mut best, mut found) = (LOWEST, NONE);
         let mut look = |four: u32, best: &mut f32| {
-            let slopes = self.fours[four as usize].slopes(eye, close);
+            let slopes = self.fours[four as usize].slopes(eye, between);
             let highest = slopes.max_element();
             if highest > *best {
                 *best = highest;
@@ -255,7 +280,7 @@ impl<'a> Bearing<'a> {
                 look(node - self.leaves, &mut best);
                 continue;
             }
-            let above = self.boxes[node as usize].above(eye, close, best);
+            let above = self.boxes[node as usize].above(eye, between, best);
             // Without a branch that depends on the terrain; then what stands out most is put last, to be opened first.
             let (mut most, mut last) = (0.0, count);
             let first = count;

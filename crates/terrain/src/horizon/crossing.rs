@@ -6,7 +6,7 @@ use crate::field::around;
 use crate::field::{Field, NONE};
 
 /// A place on an edge.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Crossing {
     /// The edge.
     pub half: u32,

@@ -1,4 +1,4 @@
-//! Sectors of directions, and the sub-sectors that they are found by.
+//! Sectors of directions, the sub-sectors that they are found by, and the reaches within which they are looked for.
 
 use std::f64::consts::TAU;
 
@@ -6,12 +6,19 @@ use glam::DVec2;
 
 use crate::error::TerrainError;
 
+/// How many times nearer each reach is than the one before it: what found most with three to six of them.
+const NEARER: f64 = 2.25;
+
 /// Directions in the plan divided into equal sectors, each of equal sub-sectors. Sector 0 begins in the east; they follow each other
 /// counter-clockwise, towards the north.
+///
+/// In each sector a horizon is found for one or several *reaches*: for the first out of all there is, for the others out of what lies nearer.
+/// The highest ridge is often a far one, and says nothing of whoever is nearer than that; the highest of the near ones does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Sectors {
     count: u32,
     parts: u32,
+    reaches: u32,
 }
 
 impl Default for Sectors {
@@ -19,30 +26,42 @@ impl Default for Sectors {
         Self {
             count: 32,
             parts: 4,
+            reaches: 1,
         }
     }
 }
 
 impl Sectors {
-    /// So many sectors of so many sub-sectors each.
+    /// The most reaches.
+    pub const MOST_REACHES: u32 = 8;
+
+    /// So many sectors of so many sub-sectors each, with one reach.
     ///
     /// # Errors
     /// [`TerrainError::Setting`] for fewer than 4 sectors or more than 1024, no sub-sector or more than 1024 of them.
     pub fn new(count: u32, parts: u32) -> Result<Self, TerrainError> {
-        let refuse = |what, value: u32, problem| {
-            Err(TerrainError::Setting {
-                what,
-                value: value.to_string(),
-                problem,
-            })
-        };
         if !(4..=1024).contains(&count) {
             return refuse("the number of sectors", count, "give 4 to 1024");
         }
         if !(1..=1024).contains(&parts) {
             return refuse("the number of sub-sectors", parts, "give 1 to 1024");
         }
-        Ok(Self { count, parts })
+        Ok(Self {
+            count,
+            parts,
+            reaches: 1,
+        })
+    }
+
+    /// The same with so many reaches.
+    ///
+    /// # Errors
+    /// [`TerrainError::Setting`] for none, or more than [`Self::MOST_REACHES`].
+    pub fn with_reaches(self, reaches: u32) -> Result<Self, TerrainError> {
+        if !(1..=Self::MOST_REACHES).contains(&reaches) {
+            return refuse("the number of reaches", reaches, "give 1 to 8");
+        }
+        Ok(Self { reaches, ..self })
     }
 
     /// How many sectors there are.
@@ -55,6 +74,32 @@ impl Sectors {
     #[must_use]
     pub fn parts(&self) -> u32 {
         self.parts
+    }
+
+    /// The same with the first reach alone.
+    pub(crate) fn far(self) -> Self {
+        Self { reaches: 1, ..self }
+    }
+
+    /// How many reaches there are.
+    #[must_use]
+    pub fn reaches(&self) -> u32 {
+        self.reaches
+    }
+
+    /// How far a reach goes, metres, in a field that is `across` metres from corner to corner: the first, 0, goes everywhere, the next as far as
+    /// four ninths of that, and so on.
+    #[must_use]
+    pub fn reach(&self, reach: u32, across: f64) -> f64 {
+        match reach {
+            0 => f64::INFINITY,
+            _ => across / NEARER.powi(reach as i32),
+        }
+    }
+
+    /// How many rows a table has that has one for each reach of each sector.
+    pub(crate) fn rows(&self) -> usize {
+        self.count as usize * self.reaches as usize
     }
 
     /// Half a sector, radians.
@@ -115,6 +160,14 @@ impl Sectors {
     }
 }
 
+fn refuse<T>(what: &'static str, value: u32, problem: &'static str) -> Result<T, TerrainError> {
+    Err(TerrainError::Setting {
+        what,
+        value: value.to_string(),
+        problem,
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -148,6 +201,10 @@ mod tests {
         for (count, parts) in [(0, 1), (3, 1), (1025, 1), (16, 0), (16, 1025)] {
             let error = Sectors::new(count, parts).unwrap_err().to_string();
             assert!(error.contains("1024"), "{error}");
+        }
+        for reaches in [0, 9, u32::MAX] {
+            let error = Sectors::default().with_reaches(reaches).unwrap_err();
+            assert!(error.to_string().contains("1 to 8"), "{error}");
         }
     }
 }

@@ -26,20 +26,18 @@ impl<'a> Sound<'a> {
         }
     }
 
-    /// Lowers the claims of all bundles to what they have in one sub-sector.
+    /// Lowers the claims of all bundles, one a reach, to what they have in one sub-sector.
     fn narrow(
         &self,
         sectors: &Sectors,
         [sector, part]: [u32; 2],
         seen: [&[u32]; 2],
-        row: &mut [Claim],
+        claims: &mut [Claim],
     ) {
         let field = self.field;
+        let reaches = sectors.reaches() as usize;
         let ways = [part, part + 1].map(|part| sectors.ray(sector, part));
-        for (bundle, claim) in row.iter_mut().enumerate() {
-            if claim.slope == f64::NEG_INFINITY {
-                continue;
-            }
+        for (bundle, claims) in claims.chunks_exact_mut(reaches).enumerate() {
             // Vertices first, then edges.
             let names = match bundle.checked_sub(field.points().len()) {
                 None => [bundle as u32; 2],
@@ -49,44 +47,92 @@ impl<'a> Sound<'a> {
                 }
             };
             let lines = Bundle::new(names.map(|vertex| field.point(vertex)), ways);
-            let highest = |side: usize, end: usize| {
-                let vertex = names[end];
-                let half = seen[side][vertex as usize];
-                resolve(field, field.point(vertex), ways[side], half)
-            };
-            let starts = lines.starts();
-            let at = [0, 1].map(|side| highest(side, starts[side]));
-            let ahead = [0, 1].map(|side| {
-                let new = names[0] != names[1] && starts[side] != lines.front();
-                new.then(|| highest(side, lines.front())).flatten()
-            });
-            let found = lines.claim(field, at, ahead, claim.slope);
-            claim.slope = claim.slope.min(found.slope);
-            claim.distance = claim.distance.max(found.distance);
+            let (starts, front) = (lines.starts(), lines.front());
+            let ends = [(0, starts[0]), (1, starts[1]), (0, front), (1, front)];
+            let mut found = [Claim::OPEN; Sectors::MOST_REACHES as usize];
+            let mut farther = None;
+            for ((reach, claim), new) in claims.iter().enumerate().zip(&mut found) {
+                if claim.slope == f64::NEG_INFINITY {
+                    continue;
+                }
+                let highest = |(side, end): (usize, usize)| {
+                    let half = seen[side][names[end] as usize * reaches + reach];
+                    (side, end, half)
+                };
+                let highest = ends.map(highest);
+                *new = match farther {
+                    // What stands highest is near enough: so do its walls.
+                    Some((same, found)) if same == highest => found,
+                    _ => self.walls(&lines, names, highest, claim.slope),
+                };
+                farther = Some((highest, *new));
+            }
+            // A wall through lower places may be the higher one in between, and what is near lies in the farther reaches too.
+            let mut nearer = Claim::OPEN;
+            for (claim, found) in claims.iter_mut().zip(found).rev() {
+                if found.slope > nearer.slope {
+                    nearer = found;
+                }
+                *claim = claim.and(nearer);
+            }
         }
+    }
+
+    /// The claim of the walls through what stands highest on a bundle's outermost lines, and on the lines from the end in front.
+    fn walls(
+        &self,
+        lines: &Bundle,
+        names: [u32; 2],
+        highest: [(usize, usize, u32); 4],
+        enough: f64,
+    ) -> Claim {
+        let [right, left, before, after] = highest;
+        let place = |(side, end, half): (usize, usize, u32)| {
+            resolve(
+                self.field,
+                self.field.point(names[end]),
+                lines.ways()[side],
+                half,
+            )
+        };
+        let ahead = |(side, end, half): (usize, usize, u32)| {
+            let new = names[0] != names[1] && lines.starts()[side] != end;
+            new.then(|| place((side, end, half))).flatten()
+        };
+        lines.claim(
+            self.field,
+            [right, left].map(place),
+            [before, after].map(ahead),
+            enough,
+        )
     }
 }
 
 impl Finder for Sound<'_> {
-    fn sector(&self, sectors: &Sectors, sector: u32, row: &mut Row<'_>) {
+    fn sector(&self, sectors: &Sectors, sector: u32, rows: &mut [Row<'_>]) {
         let field = self.field;
         let mut bearing = Bearing::new(&self.edges);
-        let vertices = field.points().len();
-        let mut seen = [vec![NONE; vertices], vec![NONE; vertices]];
-        let mut claims = vec![Claim::ALL; row.vertices.len() + row.edges.len()];
+        let reaches = self.edges.reaches(sectors);
+        let none = vec![NONE; field.points().len() * reaches.len()];
+        let mut seen = [none.clone(), none];
+        let claimed: usize = rows.iter().map(Row::len).sum();
+        let mut claims = vec![Claim::ALL; claimed];
         bearing.turn(field, sectors.ray(sector, 0));
-        look(&mut bearing, &mut seen[0]);
+        look(&mut bearing, &reaches, &mut seen[0]);
         for part in 0..sectors.parts() {
             let [before, after] = &mut seen;
             after.copy_from_slice(before);
             bearing.turn(field, sectors.ray(sector, part + 1));
-            look(&mut bearing, after);
+            look(&mut bearing, &reaches, after);
             self.narrow(sectors, [sector, part], [before, after], &mut claims);
             seen.swap(0, 1);
         }
-        let places = row.vertices.iter_mut().chain(row.edges.iter_mut());
-        for (horizon, claim) in places.zip(&claims) {
-            *horizon = rounded(*claim);
+        for (reach, row) in rows.iter_mut().enumerate() {
+            let places = row.vertices.iter_mut().chain(row.edges.iter_mut());
+            let claims = claims.iter().skip(reach).step_by(reaches.len());
+            for (horizon, claim) in places.zip(claims) {
+                *horizon = rounded(*claim);
+            }
         }
     }
 }

@@ -122,12 +122,13 @@ impl Thesis<'_> {
 }
 
 impl Finder for Thesis<'_> {
-    fn sector(&self, sectors: &Sectors, sector: u32, row: &mut Row<'_>) {
+    fn sector(&self, sectors: &Sectors, sector: u32, rows: &mut [Row<'_>]) {
+        // There is no more than one: hulls know of no reach.
+        let Some(row) = rows.first_mut() else {
+            return;
+        };
         let mut hulls = vec![Hull::new(); row.vertices.len() + 1];
-        row.vertices.fill(Horizon {
-            slope: f32::INFINITY,
-            distance: 0.0,
-        });
+        row.vertices.fill(Horizon::ALL);
         for part in 0..sectors.parts() {
             let ways = [
                 sectors.ray(sector, part),
