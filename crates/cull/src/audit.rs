@@ -92,17 +92,24 @@ impl FrameAudit {
     #[cfg(test)]
     pub(crate) fn made_up(
         frame: u64,
+        heaviest: f64,
         hits: impl Iterator<Item = (f64, bool)>,
         left_out: Option<f64>,
     ) -> Self {
         let hits = hits.map(|(pixels, doubtful)| Hit { pixels, doubtful });
         Self {
             frame,
+            heaviest,
             pixels: 100.0,
             hits: hits.collect(),
             left_out,
             ..Self::default()
         }
+    }
+
+    /// What a patch stands for that is wrong all over, in percent of the image; 0 where all were looked at.
+    pub(crate) fn heaviest_percent(&self) -> f64 {
+        self.heaviest / self.pixels.max(1.0) * 100.0
     }
 
     /// What was found where nothing below the threshold lies, and where something does.

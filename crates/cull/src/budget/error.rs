@@ -19,7 +19,9 @@ pub(super) struct ErrorKeeper {
     saved: f64,
     /// What was found of what was meant to be left out, and what was meant.
     doubtful: [f64; 2],
-    a_hit: f64,
+    /// What a patch stands for that is wrong all over, in percent of the image, and how much of one a hit mostly is.
+    patch: f64,
+    taint: f64,
     frames: u64,
 }
 
@@ -43,6 +45,8 @@ const CAREFUL: f64 = 0.5;
 const MEANT: f64 = 0.9;
 /// Frames in a row that another step must look better: changing costs a frame or two in which all is drawn.
 const PATIENCE: u32 = 8;
+/// How much of a patch a hit is believed to be before there was any.
+const TAINT: f64 = 0.05;
 /// Frames over which what was saved or overdrawn is made good.
 const HORIZON: f64 = 200.0;
 /// Frames until answers are about a new step.
@@ -65,7 +69,8 @@ impl ErrorKeeper {
             patience: 0,
             saved: 0.0,
             doubtful: [BELIEF * budget; 2],
-            a_hit: budget * 4.0,
+            patch: 100.0,
+            taint: TAINT,
             frames: 0,
         };
         keeper.at = keeper.best().0;
@@ -85,9 +90,14 @@ impl ErrorKeeper {
         let most = self.budget * HORIZON;
         self.saved = self.saved.clamp(-4.0 * most, most);
         let hits = plain.hits + doubtful.hits;
-        if hits > 0.0 {
-            let each = (plain.percent + doubtful.percent) / hits;
-            self.a_hit += (each - self.a_hit) * 0.1;
+        let patch = found.heaviest_percent();
+        self.patch = match self.frames {
+            0 => patch,
+            _ => self.patch + (patch - self.patch) * 0.05,
+        };
+        if hits > 0.0 && patch > 0.0 {
+            let each = (plain.percent + doubtful.percent) / hits / patch;
+            self.taint += (each.min(1.0) - self.taint) * 0.1;
         }
         let current = found.frame >= self.since;
         for (number, step) in self.steps.iter_mut().enumerate() {
@@ -130,12 +140,13 @@ impl ErrorKeeper {
             return (best, false);
         }
         let allowed = self.allowed();
+        let a_hit = (self.patch * self.taint).max(1e-6);
         let mut prior = self.budget * PRIOR;
         let mut urgent = false;
         let reach = self.at.step + 1;
         for (step, known) in self.steps.iter().enumerate().take(reach + 1).skip(1) {
-            let careful = known.base.careful(self.a_hit, prior, CAREFUL);
-            let mean = known.base.mean(self.a_hit, prior);
+            let careful = known.base.careful(a_hit, prior, CAREFUL);
+            let mean = known.base.mean(a_hit, prior);
             if careful <= allowed {
                 let allow = match known.has_dial {
                     true => self.left(allowed - mean),
@@ -191,7 +202,8 @@ mod tests {
                     .then_some((a_hit, doubtful))
             };
             let hits = [hit(base, false), hit(meant * times, true)];
-            let found = FrameAudit::made_up(frame, hits.into_iter().flatten(), Some(meant));
+            let found =
+                FrameAudit::made_up(frame, a_hit * 20.0, hits.into_iter().flatten(), Some(meant));
             keeper.note(&found, frame + 1);
         }
         (wrong / frames as f64, stood)
