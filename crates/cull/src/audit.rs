@@ -33,7 +33,7 @@ pub struct AuditOptions {
 impl Default for AuditOptions {
     fn default() -> Self {
         Self {
-            share: 0.02,
+            share: 0.04,
             seed: 0,
             census: false,
         }

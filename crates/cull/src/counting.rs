@@ -170,7 +170,10 @@ impl FrameGraph<'_> {
             let inside = || candidates.inside().iter().copied();
             let hides = |slot: &u32| table.is_occluder(*slot);
             let mut occluder_list = ctx.get_mut(occluders.list)?;
+            // Whoever stands between a mesh and its stand-in sees through the one and is blinded by the other: close by, nothing stands in.
+            let blinds = |slot: &u32| sorts && hiding.is_near(*slot);
             let hiders = hiding.inside().iter().copied().filter(hides);
+            let hiders = hiders.filter(|slot| !blinds(slot));
             if sorts {
                 front_to_back(&mut order, table, &*ctx.get(inputs.view)?, hiders);
                 let sorted = order.iter().map(|entry| *entry as u32);
@@ -184,9 +187,7 @@ impl FrameGraph<'_> {
                 let mut list = ctx.get_mut(others.list)?;
                 list.fill(
                     table,
-                    inside().filter(|slot| {
-                        !hides(slot) || hiding.inside().binary_search(slot).is_err()
-                    }),
+                    inside().filter(|slot| !hides(slot) || blinds(slot) || !hiding.contains(*slot)),
                     occludee,
                 );
                 ctx.upload(others.ids, 0, bytemuck::cast_slice(list.ids()))?;

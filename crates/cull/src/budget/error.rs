@@ -47,6 +47,8 @@ const MEANT: f64 = 0.9;
 const PATIENCE: u32 = 8;
 /// How much of a patch a hit is believed to be before there was any.
 const TAINT: f64 = 0.05;
+/// So many hits' worth may come any moment.
+const SURELY: f64 = 2.0;
 /// Frames over which what was saved or overdrawn is made good.
 const HORIZON: f64 = 200.0;
 /// Frames until answers are about a new step.
@@ -129,8 +131,17 @@ impl ErrorKeeper {
 
     /// What a frame may have wrong now.
     fn allowed(&self) -> f64 {
-        let owed = (self.saved / HORIZON).clamp(-self.budget, 0.5 * self.budget);
-        self.budget * MEANT + owed
+        // Where hits are rare and heavy, a row of frames without one has saved nothing yet.
+        let surely = match self.saved > 0.0 {
+            true => (self.saved - SURELY * self.a_hit()).max(0.0),
+            false => self.saved,
+        };
+        self.budget * MEANT + (surely / HORIZON).clamp(-self.budget, 0.5 * self.budget)
+    }
+
+    /// What a hit stands for, in percent of the image.
+    fn a_hit(&self) -> f64 {
+        (self.patch * self.taint).max(1e-6)
     }
 
     /// The fastest step that is believed to fit, among those up to the one after where it stands; and whether where it stands is far from fitting.
@@ -140,7 +151,7 @@ impl ErrorKeeper {
             return (best, false);
         }
         let allowed = self.allowed();
-        let a_hit = (self.patch * self.taint).max(1e-6);
+        let a_hit = self.a_hit();
         let mut prior = self.budget * PRIOR;
         let mut urgent = false;
         let reach = self.at.step + 1;
