@@ -2,10 +2,10 @@
 //! settings run beside them, so that the best of these, known only in hindsight, can be held against what a budget finds by itself.
 //!
 //! ```text
-//! cargo run --release --example keep_a_budget -- 1000 320x240 10 out/budget
+//! cargo run --release --example keep_a_budget -- 500 640x480 18 0.04 out/budget
 //! ```
 //!
-//! Frames, image size, entities along a side of the grid, and the folder for `report.json` and `report.html`.
+//! Frames, image size, entities along a side of the grid, the audit's share of triangles, and the folder for `report.json` and `report.html`.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -83,7 +83,7 @@ fn flights(scene: &Scene, frames: usize) -> Result<Path, Box<dyn Error>> {
     Ok(Path::new("flights", projection.ok_or("no frames")?, poses)?)
 }
 
-fn contenders() -> Result<Vec<Contender>, Box<dyn Error>> {
+fn contenders(share: f64) -> Result<Vec<Contender>, Box<dyn Error>> {
     let registry = Arc::new(Registry::built_in());
     let mut list = Vec::new();
     for name in ["frustum", "ideal"] {
@@ -99,7 +99,10 @@ fn contenders() -> Result<Vec<Contender>, Box<dyn Error>> {
             let budget = Budget::WrongPixels(budget);
             let label = format!("{latency} within {budget}");
             let within = Contender::of(label, &registry, &spec)?.within(budget);
-            list.push(within.audited(AuditOptions::default()));
+            list.push(within.audited(AuditOptions {
+                share,
+                ..AuditOptions::default()
+            }));
         }
     }
     Ok(list)
@@ -108,11 +111,12 @@ fn contenders() -> Result<Vec<Contender>, Box<dyn Error>> {
 fn main() -> Result<(), Box<dyn Error>> {
     let mut args = std::env::args().skip(1);
     let mut next = |usual: &str| args.next().unwrap_or_else(|| usual.to_owned());
-    let frames: usize = next("1000").parse()?;
-    let size = next("320x240");
+    let frames: usize = next("500").parse()?;
+    let size = next("640x480");
     let (wide, high) = size.split_once('x').ok_or("write the size as 320x240")?;
     let size = [wide.parse()?, high.parse()?];
-    let per_side = next("10").parse()?;
+    let per_side = next("18").parse()?;
+    let share = next("0.04").parse()?;
     let out = PathBuf::from(next("out/budget"));
 
     let gpu = Gpu::open(&AdapterChoice::Auto)?;
@@ -126,7 +130,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut script = Swinging::of(&scene);
     let options = CompareOptions {
         size,
-        command: format!("keep_a_budget {frames} {wide}x{high} {per_side}"),
+        command: format!("keep_a_budget {frames} {wide}x{high} {per_side} {share}"),
         scene_name: format!("grid:{per_side}, every ninth entity swinging"),
         // One flight is enough: a second one would be no unseen path.
         least_seconds: 0.0,
@@ -137,7 +141,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         &mut scene,
         &mut script,
         &path,
-        &contenders()?,
+        &contenders(share)?,
         &options,
         &mut |_| {},
     )?;

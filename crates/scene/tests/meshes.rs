@@ -351,3 +351,30 @@ fn transforms_that_leave_the_range_of_f64_have_no_box() {
         "a scale of zero is a point"
     );
 }
+
+#[test]
+fn the_boxes_of_entities_hold_the_proxies_that_their_meshes_are_given() {
+    let mut scene = Scene::new();
+    let sphere = icosphere(2, 1.0);
+    let mesh = scene.add_mesh(Mesh::new("sphere", sphere)).unwrap();
+    let material = scene.add_material(Material::default());
+    let entity = scene
+        .spawn(None, DAffine3::from_scale(DVec3::splat(3.0)))
+        .unwrap();
+    scene
+        .set_drawable(entity, Drawable { mesh, material })
+        .unwrap();
+    scene.update();
+    let before = scene.world_bounds(entity).unwrap();
+    scene.ensure_proxies(&ProxyOptions::default());
+    scene.update();
+    let after = scene.world_bounds(entity).unwrap();
+    let proxy = scene.mesh(mesh).unwrap().proxy.as_ref().unwrap();
+    let reach = proxy.bounds().unwrap().max.max_element() * 3.0;
+    // A closed proxy is grown: it reaches out of its mesh.
+    assert!(reach > before.max.max_element(), "{reach} and {before:?}");
+    assert!(
+        after.max.max_element() >= reach * 0.999_999,
+        "{reach} and {after:?}"
+    );
+}
