@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use std::sync::{Arc as Shared, PoisonError, RwLock};
 
 use antumbra_cull::{
-    DeclareError, FrameGraph, Inner, Latency, Registry, Setting, SettingError, Strategy, ViewNodes,
-    VisibleSet,
+    DeclareError, FrameGraph, Inner, Latency, Registry, Setting, SettingError, Step, Strategy,
+    ViewNodes, VisibleSet,
 };
 use antumbra_scene::{Aabb, EntityKey, Scene};
 use glam::DVec3;
@@ -154,6 +154,10 @@ impl Strategy for Horizon {
 
     fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
         self.inner.set("horizon", key, value)
+    }
+
+    fn steps(&self) -> Vec<Step> {
+        self.inner.ask(|inner| inner.steps())
     }
 
     fn declare(
