@@ -3,10 +3,12 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{
-    AUDIT, AuditOptions, DeclareError, Estimate, FrameAudit, FrameGraph, Members, Oracle, Registry,
-    Stage, StageOptions, Strategy, Verdict, ViewInput, ViewNodes, ViewSpec, VisibleSet,
+    AUDIT, AuditOptions, DeclareError, Estimate, FrameAudit, FrameGraph, ImportedTargets, Members,
+    Oracle, Registry, Stage, StageOptions, Strategy, Verdict, ViewInput, ViewNodes, ViewSpec,
+    VisibleSet,
 };
-use antumbra_draw::{AdapterChoice, Gpu, GpuScene, read_back};
+use antumbra_draw::{AdapterChoice, DEPTH_FORMAT, Gpu, GpuScene, read_back};
+use antumbra_graph::Mode;
 use antumbra_scene::builtin::{GridOptions, grid, icosphere};
 use antumbra_scene::{
     AlphaMode, Camera, Drawable, Geometry, Image, Material, Mesh, Projection, Sampler, Scene,
@@ -370,4 +372,77 @@ fn the_same_seed_draws_the_same_lots() {
     };
     assert_eq!(found(3), found(3));
     assert_ne!(found(3), found(4));
+}
+
+#[test]
+fn a_frame_inside_somebody_elses_is_audited_against_their_depth() {
+    let gpu = gpu("vulkan");
+    let scene = GpuScene::new(&gpu, &mut balls(7)).unwrap();
+    let options = StageOptions {
+        mode: Mode::Embedded,
+        audit: Some(CENSUS),
+        ..StageOptions::default()
+    };
+    let texture = |format| {
+        gpu.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("theirs"),
+            size: wgpu::Extent3d {
+                width: SIZE[0],
+                height: SIZE[1],
+                depth_or_array_layers: 1,
+            },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
+            view_formats: &[],
+        })
+    };
+    let (colour, depth) = (texture(options.colour_format), texture(DEPTH_FORMAT));
+    let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
+    let mut stage = Stage::new(&scene, Box::new(Thirds), specs, options).unwrap();
+    let mut oracle = Oracle::new(&scene, SIZE);
+    let camera = camera(4, 9.0);
+    // Nothing of theirs at first; then a wall right before the eye, behind which nothing can be wrong.
+    for (wall, hidden) in [(0.0, false), (1.0, true)] {
+        for _ in 0..4 {
+            let mut encoder = gpu.device.create_command_encoder(&Default::default());
+            let view = depth.create_view(&Default::default());
+            drop(encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+                depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                    view: &view,
+                    depth_ops: Some(wgpu::Operations {
+                        load: wgpu::LoadOp::Clear(wall),
+                        store: wgpu::StoreOp::Store,
+                    }),
+                    stencil_ops: None,
+                }),
+                ..Default::default()
+            }));
+            let input = ViewInput {
+                targets: Some(ImportedTargets {
+                    colour: &colour,
+                    depth: &depth,
+                }),
+                ..ViewInput::new(camera)
+            };
+            stage.record(&scene, &[input], &mut encoder).unwrap();
+            gpu.queue.submit([encoder.finish()]);
+            gpu.wait().unwrap();
+        }
+        let verdicts = stage.verdicts(0, &scene).unwrap();
+        let reference = oracle.look(&scene, &camera, Members::Frustum).unwrap();
+        let drawn = Members::Drawn(&verdicts);
+        let drawn = oracle.look(&scene, &camera, drawn).unwrap();
+        let wrong = reference.wrong_pixels(&drawn) as f64;
+        let truth = match hidden {
+            true => 0.0,
+            false => wrong * 100.0 / f64::from(SIZE[0] * SIZE[1]),
+        };
+        assert!(hidden || truth > 5.0, "{truth}");
+        let found = stage.audit(0).unwrap().latest().unwrap();
+        let found = found.wrong_pixels_percent();
+        assert!(found.holds(truth), "{found:?}, not {truth}");
+    }
 }
