@@ -10,7 +10,7 @@ pub(super) struct Belief {
 }
 
 /// The prior counts as so many hits.
-const PRIOR_HITS: f64 = 2.0;
+const PRIOR_HITS: f64 = 1.5;
 /// What a frame is worth to a belief a frame later: about 4,000 frames are remembered.
 const FADES: f64 = 1.0 - 1.0 / 4_000.0;
 

@@ -21,6 +21,8 @@ const SETTLES: u32 = 4;
 const AVERAGES: u32 = 8;
 /// It goes back to what is more accurate only where a frame takes less than this part of the budget.
 const ROOM: f64 = 0.85;
+/// How many stands it goes at once where a frame takes less than half or more than one and a half of the budget.
+const FAR: usize = 3;
 /// What an old time is worth beside the budget, a frame later: what was too slow is tried again some day.
 const FORGETS: f64 = 0.999;
 
@@ -86,9 +88,16 @@ impl TimeKeeper {
             let known = self.stands.get(at).and_then(|stand| stand.1);
             known.is_none_or(|time| time <= self.budget)
         };
-        let next = match mean {
-            _ if mean > self.budget && self.at + 1 < self.stands.len() => self.at + 1,
-            _ if mean < self.budget * ROOM && self.at > 0 && fits(self.at - 1) => self.at - 1,
+        // Far off, it goes further at a time.
+        let far = match mean / self.budget {
+            part if (0.5..1.5).contains(&part) => 1,
+            _ => FAR,
+        };
+        let last = self.stands.len().saturating_sub(1);
+        let back = (self.at.saturating_sub(far)..self.at).find(|at| fits(*at));
+        let next = match back {
+            _ if mean > self.budget => (self.at + far).min(last),
+            Some(back) if mean < self.budget * ROOM => back,
             _ => self.at,
         };
         if next != self.at {

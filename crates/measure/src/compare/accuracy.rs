@@ -5,6 +5,7 @@
 //! therefore has no wrong pixel, and is not drawn again.
 
 use std::sync::Arc;
+use std::time::Instant;
 
 use antumbra_cull::strategies::Frustum;
 use antumbra_cull::{IdImage, Members, Oracle, Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
@@ -132,8 +133,10 @@ pub fn measure(
                     ..ViewInput::new(look.camera)
                 })
                 .collect();
+            let start = Instant::now();
             let report = stage.frame(scene, &inputs)?;
             scene.gpu().wait()?;
+            stage.note_time(start.elapsed().as_secs_f64() * 1e3);
             record.sync_points = record.sync_points.max(report.sync_points);
             record.views.resize_with(looks.len(), ViewRecord::default);
             let before = (record.triangles, record.asked());
