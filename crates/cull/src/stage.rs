@@ -234,7 +234,10 @@ impl Stage {
         }
         let keeping = options
             .budget
-            .map(|budget| Keeping::new(budget, strategy.as_mut()))
+            .map(|budget| {
+                let may_wait = options.mode == Mode::Owned;
+                Keeping::new(budget, strategy.as_mut(), may_wait)
+            })
             .transpose()?;
         let built = build(scene, strategy.as_mut(), &specs, &options, HashMap::new())?;
         let cuts = vec![0; specs.len()];

@@ -200,6 +200,29 @@ fn a_strategy_without_steps_that_errs_cannot_keep_a_budget() {
         text.contains("'nothing'") && text.contains("wrong_pixels=0.1%"),
         "{text}"
     );
+    // In somebody else's frame nothing may wait: a strategy whose only conservative step does cannot keep a budget there.
+    let embedded = StageOptions {
+        mode: antumbra_graph::Mode::Embedded,
+        ..options.clone()
+    };
+    let stage = |name: &str| {
+        let strategy = Registry::built_in().parse(name).unwrap();
+        Stage::new(&scene, strategy, specs.clone(), embedded.clone())
+    };
+    for name in [
+        "three-pass",
+        "coherent:latency=on-gpu",
+        "three-pass:latency=on-gpu",
+    ] {
+        assert!(stage(name).is_ok(), "{name}");
+    }
+    let Err(StageError::Declare(error)) = stage("occupancy-map:latency=frame-late") else {
+        panic!("it was taken");
+    };
+    assert!(
+        error.to_string().contains("waits within the frame"),
+        "{error}"
+    );
     // One that never errs keeps any.
     let frustum = Registry::built_in().make("frustum").unwrap();
     assert!(Stage::new(&scene, frustum, specs, options).is_ok());

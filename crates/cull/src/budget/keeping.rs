@@ -4,6 +4,7 @@ use super::error::ErrorKeeper;
 use super::time::TimeKeeper;
 use super::{Budget, Standing, Step};
 use crate::audit::FrameAudit;
+use crate::setting::Latency;
 use crate::strategy::{DeclareError, Strategy};
 
 /// A budget that is kept.
@@ -24,30 +25,54 @@ enum Keeper {
 }
 
 impl Keeping {
-    /// Puts the strategy on the step to begin with.
-    pub fn new(budget: Budget, strategy: &mut dyn Strategy) -> Result<Self, DeclareError> {
+    /// Puts the strategy on the step to begin with. `may_wait`: frames may have sync points; steps that need one are left out where they may not.
+    pub fn new(
+        budget: Budget,
+        strategy: &mut dyn Strategy,
+        may_wait: bool,
+    ) -> Result<Self, DeclareError> {
+        let settings = strategy.settings().into_iter();
+        let user: Vec<_> = settings
+            .map(|setting| (setting.key, setting.value))
+            .collect();
+        let refused = |strategy: &dyn Strategy, why: &str| DeclareError::Settings {
+            strategy: strategy.name().to_owned(),
+            conflict: format!("it cannot keep {budget}: {why}; leave the budget out"),
+        };
         let mut steps = strategy.steps();
-        if steps.is_empty() && strategy.conservative() {
+        if steps.is_empty() {
+            if !strategy.conservative() {
+                let why =
+                    "it is set to be aggressive, and has no steps to trade accuracy for speed";
+                return Err(refused(strategy, why));
+            }
             // It keeps any budget of errors as it is.
             steps.push(Step::default());
         }
-        if steps.is_empty() {
-            return Err(DeclareError::Settings {
-                strategy: strategy.name().to_owned(),
-                conflict: format!(
-                    "it is set to be aggressive, has no steps to trade accuracy for speed, and cannot keep {budget}: leave the budget out"
-                ),
-            });
+        let mut fit = Vec::with_capacity(steps.len());
+        for step in steps {
+            for (key, value) in user.iter().chain(&step.settings) {
+                set(strategy, key, value)?;
+            }
+            let waits = strategy.latency() == Some(Latency::SameFrame);
+            if may_wait || !waits {
+                fit.push((step, strategy.conservative()));
+            }
         }
+        if !fit.first().is_some_and(|(_, conservative)| *conservative) {
+            let why =
+                "its conservative step waits within the frame, and this frame is somebody else's";
+            return Err(refused(strategy, why));
+        }
+        let steps: Vec<Step> = fit.into_iter().map(|(step, _)| step).collect();
         let keeper = match budget {
             Budget::WrongPixels(percent) => Keeper::Error(ErrorKeeper::new(percent, &steps)),
             Budget::FrameTime(time) => Keeper::Time(TimeKeeper::new(time, &steps)),
         };
-        let user = strategy.settings().into_iter();
         let mut keeping = Self {
             keeper,
             steps,
-            user: user.map(|setting| (setting.key, setting.value)).collect(),
+            user,
             at: Standing::default(),
         };
         keeping.at = keeping.wanted();
