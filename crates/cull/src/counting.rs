@@ -10,7 +10,7 @@ use std::str::FromStr;
 use std::sync::Arc;
 
 use antumbra_draw::passes::{self, Submitted};
-use antumbra_draw::{Detail, Gpu, IDENTITY_FORMAT, PassKind};
+use antumbra_draw::{Detail, Gpu, IDENTITY_FORMAT, PassKind, SceneTable, ViewFrame};
 use antumbra_graph::{Bind, Buffer, BufferDesc, Clear, Host, Texture, TextureDesc};
 
 use crate::candidates::{Asked, Candidates};
@@ -108,6 +108,16 @@ pub struct Proxies {
     pub asked: Host<Asked>,
 }
 
+/// Which of two details is the full mesh.
+const CLOSE: usize = 1;
+
+/// Whether an entity's stand-in may be off by more than so many pixels.
+fn deviates(table: &SceneTable, view: &ViewFrame, slot: u32, pixels: f64) -> bool {
+    let metres = f64::from(table.deviation(slot));
+    // Most strategies take stand-ins as they are, and ask no further.
+    metres > 0.0 && pixels.is_finite() && view.pixels_at_most(metres, &table.bounds(slot)) > pixels
+}
+
 /// Counts on the GPU.
 #[derive(Debug, Clone, Copy)]
 pub struct Counts {
@@ -136,8 +146,20 @@ impl FrameGraph<'_> {
     pub fn proxies_of(
         &mut self,
         view: &ViewNodes,
+        hiding: (Host<Candidates>, Detail),
+        candidates: (Host<Candidates>, Detail),
+    ) -> Proxies {
+        self.proxies_within(view, hiding, candidates, f64::INFINITY)
+    }
+
+    /// The same, with the full mesh in place of a [`Detail::Proxy`] that deviates from it by more than so many pixels of the view's image, or that the
+    /// near plane cuts.
+    pub fn proxies_within(
+        &mut self,
+        view: &ViewNodes,
         (hiding, occluder): (Host<Candidates>, Detail),
         (candidates, occludee): (Host<Candidates>, Detail),
+        pixels: f64,
     ) -> Proxies {
         let inputs = view.inputs();
         let all_hide = hiding == candidates && self.topology().classes().all(|class| class.hides());
@@ -162,6 +184,11 @@ impl FrameGraph<'_> {
         node.read(inputs.view);
         // Near ones first spares the far ones' fragments. Full meshes keep the canonical order: there, ties must fall as in the reference.
         let sorts = occluder == Detail::Proxy;
+        // What is asked about as a box stays one, however close it is.
+        let closest = match occludee {
+            Detail::Proxy => Detail::Level(0),
+            other => other,
+        };
         let mut order = Vec::new();
         node.run(move |ctx| {
             let (scene, candidates) = (ctx.get(inputs.scene)?, ctx.get(candidates)?);
@@ -170,14 +197,18 @@ impl FrameGraph<'_> {
             let inside = || candidates.inside().iter().copied();
             let hides = |slot: &u32| table.is_occluder(*slot);
             let mut occluder_list = ctx.get_mut(occluders.list)?;
+            let frame = ctx.get(inputs.view)?;
             // Whoever stands between a mesh and its stand-in sees through the one and is blinded by the other: close by, nothing stands in.
-            let blinds = |slot: &u32| sorts && hiding.is_near(*slot);
+            let closely = |slot: u32| match hiding.is_near(slot) {
+                true => CLOSE,
+                false => usize::from(deviates(table, &frame, slot, pixels)),
+            };
+            let in_detail = |slot: u32| (slot, closely(slot));
             let hiders = hiding.inside().iter().copied().filter(hides);
-            let hiders = hiders.filter(|slot| !blinds(slot));
             if sorts {
-                front_to_back(&mut order, table, &*ctx.get(inputs.view)?, hiders);
-                let sorted = order.iter().map(|entry| *entry as u32);
-                occluder_list.fill(table, sorted, occluder);
+                front_to_back(&mut order, table, &frame, hiders);
+                let sorted = order.iter().map(|entry| in_detail(*entry as u32));
+                occluder_list.fill_mixed(table, sorted, &[occluder, Detail::Level(0)]);
             } else {
                 occluder_list.fill(table, hiders, occluder);
             }
@@ -185,14 +216,11 @@ impl FrameGraph<'_> {
             let mut tested = Arc::new(occluder_list.ids().to_vec());
             if let (Some(others), Some(all)) = (others, all) {
                 let mut list = ctx.get_mut(others.list)?;
-                list.fill(
-                    table,
-                    inside().filter(|slot| !hides(slot) || blinds(slot) || !hiding.contains(*slot)),
-                    occludee,
-                );
+                let rest = inside().filter(|slot| !hides(slot) || !hiding.contains(*slot));
+                list.fill_mixed(table, rest.map(in_detail), &[occludee, closest]);
                 ctx.upload(others.ids, 0, bytemuck::cast_slice(list.ids()))?;
                 let mut list = ctx.get_mut(all.list)?;
-                list.fill(table, inside(), occludee);
+                list.fill_mixed(table, inside().map(in_detail), &[occludee, closest]);
                 ctx.upload(all.ids, 0, bytemuck::cast_slice(list.ids()))?;
                 tested = Arc::new(list.ids().to_vec());
             }

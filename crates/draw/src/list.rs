@@ -119,6 +119,19 @@ impl DrawList {
         });
     }
 
+    /// As [`Self::fill`], each slot in one of some details, by its number: in the order of batch, number, slot.
+    pub fn fill_mixed<I>(&mut self, table: &SceneTable, slots: I, details: &[Detail])
+    where
+        I: Iterator<Item = (u32, usize)> + Clone,
+    {
+        let last = details.len().saturating_sub(1);
+        let slots = slots.map(|(slot, detail)| (slot, detail.min(last) as u32));
+        self.sort(table, slots, details.len().max(1) as u32, |part| {
+            let detail = details.get(part as usize);
+            detail.copied().unwrap_or(Detail::Level(0))
+        });
+    }
+
     /// Sorts by batch and, within it, by one of `parts`.
     fn sort<I>(&mut self, table: &SceneTable, slots: I, parts: u32, detail: impl Fn(u32) -> Detail)
     where

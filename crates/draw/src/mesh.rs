@@ -59,11 +59,11 @@ impl MeshArenas {
         ]
     }
 
-    /// Uploads all of a mesh's geometries.
+    /// Uploads all of a mesh's geometries; by `deviation` its proxy deviates from it.
     ///
     /// # Errors
     /// When an arena would exceed what the device can hold.
-    pub fn add(&mut self, gpu: &Gpu, mesh: &Mesh) -> Result<MeshRanges, DrawError> {
+    pub fn add(&mut self, gpu: &Gpu, mesh: &Mesh, deviation: f64) -> Result<MeshRanges, DrawError> {
         let levels = mesh
             .levels
             .iter()
@@ -88,6 +88,7 @@ impl MeshArenas {
             proxy,
             boxed,
             box_margin,
+            deviation,
             bounds: bounds.unwrap_or(Aabb::EMPTY),
         })
     }

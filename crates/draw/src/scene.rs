@@ -3,13 +3,14 @@
 //! Entities get slots in the instance buffer; slots of removed entities are reused, and an epoch stamped on each slot
 //! tells an answer about its former occupant from one about the present one.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use antumbra_scene::hierarchy::NONE;
 use antumbra_scene::{Changes, EntityKey, Environment, ImageKey, MaterialKey, MeshKey, Scene};
 use glam::DAffine3;
+use rayon::prelude::*;
 use slotmap::SecondaryMap;
 
 use crate::arena::Arena;
@@ -311,6 +312,7 @@ impl GpuScene {
         }
         self.free
             .extend(removed.iter().filter_map(|key| left.get(key)));
+        let deviations = deviations(scene, added, |mesh| self.mesh_index.contains_key(mesh));
         for key in added {
             let (Some(drawable), Some(world)) = (scene.drawable(*key), scene.world(*key)) else {
                 continue;
@@ -333,7 +335,9 @@ impl GpuScene {
             let mesh_number = match self.mesh_index.get(drawable.mesh) {
                 Some(number) => *number,
                 None => {
-                    let number = table.add_mesh(self.arenas.add(&self.gpu, mesh)?);
+                    let deviation = deviations.get(&drawable.mesh).copied().unwrap_or(0.0);
+                    let ranges = self.arenas.add(&self.gpu, mesh, deviation)?;
+                    let number = table.add_mesh(ranges);
                     self.mesh_index.insert(drawable.mesh, number);
                     number
                 }
@@ -481,6 +485,21 @@ fn instance(
 ) -> Result<Instance, DrawError> {
     fits(scene, key, world)?;
     Ok(Instance::new(world, material))
+}
+
+/// By how much the stand-ins of meshes deviate that come with some entities and are not `known` yet.
+fn deviations(
+    scene: &Scene,
+    added: &[EntityKey],
+    known: impl Fn(MeshKey) -> bool,
+) -> HashMap<MeshKey, f64> {
+    let meshes = added
+        .iter()
+        .filter_map(|key| Some(scene.drawable(*key)?.mesh));
+    let new: HashSet<MeshKey> = meshes.filter(|mesh| !known(*mesh)).collect();
+    new.into_par_iter()
+        .filter_map(|key| Some((key, scene.mesh(key)?.proxy_deviation())))
+        .collect()
 }
 
 /// Refuses a transform that the GPU cannot be told, naming its entity and the number.

@@ -147,6 +147,8 @@ pub struct MeshRanges {
     pub boxed: Range,
     /// By how much it is wider on every side, in the mesh's own units.
     pub box_margin: f64,
+    /// By how much the stand-in's surface deviates from the full one's, at most, in the mesh's own units.
+    pub deviation: f64,
     /// The bounding box itself, in the mesh's own space.
     pub bounds: Aabb,
 }
@@ -180,6 +182,8 @@ pub struct SceneTable {
     untested: Vec<bool>,
     /// The least that a length in the entity's own space grows by on its way into the world.
     least_scales: Vec<f32>,
+    /// By how many metres, at most, the stand-in deviates from the mesh.
+    deviations: Vec<f32>,
     oriented: Vec<OrientedBox>,
     groups: Groups,
     /// Slots that somebody came into, left, or moved in since `changed_since`.
@@ -313,6 +317,11 @@ impl SceneTable {
         mesh.map_or(0.0, |mesh| mesh.box_margin * f64::from(scale))
     }
 
+    /// By how many metres, at most, an entity's stand-in deviates from its mesh; 0 where it has none.
+    pub fn deviation(&self, slot: u32) -> f32 {
+        self.deviations.get(slot as usize).copied().unwrap_or(0.0)
+    }
+
     /// The box of a live slot's entity along its own axes; of one that does not exist, a point.
     pub fn oriented(&self, slot: u32) -> OrientedBox {
         let known = self.oriented.get(slot as usize).copied();
@@ -376,12 +385,14 @@ impl SceneTable {
         let at = slot as usize;
         self.changed.push(slot);
         let oriented = self.orient(batch.mesh, bounds, world);
+        let deviation = self.deviates(batch.mesh, world);
         if at == self.occupants.len() {
             self.occupants.push(occupant);
             self.boxes.push(bounds);
             self.batch_of.push(number);
             self.untested.push(!tested);
             self.least_scales.push(least_scale(world));
+            self.deviations.push(deviation);
             self.oriented.push(oriented);
         } else {
             self.occupants[at] = occupant;
@@ -389,6 +400,7 @@ impl SceneTable {
             self.batch_of[at] = number;
             self.untested[at] = !tested;
             self.least_scales[at] = least_scale(world);
+            self.deviations[at] = deviation;
             self.oriented[at] = oriented;
         }
         self.live += 1;
@@ -420,6 +432,18 @@ impl SceneTable {
         if let Some(scale) = self.least_scales.get_mut(slot as usize) {
             *scale = least_scale(world);
         }
+        let deviation = self.deviates(mesh, world);
+        if let Some(place) = self.deviations.get_mut(slot as usize) {
+            *place = deviation;
+        }
+    }
+
+    fn deviates(&self, mesh: u32, world: &DAffine3) -> f32 {
+        let own = self
+            .meshes
+            .get(mesh as usize)
+            .map_or(0.0, |mesh| mesh.deviation);
+        (own * greatest_scale(world)) as f32
     }
 
     fn orient(&self, mesh: u32, bounds: Aabb, world: &DAffine3) -> OrientedBox {
@@ -456,21 +480,35 @@ impl SceneTable {
     }
 }
 
-/// The least that a transform makes of a unit length: exact where its axes stay at right angles, too little by at most the root of three elsewhere.
-fn least_scale(world: &DAffine3) -> f32 {
+/// The lengths that a transform makes of the unit axes, and whether they stay at right angles.
+fn stretched(world: &DAffine3) -> (DVec3, bool) {
     let axes = world.matrix3;
-    let lengths = [axes.x_axis, axes.y_axis, axes.z_axis].map(DVec3::length);
-    let [x, y, z] = lengths;
+    let [x, y, z] = [axes.x_axis, axes.y_axis, axes.z_axis].map(DVec3::length);
     let skew = [
         axes.x_axis.dot(axes.y_axis) / (x * y),
         axes.y_axis.dot(axes.z_axis) / (y * z),
         axes.z_axis.dot(axes.x_axis) / (z * x),
     ];
     // NaN, of an axis without length, is none of the former.
-    if skew.iter().all(|cosine| cosine.abs() < 1e-6) {
-        return x.min(y).min(z) as f32 * 0.999_99;
+    let right = skew.iter().all(|cosine| cosine.abs() < 1e-6);
+    (DVec3::new(x, y, z), right)
+}
+
+/// The most that a transform makes of a unit length: exact where its axes stay at right angles, too much by at most the root of three elsewhere.
+fn greatest_scale(world: &DAffine3) -> f64 {
+    match stretched(world) {
+        (lengths, true) => lengths.max_element(),
+        (lengths, false) => lengths.length(),
     }
-    let inverse = axes.inverse();
+}
+
+/// The least that a transform makes of a unit length: exact where its axes stay at right angles, too little by at most the root of three elsewhere.
+fn least_scale(world: &DAffine3) -> f32 {
+    let (lengths, right) = stretched(world);
+    if right {
+        return lengths.min_element() as f32 * 0.999_99;
+    }
+    let inverse = world.matrix3.inverse();
     let most = (inverse.x_axis.length_squared()
         + inverse.y_axis.length_squared()
         + inverse.z_axis.length_squared())
@@ -497,6 +535,7 @@ mod tests {
             DVec3::ONE,
         );
         assert!((least_scale(&stretched) - 0.01).abs() < 1e-6);
+        assert!((greatest_scale(&stretched) - 5.0).abs() < 1e-12);
         // A stretch after a turn: no axis stays at right angles.
         let sheared = DAffine3::from_scale(DVec3::new(1.0, 0.1, 1.0)) * stretched;
         // By how much the inverse stretches at most: power iteration.
@@ -507,6 +546,11 @@ mod tests {
         let least = (inverse * grown).length().recip();
         let bound = f64::from(least_scale(&sheared));
         assert!(bound <= least && bound > least / 1.8, "{bound} of {least}");
+        let grown = (0..200).fold(DVec3::new(0.3, 0.5, 0.7), |unit, _| {
+            (sheared.matrix3.transpose() * (sheared.matrix3 * unit)).normalize()
+        });
+        let (most, bound) = ((sheared.matrix3 * grown).length(), greatest_scale(&sheared));
+        assert!(bound >= most && bound < most * 1.8, "{bound} of {most}");
         let flat = DAffine3::from_scale(DVec3::new(1.0, 0.0, 1.0));
         assert_eq!(least_scale(&flat), 0.0);
     }

@@ -70,9 +70,7 @@ impl ViewFrame {
 
     /// How many pixels a length, in metres, covers at least wherever it lies in these bounds, seen from the side.
     pub fn pixels_of(&self, length: f64, bounds: &Aabb) -> f64 {
-        let scale = f64::from(self.camera.projection_matrix(self.aspect()).y_axis.y)
-            * 0.5
-            * f64::from(self.size[1]);
+        let scale = self.pixels_a_metre();
         match self.camera.projection {
             Projection::Orthographic { .. } => length * scale,
             _ => {
@@ -80,6 +78,31 @@ impl ViewFrame {
                 length * scale / (middle + bounds.half_extents().length())
             }
         }
+    }
+
+    /// How many pixels a length across the line of sight, in metres, covers at most wherever it lies in these bounds; without end where some of
+    /// them is beside or behind the eye.
+    pub fn pixels_at_most(&self, length: f64, bounds: &Aabb) -> f64 {
+        let scale = self.pixels_a_metre();
+        match self.camera.projection {
+            Projection::Orthographic { .. } => length * scale,
+            _ => {
+                let forward = self.camera.forward();
+                let middle = forward.dot(bounds.centre() - self.camera.position);
+                let nearest = middle - forward.abs().dot(bounds.half_extents());
+                match nearest > 0.0 {
+                    true => length * scale / nearest,
+                    false => f64::INFINITY,
+                }
+            }
+        }
+    }
+
+    /// Pixels a metre, at a distance of a metre or, in a parallel view, anywhere.
+    fn pixels_a_metre(&self) -> f64 {
+        f64::from(self.camera.projection_matrix(self.aspect()).y_axis.y)
+            * 0.5
+            * f64::from(self.size[1])
     }
 
     /// The camera's right, up and forward directions.

@@ -5,6 +5,7 @@ mod attachment;
 pub mod bounds;
 pub mod builtin;
 mod camera;
+mod deviation;
 mod environment;
 mod error;
 pub mod frustum;
