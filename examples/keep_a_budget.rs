@@ -27,8 +27,9 @@ const CUT_EVERY: usize = 125;
 const SEED: u64 = 100;
 
 /// Fixed settings, from the most accurate.
-const FIXED: [&str; 6] = [
+const FIXED: [&str; 7] = [
     "three-pass:latency=same-frame:threshold=0:scale=1:occluders=full:occludees=full",
+    "three-pass:latency=same-frame:threshold=0:scale=1:deviation=2",
     "three-pass:latency=same-frame:threshold=0:scale=1",
     "three-pass:latency=same-frame:threshold=0",
     "three-pass:latency=same-frame:threshold=5",

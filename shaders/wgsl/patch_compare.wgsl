@@ -2,7 +2,7 @@
 // Marks the pixels of a patch in which something would show, comparing depths in the shader: for devices without a forced early depth test.
 
 // A plain float texture, not a depth one: GL cannot load from depth textures.
-@group(3) @binding(3) var finished_depth: texture_2d<f32>;
+@group(3) @binding(1) var finished_depth: texture_2d<f32>;
 
 fn in_front(clip: vec4<f32>) -> bool {
     // Reversed depth: at or in front of what was drawn means greater or equal.

@@ -5,15 +5,18 @@
 //! stands for as many as its chance of being drawn says (Horvitz and Thompson, *A Generalization of Sampling Without Replacement From a Finite
 //! Universe*, 1952). `docs/audit.md` has the derivation.
 
+mod cover;
 mod interval;
 mod nodes;
 mod plan;
+mod sift;
 mod strata;
 mod through;
 
 use std::collections::VecDeque;
 
 pub use interval::Estimate;
+use plan::Costs;
 use strata::Moments;
 
 /// The label of what the audit costs.
@@ -129,8 +132,15 @@ impl FrameAudit {
 #[derive(Debug, Clone, Default)]
 pub struct Audit {
     frames: VecDeque<FrameAudit>,
-    moments: Moments,
+    experience: Experience,
     audited: u64,
+}
+
+/// What earlier frames taught of patches, by kind.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Experience {
+    moments: Moments,
+    costs: Costs,
 }
 
 impl Audit {
@@ -160,6 +170,16 @@ impl Audit {
     /// The mean over all that several views remember.
     pub fn over_all(audits: &[&Self]) -> Estimate {
         Estimate::of(audits.iter().flat_map(|audit| &audit.frames))
+    }
+
+    /// What its frames taught of patches.
+    pub(crate) fn experience(&self) -> &Experience {
+        &self.experience
+    }
+
+    /// Goes on from what others taught.
+    pub(crate) fn learn(&mut self, experience: Experience) {
+        self.experience = experience;
     }
 
     /// Takes a frame in, forgetting the oldest where there are enough.

@@ -14,6 +14,7 @@ mod frame_graph;
 mod hand_on;
 mod inner;
 pub mod kit;
+mod late_threshold;
 pub mod occupancy;
 mod on_gpu;
 mod oracle;

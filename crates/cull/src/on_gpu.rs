@@ -11,8 +11,9 @@ use bytemuck::{Pod, Zeroable};
 use crate::candidates::{Asked, Candidates};
 use crate::counting::{ComputePipeline, Counts};
 use crate::frame_graph::{CULL, DRAW, FrameGraph};
+use crate::late_threshold::LateThreshold;
 use crate::order::back_to_front;
-use crate::samples::{CountLayout, SampleRule};
+use crate::samples::{Allowance, CountLayout, SampleRule};
 use crate::strategy::{VerdictSource, VisibleSet};
 use crate::view_nodes::ViewNodes;
 
@@ -81,6 +82,14 @@ impl Bounds {
     };
 }
 
+/// What earns a place in the visible set.
+#[derive(Debug, Clone, Copy)]
+struct Judged {
+    rule: SampleRule,
+    /// The frame's threshold, where it is not the rule's.
+    turned: Option<Host<LateThreshold>>,
+}
+
 /// Candidates laid out for the compaction.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Layout {
@@ -132,12 +141,21 @@ impl FrameGraph<'_> {
         view: &mut ViewNodes,
         candidates: Host<Candidates>,
         counts: Counts,
-        rule: SampleRule,
+        (rule, within): (SampleRule, Allowance),
     ) -> VisibleSet {
         let by_slot = match counts.layout {
             CountLayout::BySlot => counts.buffer,
             CountLayout::ByQuery => self.scatter(view, counts),
         };
+        let turned = within.allows().then(|| {
+            let by_slot = Counts {
+                buffer: by_slot,
+                layout: CountLayout::BySlot,
+                asked: counts.asked,
+            };
+            self.late_threshold(view, candidates, by_slot, (rule, within))
+        });
+        let rule = Judged { rule, turned };
         let among = (candidates, counts.asked);
         let solid = self.layout(view, "candidates", among, rule, false);
         let solid = self.compact(view, "visible set", solid, by_slot);
@@ -152,7 +170,8 @@ impl FrameGraph<'_> {
             asked: counts.asked,
             counts: by_slot,
             layout: CountLayout::BySlot,
-            rule,
+            rule: rule.rule,
+            turned,
         }
         .into()
     }
@@ -163,7 +182,7 @@ impl FrameGraph<'_> {
         view: &ViewNodes,
         name: &str,
         (candidates, asked): (Host<Candidates>, Host<Asked>),
-        rule: SampleRule,
+        Judged { rule, turned }: Judged,
         transparent: bool,
     ) -> Layout {
         // Back to front, neighbours seldom share a batch: as many runs as slots at worst.
@@ -183,9 +202,16 @@ impl FrameGraph<'_> {
             (most, u64::from(levels)),
             |node| {
                 node.read(candidates).read(asked);
+                if let Some(turned) = turned {
+                    node.read(turned);
+                }
             },
             move |ctx, table, frame, laid| {
                 let candidates = ctx.get(candidates)?;
+                let mut rule = rule;
+                if let Some(turned) = turned {
+                    rule.threshold = ctx.get(turned)?.threshold;
+                }
                 let unasked = unasked(&candidates, &*ctx.get(asked)?);
                 let members = candidates
                     .inside()

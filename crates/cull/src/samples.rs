@@ -104,6 +104,11 @@ impl Allowance {
     /// Nobody with more visible samples than this is left out, however much is allowed: a thing of that size is missed.
     pub const LARGEST: u32 = 1024;
 
+    /// Whether it allows anything now.
+    pub(crate) fn allows(&self) -> bool {
+        self.percent.get() > 0.0
+    }
+
     /// In samples.
     fn samples(&self) -> u64 {
         (f64::from(self.percent.get()) / 100.0 * f64::from(self.pixels)).max(0.0) as u64
@@ -158,16 +163,40 @@ impl Samples {
         allowance: &Allowance,
         verdicts: &mut Verdicts,
     ) {
-        let allowed = allowance.samples();
-        if allowed > 0 {
-            let counts = candidates.inside().iter().filter_map(|slot| {
-                let judged = !candidates.is_exempt(*slot);
-                self.get(*slot).filter(|_| judged)
-            });
-            rule.threshold = rule.threshold.max(highest(counts, allowed));
-        }
+        rule.threshold = self.highest_within(candidates, rule, allowance).0;
         self.judge(table, candidates, rule, verdicts);
         verdicts.share_left_out_of(allowance.pixels);
+    }
+
+    /// The threshold of a rule, or as high a one as an allowance lets it be, and what that leaves out, in percent of the image.
+    pub(crate) fn highest_within(
+        &self,
+        candidates: &Candidates,
+        rule: SampleRule,
+        allowance: &Allowance,
+    ) -> (u32, f64) {
+        let counts = || {
+            candidates.inside().iter().filter_map(|slot| {
+                let judged = !candidates.is_exempt(*slot);
+                self.get(*slot).filter(|_| judged)
+            })
+        };
+        let allowed = allowance.samples();
+        let threshold = match allowed {
+            0 => rule.threshold,
+            _ => rule.threshold.max(highest(counts(), allowed)),
+        };
+        let left_out: u64 = counts()
+            .filter(|count| *count <= threshold)
+            .map(u64::from)
+            .sum();
+        let percent = left_out as f64 / f64::from(allowance.pixels.max(1)) * 100.0;
+        (threshold, percent)
+    }
+
+    /// When the question was asked; `None` before any answer.
+    pub(crate) fn asked(&self) -> Option<Stamp> {
+        self.asked
     }
 
     /// Judges every entity: what has no trustworthy answer is drawn, and in full.

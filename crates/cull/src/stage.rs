@@ -239,7 +239,13 @@ impl Stage {
                 Keeping::new(budget, strategy.as_mut(), may_wait)
             })
             .transpose()?;
-        let built = build(scene, strategy.as_mut(), &specs, &options, HashMap::new())?;
+        let built = build(
+            scene,
+            strategy.as_mut(),
+            &specs,
+            &options,
+            (HashMap::new(), &[]),
+        )?;
         let cuts = vec![0; specs.len()];
         let audits = specs.iter().map(|_| Audit::default()).collect();
         Ok(Self {
@@ -336,6 +342,9 @@ impl Stage {
                 }
                 audit.take(found);
             }
+            if fresh > 0 {
+                audit.learn(of_plan.experience().clone());
+            }
         }
     }
 
@@ -363,7 +372,8 @@ impl Stage {
                 // A new plan counts its frames from 0, and shall not draw the same lots once more.
                 audit.seed = audit.seed.wrapping_add(1 << 32);
             }
-            self.built = build(scene, strategy, &self.specs, &self.options, pipelines)?;
+            let kept = (pipelines, self.audits.as_slice());
+            self.built = build(scene, strategy, &self.specs, &self.options, kept)?;
             self.before = self.frames;
             for (built, audit) in self.built.views.iter_mut().zip(&self.audits) {
                 built.audited_before = audit.audited();
@@ -449,8 +459,12 @@ impl Stage {
                 asked,
                 counts,
                 layout,
-                rule,
+                mut rule,
+                turned,
             } => {
+                if let Some(turned) = turned {
+                    rule.threshold = plan.get(turned).ok_or_else(missing)?.threshold;
+                }
                 let candidates = plan.get(candidates).ok_or_else(missing)?;
                 let asked: &Asked = plan.get(asked).ok_or_else(missing)?;
                 let bytes = read_back::buffer(&self.gpu, plan.buffer(counts).ok_or_else(missing)?)?;
@@ -474,7 +488,7 @@ fn build(
     strategy: &mut dyn Strategy,
     specs: &[ViewSpec],
     options: &StageOptions,
-    pipelines: HashMap<PassKind, Arc<PassPipelines>>,
+    (pipelines, audits): (HashMap<PassKind, Arc<PassPipelines>>, &[Audit]),
 ) -> Result<Built, StageError> {
     let gpu = scene.gpu();
     let topology = scene.topology();
@@ -508,9 +522,11 @@ fn build(
         };
         let mut declared = FrameGraph::new(&mut graph, &mut shared);
         let set = strategy.declare(&mut declared, &mut nodes)?;
+        let learned = audits.get(index).map(Audit::experience).cloned();
+        let learned = learned.unwrap_or_default();
         let audit = options
             .audit
-            .map(|options| declared.audit(&nodes, &set, options));
+            .map(|options| declared.audit(&nodes, &set, options, learned));
         // Writing an import keeps its writers; an output would ask more usages of its owner's texture.
         if imported.is_none() {
             graph.output(nodes.targets.colour);
@@ -531,8 +547,12 @@ fn build(
                 candidates,
                 asked,
                 counts,
+                turned,
                 ..
             } => {
+                if let Some(turned) = turned {
+                    graph.output(turned);
+                }
                 graph.output(candidates);
                 graph.output(asked);
                 graph.output(counts);

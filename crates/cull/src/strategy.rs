@@ -6,6 +6,7 @@ use thiserror::Error;
 use crate::candidates::Candidates;
 use crate::frame_graph::FrameGraph;
 use crate::hand_on::HandedOn;
+use crate::late_threshold::LateThreshold;
 use crate::setting::{Setting, SettingError};
 use crate::sketch::Sketch;
 use crate::verdict::Verdicts;
@@ -135,6 +136,8 @@ pub(crate) enum VerdictSource {
         counts: Buffer,
         layout: crate::CountLayout,
         rule: crate::SampleRule,
+        /// The frame's threshold, where it is not the rule's.
+        turned: Option<Host<LateThreshold>>,
     },
 }
 

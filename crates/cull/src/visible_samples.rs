@@ -24,7 +24,8 @@ impl FrameGraph<'_> {
         self.visible_samples_within(view, candidates, counts, latency, rule, &none)
     }
 
-    /// The same with a threshold that each frame is as high as an allowance lets it be. On the GPU there is none: the rule alone decides.
+    /// The same with a threshold that each frame is as high as an allowance lets it be. On the GPU it is as high as the counts of an earlier frame let it
+    /// be; an allowance that stands at 0 when this is declared then stays without effect.
     pub fn visible_samples_within(
         &mut self,
         view: &mut ViewNodes,
@@ -39,7 +40,7 @@ impl FrameGraph<'_> {
         match latency {
             Latency::FrameLate => self.visible_late(view, candidates, counts, (rule, within)),
             Latency::SameFrame => self.visible_now(view, candidates, counts, (rule, within)),
-            Latency::OnGpu => self.visible_on_gpu(view, candidates, counts, rule),
+            Latency::OnGpu => self.visible_on_gpu(view, candidates, counts, (rule, within)),
         }
     }
 

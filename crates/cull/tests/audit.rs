@@ -374,15 +374,8 @@ fn the_same_seed_draws_the_same_lots() {
     assert_ne!(found(3), found(4));
 }
 
-#[test]
-fn a_frame_inside_somebody_elses_is_audited_against_their_depth() {
-    let gpu = gpu("vulkan");
-    let scene = GpuScene::new(&gpu, &mut balls(7)).unwrap();
-    let options = StageOptions {
-        mode: Mode::Embedded,
-        audit: Some(CENSUS),
-        ..StageOptions::default()
-    };
+/// Somebody else's colour and depth.
+fn theirs(gpu: &Gpu, format: wgpu::TextureFormat) -> (wgpu::Texture, wgpu::Texture) {
     let texture = |format| {
         gpu.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("theirs"),
@@ -399,7 +392,35 @@ fn a_frame_inside_somebody_elses_is_audited_against_their_depth() {
             view_formats: &[],
         })
     };
-    let (colour, depth) = (texture(options.colour_format), texture(DEPTH_FORMAT));
+    (texture(format), texture(DEPTH_FORMAT))
+}
+
+/// Fills their depth.
+fn clear(encoder: &mut wgpu::CommandEncoder, depth: &wgpu::Texture, to: f32) {
+    let view = depth.create_view(&Default::default());
+    drop(encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+            view: &view,
+            depth_ops: Some(wgpu::Operations {
+                load: wgpu::LoadOp::Clear(to),
+                store: wgpu::StoreOp::Store,
+            }),
+            stencil_ops: None,
+        }),
+        ..Default::default()
+    }));
+}
+
+#[test]
+fn a_frame_inside_somebody_elses_is_audited_against_their_depth() {
+    let gpu = gpu("vulkan");
+    let scene = GpuScene::new(&gpu, &mut balls(7)).unwrap();
+    let options = StageOptions {
+        mode: Mode::Embedded,
+        audit: Some(CENSUS),
+        ..StageOptions::default()
+    };
+    let (colour, depth) = theirs(&gpu, options.colour_format);
     let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
     let mut stage = Stage::new(&scene, Box::new(Thirds), specs, options).unwrap();
     let mut oracle = Oracle::new(&scene, SIZE);
@@ -408,18 +429,7 @@ fn a_frame_inside_somebody_elses_is_audited_against_their_depth() {
     for (wall, hidden) in [(0.0, false), (1.0, true)] {
         for _ in 0..4 {
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
-            let view = depth.create_view(&Default::default());
-            drop(encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-                depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                    view: &view,
-                    depth_ops: Some(wgpu::Operations {
-                        load: wgpu::LoadOp::Clear(wall),
-                        store: wgpu::StoreOp::Store,
-                    }),
-                    stencil_ops: None,
-                }),
-                ..Default::default()
-            }));
+            clear(&mut encoder, &depth, wall);
             let input = ViewInput {
                 targets: Some(ImportedTargets {
                     colour: &colour,
@@ -444,5 +454,57 @@ fn a_frame_inside_somebody_elses_is_audited_against_their_depth() {
         let found = stage.audit(0).unwrap().latest().unwrap();
         let found = found.wrong_pixels_percent();
         assert!(found.holds(truth), "{found:?}, not {truth}");
+    }
+}
+
+/// How many patches a frame looks at once it knows what they cost, with the scene in the open or behind a wall that is nobody's entity.
+fn patches_a_frame(scene: &GpuScene, strategy: Box<dyn Strategy>, wall: f32) -> f64 {
+    let gpu = scene.gpu();
+    let options = StageOptions {
+        mode: Mode::Embedded,
+        audit: Some(AuditOptions {
+            share: 0.1,
+            ..AuditOptions::default()
+        }),
+        ..StageOptions::default()
+    };
+    let (colour, depth) = theirs(gpu, options.colour_format);
+    let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
+    let mut stage = Stage::new(scene, strategy, specs, options).unwrap();
+    for _ in 0..120 {
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        clear(&mut encoder, &depth, wall);
+        let targets = ImportedTargets {
+            colour: &colour,
+            depth: &depth,
+        };
+        let input = ViewInput {
+            targets: Some(targets),
+            ..ViewInput::new(camera(4, 9.0))
+        };
+        stage.record(scene, &[input], &mut encoder).unwrap();
+        gpu.queue.submit([encoder.finish()]);
+        gpu.wait().unwrap();
+    }
+    let audit = stage.audit(0).unwrap();
+    let late = audit.frames().rev().take(60);
+    late.map(|frame| f64::from(frame.patches)).sum::<f64>() / 60.0
+}
+
+#[test]
+fn what_the_depth_hides_is_not_drawn_again() {
+    for (adapter, on_gpu) in [("vulkan", false), ("vulkan", true), ("gl", true)] {
+        let gpu = gpu(adapter);
+        let scene = GpuScene::new(&gpu, &mut balls(7)).unwrap();
+        let strategy = || match on_gpu {
+            true => named("three-pass:latency=on-gpu:threshold=20"),
+            false => Box::new(Thirds),
+        };
+        let open = patches_a_frame(&scene, strategy(), 0.0);
+        let hidden = patches_a_frame(&scene, strategy(), 1.0);
+        assert!(
+            hidden > 3.0 * open,
+            "{adapter}: {hidden} patches behind a wall, {open} without"
+        );
     }
 }

@@ -80,6 +80,16 @@ impl Widening {
         fits.then_some(made)
     }
 
+    /// The widened box's corners, relative to the eye; `None` where f32 cannot hold it.
+    pub fn corners(&self, what: &OrientedBox) -> Option<[Vec3; 8]> {
+        let GpuBox { centre, half } = self.oriented(what)?;
+        let [x, y, z] = half.map(Vec3::from);
+        Some(std::array::from_fn(|corner| {
+            let side = |bit: usize, axis: Vec3| if corner >> bit & 1 == 0 { axis } else { -axis };
+            Vec3::from(centre) + side(0, x) + side(1, y) + side(2, z)
+        }))
+    }
+
     /// The same for a box along the world's axes.
     pub fn aligned(&self, bounds: &Aabb) -> Option<GpuBox> {
         self.oriented(&OrientedBox::aligned(bounds))

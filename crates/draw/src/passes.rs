@@ -122,6 +122,8 @@ pub fn shaded_indirect_pass(
 ) -> (Texture, Texture, Option<Texture>) {
     let mut node = node(g, spec, inputs, what.submitted());
     node.storage_read(inputs.lights).indirect(what.draws);
+    // Without it draws that begin at another instance than the first draw nothing, and nobody is told.
+    node.requires(wgpu::Features::INDIRECT_FIRST_INSTANCE);
     let colour = node.colour(colour);
     let ids = ids.map(|ids| node.colour(ids));
     let depth = node.depth(depth);
@@ -130,7 +132,7 @@ pub fn shaded_indirect_pass(
         let layout = ctx.get(what.layout)?;
         let draws = ctx.buffer(what.draws)?;
         let scene = bind(ctx, inputs, &pipelines, what.ids)?;
-        Recorder::new(&scene, &pipelines).indirect(ctx.pass(), &layout, draws);
+        Recorder::new(&scene, &pipelines).indirect(ctx.pass(), layout.runs(), draws, 0);
         Ok(())
     });
     (colour, depth, ids)
@@ -233,7 +235,8 @@ pub fn count_indirect_pass(
     counts: Buffer,
 ) -> Buffer {
     let mut node = node(g, spec, inputs, what.submitted());
-    node.indirect(what.draws);
+    node.indirect(what.draws)
+        .requires(wgpu::Features::INDIRECT_FIRST_INSTANCE);
     match scratch {
         Some(scratch) => {
             node.sample(depth).depth(scratch);
@@ -254,7 +257,7 @@ pub fn count_indirect_pass(
             .chain(texture)
             .collect();
         group(ctx, &pipelines, 1, &binds)?;
-        Recorder::new(&scene, &pipelines).indirect(ctx.pass(), &layout, draws);
+        Recorder::new(&scene, &pipelines).indirect(ctx.pass(), layout.runs(), draws, 0);
         Ok(())
     });
     counted

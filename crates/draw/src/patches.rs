@@ -16,45 +16,60 @@ use crate::table::SceneTable;
 /// Pixels along a side of a patch. The image is divided into patches from its upper left corner; those at its far ends may reach beyond it.
 pub const PATCH_SIDE: u32 = 16;
 /// Bytes of marks a patch: a bit a pixel, row by row.
-pub const PATCH_BYTES: u64 = (PATCH_SIDE * PATCH_SIDE / 8) as u64;
+pub const MARK_BYTES: u64 = (PATCH_SIDE * PATCH_SIDE / 8) as u64;
+/// Bytes that are kept of a patch: its marks, and in one word how many indices were drawn into it.
+pub const PATCH_BYTES: u64 = MARK_BYTES + size_of::<u32>() as u64;
 
-/// Mirrors `Drawn` of `shared/patch.wgsl`: who is drawn already, where that was decided on the GPU.
+/// What of a patch an entity may cover, by its box.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cover {
+    /// Reversed depth of the box's nearest place.
+    pub nearest: f32,
+    /// The least and the greatest pixels, x and y, both ends included, on the patch and on the image.
+    pub pixels: [[u32; 2]; 2],
+}
+
+/// Mirrors `Entry` of `sift.wgsl`: an entity in a patch.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+pub struct GpuPatchEntry {
+    slot: u32,
+    patch_number: u32,
+    draw: u32,
+    nearest: f32,
+    least: u32,
+    greatest: u32,
+}
+
+assert_layout!(GpuPatchEntry, "sift", "Entry", { slot, patch_number, draw, nearest, least, greatest });
+
+/// An indexed indirect draw.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Pod, Zeroable)]
-pub struct GpuDrawn {
-    threshold: u32,
-    padding_a: u32,
-    padding_b: u32,
-    padding_c: u32,
+pub struct GpuDraw {
+    index_count: u32,
+    instance_count: u32,
+    first_index: u32,
+    base_vertex: i32,
+    first_instance: u32,
 }
 
-assert_layout!(GpuDrawn, "patch_early", "Drawn", { threshold, padding_a, padding_b, padding_c });
+assert_layout!(GpuDraw, "compact", "Draw", { index_count, instance_count, first_index, base_vertex, first_instance });
 
-impl GpuDrawn {
-    /// Whoever has more visible samples than this.
-    pub fn above(threshold: u32) -> Self {
-        Self {
-            threshold,
-            padding_a: 0,
-            padding_b: 0,
-            padding_c: 0,
-        }
-    }
-}
-
-/// One patch and what is drawn into it.
+/// One patch and what may be drawn into it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Patch {
     corner: [u32; 2],
     runs: Range<usize>,
 }
 
-/// What is drawn into which patches.
+/// What may be drawn into which patches.
 #[derive(Debug, Clone, Default)]
 pub struct PatchList {
     patches: Vec<Patch>,
     runs: Vec<Run>,
-    entries: Vec<[u32; 2]>,
+    draws: Vec<GpuDraw>,
+    entries: Vec<GpuPatchEntry>,
 }
 
 impl PatchList {
@@ -62,35 +77,54 @@ impl PatchList {
     pub fn clear(&mut self) {
         self.patches.clear();
         self.runs.clear();
+        self.draws.clear();
         self.entries.clear();
     }
 
-    /// Adds a patch by its column and row, with the full meshes of these live slots, which are sorted by batch on the way; says what drawing
-    /// it comes to. It takes the next number.
+    /// Adds a patch by its column and row, with the full meshes of these live slots, which are sorted by batch on the way; says in how many
+    /// draws. It takes the next number.
     pub fn push(
         &mut self,
         table: &SceneTable,
         [column, row]: [u32; 2],
-        slots: &mut [u32],
-    ) -> PatchWork {
+        members: &mut [(u32, Cover)],
+    ) -> u32 {
         let number = self.patches.len() as u32;
         let before = self.runs.len();
-        slots.sort_unstable_by_key(|slot| (table.batch_of(*slot), *slot));
-        let mut triangles = 0;
-        for slot in slots.iter().copied() {
+        members.sort_unstable_by_key(|(slot, _)| (table.batch_of(*slot), *slot));
+        for (slot, cover) in members.iter().copied() {
             let (batch, detail) = (table.batch_of(slot), Detail::Level(0));
-            triangles += u64::from(table.primitives_of(slot, detail));
             let first = self.entries.len() as u32;
-            self.entries.push([slot, number]);
             match self.runs.get_mut(before..).and_then(<[Run]>::last_mut) {
                 Some(run) if run.batch == batch => run.count += 1,
-                _ => self.runs.push(Run {
-                    batch,
-                    detail,
-                    first,
-                    count: 1,
-                }),
+                _ => {
+                    let mesh = table.batches().get(batch as usize).map(|batch| batch.mesh);
+                    let range = mesh.map(|mesh| table.range(mesh, detail));
+                    let range = range.unwrap_or_default();
+                    self.draws.push(GpuDraw {
+                        index_count: range.index_count,
+                        instance_count: 0,
+                        first_index: range.first_index,
+                        base_vertex: range.base_vertex,
+                        first_instance: first,
+                    });
+                    self.runs.push(Run {
+                        batch,
+                        detail,
+                        first,
+                        count: 1,
+                    });
+                }
             }
+            let [least, greatest] = cover.pixels.map(|[x, y]| x | y << 16);
+            self.entries.push(GpuPatchEntry {
+                slot,
+                patch_number: number,
+                draw: self.runs.len() as u32 - 1,
+                nearest: cover.nearest,
+                least,
+                greatest,
+            });
         }
         let runs = before..self.runs.len();
         let draws = runs.len() as u32;
@@ -98,7 +132,7 @@ impl PatchList {
             corner: [column * PATCH_SIDE, row * PATCH_SIDE],
             runs,
         });
-        PatchWork { triangles, draws }
+        draws
     }
 
     /// Patches, with or without anything to draw into them.
@@ -106,9 +140,14 @@ impl PatchList {
         self.patches.len()
     }
 
-    /// Slot and patch of each instance, for [`SubmittedPatches::entries`].
-    pub fn entries(&self) -> &[[u32; 2]] {
+    /// All that may show in any patch.
+    pub fn entries(&self) -> &[GpuPatchEntry] {
         &self.entries
+    }
+
+    /// A draw for each patch and batch, of no instance yet, with room for all entries there are.
+    pub fn draws(&self) -> &[GpuDraw] {
+        &self.draws
     }
 
     /// Whether nothing is drawn.
@@ -117,35 +156,24 @@ impl PatchList {
     }
 }
 
-/// What drawing into a patch comes to.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct PatchWork {
-    /// Triangles, lines or points.
-    pub triangles: u64,
-    /// Draws.
-    pub draws: u32,
-}
-
-/// A list that is on the GPU.
+/// A list that is on the GPU, and what was kept of it.
 #[derive(Debug, Clone, Copy)]
-pub struct SubmittedPatches {
+pub struct SiftedPatches {
     /// The list.
     pub list: Host<PatchList>,
-    /// Its entries, 8 bytes each.
-    pub entries: Buffer,
-    /// [`GpuDrawn`].
-    pub drawn: Buffer,
-    /// Visible samples by slot, or one word of zero.
-    pub counts: Buffer,
+    /// Slot and patch of each instance, 8 bytes, where its draw says.
+    pub kept: Buffer,
+    /// Its draws, with instances.
+    pub draws: Buffer,
 }
 
-/// Marks in which pixels of its patches anything of a list lies at or before a finished depth: [`PATCH_BYTES`] a patch, which must be zero
-/// before. With a `scratch` depth of the image's size it compares in the shader, without one it needs a forced early depth test.
+/// Marks in which pixels of its patches anything that was kept of a list lies at or before a finished depth: [`PATCH_BYTES`] a patch, of which
+/// the marks must be zero before. With a `scratch` depth of the image's size it compares in the shader, without one it needs a forced early depth test.
 pub fn patch_pass(
     g: &mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
-    what: SubmittedPatches,
+    what: SiftedPatches,
     (depth, scratch): (Texture, Option<Texture>),
     shown: Buffer,
 ) -> Buffer {
@@ -154,10 +182,10 @@ pub fn patch_pass(
         .read(inputs.scene)
         .read(inputs.view)
         .read(what.list)
-        .vertex(what.entries)
+        .vertex(what.kept)
+        .indirect(what.draws)
         .uniform(inputs.uniform)
-        .uniform(what.drawn)
-        .storage_read(what.counts)
+        .requires(wgpu::Features::INDIRECT_FIRST_INSTANCE)
         // A value that cannot be read is the body's to complain of.
         .only_if(move |host| host.get(what.list).map_or(true, |list| !list.is_empty()));
     match scratch {
@@ -174,13 +202,10 @@ pub fn patch_pass(
     node.run(move |ctx| {
         let list = ctx.get(what.list)?;
         let [width, height] = ctx.get(inputs.view)?.size;
-        let scene = bind(ctx, inputs, &pipelines, what.entries)?;
-        let mut binds = vec![
-            Bind::Buffer(0, marked),
-            Bind::Buffer(1, what.drawn),
-            Bind::Buffer(2, what.counts),
-        ];
-        binds.extend(scratch.map(|_| Bind::Texture(3, depth)));
+        let draws = ctx.buffer(what.draws)?;
+        let scene = bind(ctx, inputs, &pipelines, what.kept)?;
+        let mut binds = vec![Bind::Buffer(0, marked)];
+        binds.extend(scratch.map(|_| Bind::Texture(1, depth)));
         group(ctx, &pipelines, 3, &binds)?;
         let mut recorder = Recorder::new(&scene, &pipelines);
         for patch in &list.patches {
@@ -192,9 +217,7 @@ pub fn patch_pass(
                 continue;
             }
             ctx.pass().set_scissor_rect(x, y, wide, high);
-            for run in runs {
-                recorder.run(ctx.pass(), run, run.first..run.first + run.count);
-            }
+            recorder.indirect(ctx.pass(), runs, draws, patch.runs.start);
         }
         Ok(())
     });

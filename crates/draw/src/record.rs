@@ -66,14 +66,14 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    /// Draws from indirect draws, one for each run of `layout`, as many at a time as share what is bound.
+    /// Draws from indirect draws, from the `first` one on one for each run, as many at a time as share what is bound.
     pub fn indirect(
         &mut self,
         pass: &mut wgpu::RenderPass<'_>,
-        layout: &DrawList,
+        runs: &[Run],
         draws: &wgpu::Buffer,
+        first: usize,
     ) {
-        let runs = layout.runs();
         let mut at = 0;
         while let Some(run) = runs.get(at) {
             let key = self.key(run);
@@ -86,7 +86,7 @@ impl<'a> Recorder<'a> {
                 // Never with a count of 0, which would draw once under wgpu's indirect validation.
                 pass.multi_draw_indexed_indirect(
                     draws,
-                    at as u64 * INDIRECT_DRAW_BYTES,
+                    (first + at) as u64 * INDIRECT_DRAW_BYTES,
                     alike as u32,
                 );
             }

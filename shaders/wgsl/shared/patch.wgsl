@@ -1,24 +1,10 @@
 //!import position
 //!import material
+//!import marks
 // What is drawn again into a few patches of the image, to see whether anything of it would show: vertices, and the mark that a visible
 // fragment leaves.
 
-// Pixels along a side of a patch; a bit of marks a pixel.
-const PATCH: u32 = 16u;
-const WORDS: u32 = PATCH * PATCH / 32u;
-
-// Where entities are chosen on the GPU: those with more visible samples than this are drawn already.
-struct Drawn {
-    threshold: u32,
-    padding_a: u32,
-    padding_b: u32,
-    padding_c: u32,
-}
-
 @group(3) @binding(0) var<storage, read_write> shown: array<atomic<u32>>;
-@group(3) @binding(1) var<uniform> drawn: Drawn;
-// Visible samples by slot; one word alone where the host has left out what is drawn.
-@group(3) @binding(2) var<storage, read> counts: array<u32>;
 
 struct Varying {
     @invariant @builtin(position) clip: vec4<f32>,
@@ -33,18 +19,10 @@ struct TexturedVarying {
     @location(3) colour: vec4<f32>,
 }
 
-fn place(slot: u32, local: vec3<f32>) -> vec4<f32> {
-    if slot < arrayLength(&counts) && counts[slot] > drawn.threshold {
-        // All of its corners in one place, and that outside: nothing of it is drawn twice.
-        return vec4<f32>(2.0, 2.0, 2.0, 1.0);
-    }
-    return clip_position(relative_position(instances[slot], local));
-}
-
 @vertex
 fn vertex(@location(0) local: vec3<f32>, @location(1) slot: u32, @location(5) patch_number: u32) -> Varying {
     var out: Varying;
-    out.clip = place(slot, local);
+    out.clip = clip_position(relative_position(instances[slot], local));
     out.patch_number = patch_number;
     return out;
 }
@@ -59,7 +37,7 @@ fn textured_vertex(
     @location(5) patch_number: u32,
 ) -> TexturedVarying {
     var out: TexturedVarying;
-    out.clip = place(slot, local);
+    out.clip = clip_position(relative_position(instances[slot], local));
     out.patch_number = patch_number;
     out.slot = slot;
     out.uv = uv;

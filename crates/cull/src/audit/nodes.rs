@@ -2,32 +2,35 @@
 
 use std::sync::Arc;
 
-use antumbra_draw::patches::{
-    GpuDrawn, PATCH_BYTES, PATCH_SIDE, PatchList, SubmittedPatches, patch_pass,
-};
+use antumbra_draw::patches::{Cover, MARK_BYTES, PATCH_BYTES, PATCH_SIDE, PatchList, patch_pass};
 use antumbra_draw::{Detail, PassKind, SceneTable, ViewFrame};
-use antumbra_graph::{BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext};
+use antumbra_graph::{BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext, HostRef};
 use antumbra_scene::hierarchy::Shape;
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
-use super::plan::{Costs, Lots, MOST};
+use super::cover::Covers;
+use super::plan::{Lots, MOST, overhead};
+use super::sift::{ENTRY_BYTES, GpuSettings, Listed, draw_bytes};
 use super::strata::{DOUBTFUL, Patches, STRATA};
 use super::through;
-use super::{AUDIT, Audit, AuditOptions, FrameAudit, Hit};
+use super::{AUDIT, Audit, AuditOptions, Experience, FrameAudit, Hit};
 use crate::candidates::{Asked, Candidates};
 use crate::counting::Counting;
 use crate::frame_graph::FrameGraph;
+use crate::late_threshold::LateThreshold;
 use crate::on_gpu::unasked;
 use crate::strategy::{VerdictSource, VisibleSet};
 use crate::tree::Tree;
-use crate::verdict::Verdicts;
+use crate::verdict::{Verdict, Verdicts};
 use crate::view_nodes::ViewNodes;
 
 /// What was looked at; goes along with the marks.
 #[derive(Debug, Clone, Default)]
 struct Looked {
     lots: Arc<Lots>,
+    /// What it took to find and list what may show in each patch, in triangles.
+    work: Arc<Vec<f64>>,
     cuts: u64,
     left_out: Option<f64>,
     pixels: f64,
@@ -47,11 +50,13 @@ const DRAWN_ON_GPU: f64 = 0.25;
 
 impl FrameGraph<'_> {
     /// Audits what a view has drawn: after all of its nodes, with its final depth. What the audit finds is in the value, a frame or two late.
+    /// It goes on from what an earlier plan's audit has learned.
     pub(crate) fn audit(
         &mut self,
         view: &ViewNodes,
         set: &VisibleSet,
         options: AuditOptions,
+        learned: Experience,
     ) -> Host<Audit> {
         let [width, height] = view.size();
         let patches =
@@ -65,8 +70,10 @@ impl FrameGraph<'_> {
             BufferDesc::new(most * PATCH_BYTES).zeroed(),
         );
         let looked = self.graph().host::<Looked>(view.named("audit: looked at"));
-        let audit = self.read_marks(view, shown, looked);
-        let (submitted, looked) = self.choose_patches(view, set, options, (audit, looked), entries);
+        let audit = self.read_marks(view, shown, looked, learned);
+        let (listed, looked) = self.choose_patches(view, set, options, (audit, looked), entries);
+        let depth = view.targets.depth;
+        let (sifted, shown) = self.sift(view, listed, (depth, shown), entries);
         let way = Counting::by_fragments(self.gpu());
         let early = way == Counting::Atomics;
         let spec = self.pass(view.named("audit"), AUDIT, PassKind::Patch { early });
@@ -74,22 +81,33 @@ impl FrameGraph<'_> {
             let name = view.named("audit: scratch depth");
             self.depth_texture(name, view.size())
         });
-        let depth = (view.targets.depth, scratch);
-        patch_pass(self.graph(), &spec, view.inputs(), submitted, depth, shown);
+        let depth = (depth, scratch);
+        patch_pass(self.graph(), &spec, view.inputs(), sifted, depth, shown);
         self.graph().output(looked);
         audit
     }
 
     /// Takes in the marks of an earlier frame.
-    fn read_marks(&mut self, view: &ViewNodes, shown: Buffer, looked: Host<Looked>) -> Host<Audit> {
+    fn read_marks(
+        &mut self,
+        view: &ViewNodes,
+        shown: Buffer,
+        looked: Host<Looked>,
+        learned: Experience,
+    ) -> Host<Audit> {
         let audit = self.graph().host::<Audit>(view.named("audit"));
         let mut node = self.graph().host_node(view.named("audit: read late"));
         node.group(AUDIT);
         let marks = node.read_previous(shown, looked);
         let audit = node.updates(audit);
+        let mut learned = Some(learned);
         node.run(move |ctx| {
+            let mut audit = ctx.get_mut(audit)?;
+            if let Some(learned) = learned.take() {
+                audit.learn(learned);
+            }
             if let Some(late) = ctx.late(marks) {
-                take(&mut *ctx.get_mut(audit)?, late.frame, late.tag, late.bytes);
+                take(&mut audit, late.frame, late.tag, late.bytes);
             }
             Ok(())
         });
@@ -104,7 +122,7 @@ impl FrameGraph<'_> {
         options: AuditOptions,
         (audit, looked): (Host<Audit>, Host<Looked>),
         entries: u64,
-    ) -> (SubmittedPatches, Host<Looked>) {
+    ) -> (Listed, Host<Looked>) {
         let inputs = view.inputs();
         let tree = self.any_tree(view);
         let list = self.graph().host::<PatchList>(view.named("audit: list"));
@@ -112,8 +130,9 @@ impl FrameGraph<'_> {
             let name = view.named(&format!("audit: {name}"));
             self.graph().buffer(name, BufferDesc::new(bytes))
         };
-        let entry_buffer = buffer("entries", entries * 8);
-        let drawn = buffer("drawn", size_of::<GpuDrawn>() as u64);
+        let entry_buffer = buffer("entries", entries * ENTRY_BYTES);
+        let settings = buffer("settings", size_of::<GpuSettings>() as u64);
+        let draws = buffer("draws", draw_bytes(entries));
         let none = buffer("no counts", 16);
         let source = set.verdicts;
         let mut node = self.graph().host_node(view.named("audit: choose patches"));
@@ -124,10 +143,11 @@ impl FrameGraph<'_> {
             .read(audit);
         read(&mut node, source);
         let looked = node.write(looked);
-        let submitted = SubmittedPatches {
+        let listed = Listed {
             list: node.write(list),
+            settings: node.upload(settings),
             entries: node.upload(entry_buffer),
-            drawn: node.upload(drawn),
+            draws: node.upload(draws),
             counts: match source {
                 VerdictSource::Host(_) => node.upload(none),
                 VerdictSource::Gpu { counts, .. } => counts,
@@ -147,26 +167,31 @@ impl FrameGraph<'_> {
                 culled: &culled,
                 number: ctx.frame(),
             };
-            let mut list = ctx.get_mut(submitted.list)?;
+            let mut list = ctx.get_mut(listed.list)?;
             let lots = chooser.choose(&at, options, &*ctx.get(audit)?, &mut random);
-            chooser.list(&at, &lots, &mut list);
+            let work = chooser.list(&at, &lots, &mut list);
             let spilled = list.entries().len() as u64 > entries;
             if spilled {
                 list.clear();
             }
-            ctx.upload(submitted.entries, 0, bytemuck::cast_slice(list.entries()))?;
+            ctx.upload(listed.entries, 0, bytemuck::cast_slice(list.entries()))?;
+            ctx.upload(listed.draws, 0, bytemuck::cast_slice(list.draws()))?;
             let threshold = match source {
                 VerdictSource::Host(_) => {
-                    ctx.upload(submitted.counts, 0, &[0; 16])?;
+                    ctx.upload(listed.counts, 0, &[0; 16])?;
                     u32::MAX
                 }
-                VerdictSource::Gpu { rule, .. } => rule.threshold,
+                VerdictSource::Gpu { rule, turned, .. } => match turned {
+                    Some(turned) => ctx.get(turned)?.threshold,
+                    None => rule.threshold,
+                },
             };
-            let drawn = GpuDrawn::above(threshold);
-            ctx.upload(submitted.drawn, 0, bytemuck::bytes_of(&drawn))?;
+            let settings = GpuSettings::new(list.entries().len(), threshold);
+            ctx.upload(listed.settings, 0, bytemuck::bytes_of(&settings))?;
             let [width, height] = frame.size;
             *ctx.get_mut(looked)? = Looked {
                 lots: Arc::new(lots),
+                work: Arc::new(work),
                 cuts: frame.cuts,
                 left_out: culled.left_out(),
                 pixels: f64::from(width) * f64::from(height),
@@ -175,7 +200,7 @@ impl FrameGraph<'_> {
             };
             Ok(())
         });
-        (submitted, looked)
+        (listed, looked)
     }
 
     /// A tree that is kept anyway, or one of boxes.
@@ -192,18 +217,27 @@ fn read(node: &mut HostBuilder<'_>, source: VerdictSource) {
     match source {
         VerdictSource::Host(verdicts) => node.read(verdicts),
         VerdictSource::Gpu {
-            candidates, asked, ..
-        } => node.read(candidates).read(asked),
+            candidates,
+            asked,
+            turned,
+            ..
+        } => {
+            if let Some(turned) = turned {
+                node.read(turned);
+            }
+            node.read(candidates).read(asked)
+        }
     };
 }
 
 /// Who was culled, as far as the host knows.
 enum Culled<'a> {
-    Host(antumbra_graph::HostRef<'a, Verdicts>),
+    Host(HostRef<'a, Verdicts>),
     /// Whoever is not drawn for sure; the GPU leaves out the rest of what is drawn.
     Gpu {
-        candidates: antumbra_graph::HostRef<'a, Candidates>,
+        candidates: HostRef<'a, Candidates>,
         unasked: Vec<u32>,
+        turned: Option<HostRef<'a, LateThreshold>>,
     },
 }
 
@@ -212,14 +246,19 @@ impl<'a> Culled<'a> {
         Ok(match source {
             VerdictSource::Host(verdicts) => Self::Host(ctx.get(verdicts)?),
             VerdictSource::Gpu {
-                candidates, asked, ..
+                candidates,
+                asked,
+                turned,
+                ..
             } => {
                 let candidates = ctx.get(candidates)?;
+                let turned = turned.map(|turned| ctx.get(turned)).transpose()?;
                 let asked: &Asked = &*ctx.get(asked)?;
                 let unasked = unasked(&candidates, asked);
                 Self::Gpu {
                     candidates,
                     unasked,
+                    turned,
                 }
             }
         })
@@ -232,15 +271,29 @@ impl<'a> Culled<'a> {
             Self::Gpu {
                 candidates,
                 unasked,
+                ..
             } => !candidates.is_exempt(slot) && unasked.binary_search(&slot).is_err(),
         }
     }
 
-    /// What was left out by the frame's own count, in percent.
+    /// What was left out by the frame's own count, in percent; by the latest count there is, where it stays on the GPU.
     fn left_out(&self) -> Option<f64> {
         match self {
             Self::Host(verdicts) => verdicts.left_out_percent(),
-            Self::Gpu { .. } => None,
+            Self::Gpu { turned, .. } => turned.as_ref()?.left_out,
+        }
+    }
+
+    /// Entities that are left out though samples of them were seen, as far as the host knows.
+    fn doubtful(&self) -> Vec<u32> {
+        match self {
+            Self::Host(verdicts) => verdicts.of_kind(Verdict::BelowThreshold).collect(),
+            Self::Gpu {
+                candidates, turned, ..
+            } => {
+                let left_out = turned.iter().flat_map(|turned| turned.left_out(candidates));
+                left_out.collect()
+            }
         }
     }
 
@@ -273,10 +326,10 @@ struct At<'a> {
 #[derive(Debug, Default)]
 struct Chooser {
     patches: Patches,
-    costs: Costs,
     triangles: Option<f64>,
     stack: Vec<u32>,
     found: Vec<u32>,
+    members: Vec<(u32, Cover)>,
 }
 
 impl Chooser {
@@ -291,30 +344,40 @@ impl Chooser {
         if options.census {
             return Lots::all(&self.patches);
         }
-        if let Culled::Host(verdicts) = at.culled {
-            self.patches.doubt(at.table, at.view, verdicts);
-        }
+        let covers = Covers::new(at.view);
+        self.patches
+            .doubt(at.table, &covers, at.culled.doubtful().into_iter());
         let triangles = match self.triangles {
             Some(known) if !at.number.is_multiple_of(RECKON) => known,
             _ => at.culled.triangles_drawn(at.table),
         };
         self.triangles = Some(triangles);
         let budget = triangles * options.share;
-        Lots::draw(&self.patches, (budget, &self.costs, &audit.moments), random)
+        let Experience { costs, moments } = audit.experience();
+        Lots::draw(&self.patches, (budget, costs, moments), random)
     }
 
-    fn list(&mut self, at: &At<'_>, lots: &Lots, list: &mut PatchList) {
+    /// Lists what may show in each patch, and says what finding it took.
+    fn list(&mut self, at: &At<'_>, lots: &Lots, list: &mut PatchList) -> Vec<f64> {
         list.clear();
-        self.costs.fade();
-        for (patch, kind) in &lots.drawn {
+        let covers = Covers::new(at.view);
+        let mut work = Vec::with_capacity(lots.drawn.len());
+        for (patch, _) in &lots.drawn {
             let place = self.patches.place(*patch);
             let frustum = through::frustum(at.view, place);
             self.found.clear();
             let nodes = through::walk(at.tree, &frustum, &mut self.stack, &mut self.found);
-            self.found.retain(|slot| at.culled.has(*slot));
-            let work = list.push(at.table, place, &mut self.found);
-            self.costs.note(*kind, work.triangles, work.draws, nodes);
+            let culled = self.found.iter().filter(|slot| at.culled.has(**slot));
+            let members = culled.filter_map(|slot| {
+                let shadow = covers.shadow(at.table, *slot);
+                Some((*slot, covers.cover(&shadow, place)?))
+            });
+            self.members.clear();
+            self.members.extend(members);
+            let draws = list.push(at.table, place, &mut self.members);
+            work.push(overhead(nodes, self.members.len(), draws));
         }
+        work
     }
 }
 
@@ -325,12 +388,18 @@ fn take(audit: &mut Audit, frame: u64, looked: &Looked, bytes: &[u8]) {
     }
     let side = f64::from(PATCH_SIDE);
     let pixels_a_patch = side * side;
-    audit.moments.fade();
+    let Experience { costs, moments } = &mut audit.experience;
+    moments.fade();
+    costs.fade();
     let mut hits = Vec::new();
-    let marks = bytes.chunks_exact(PATCH_BYTES as usize);
-    for ((_, kind), marks) in looked.lots.drawn.iter().zip(marks) {
+    let kept = bytes.chunks_exact(PATCH_BYTES as usize);
+    let drawn = looked.lots.drawn.iter().zip(looked.work.iter());
+    for (((_, kind), work), kept) in drawn.zip(kept) {
+        let (marks, indices) = kept.split_at(MARK_BYTES as usize);
+        let indices: u32 = bytemuck::pod_read_unaligned(indices);
+        costs.note(*kind, work + f64::from(indices) / 3.0);
         let shown: u32 = marks.iter().map(|byte| byte.count_ones()).sum();
-        audit.moments.note(*kind, f64::from(shown) / pixels_a_patch);
+        moments.note(*kind, f64::from(shown) / pixels_a_patch);
         if shown > 0 {
             let weight = looked.lots.weights.get(*kind).copied().unwrap_or(0.0);
             hits.push(Hit {

@@ -9,8 +9,10 @@ use super::strata::{DOUBTFUL, Moments, PLAIN, Patches, STRATA};
 pub(super) const MOST: u32 = 64;
 /// What a draw costs, in triangles.
 const A_DRAW: f64 = 64.0;
-/// What a node of the tree costs that is met on the way to a patch's entities, in triangles.
+/// What a node of the tree costs that is met on the way to a patch's entities, in triangles,
 const A_NODE: f64 = 0.25;
+/// and an entity that is held against the depth.
+const AN_ENTRY: f64 = 4.0;
 /// No kind gets less of the budget than this part of it.
 const LEAST: f64 = 0.15;
 /// What a patch is believed to cost before any was looked at, in triangles, as if from so many patches.
@@ -18,8 +20,8 @@ const BELIEVED: f64 = 2_000.0;
 const BELIEF: f64 = 4.0;
 const FADES: f64 = 0.98;
 
-/// What a patch takes, by kind.
-#[derive(Debug, Default)]
+/// What a patch takes, by kind, in triangles.
+#[derive(Debug, Clone, Default)]
 pub(super) struct Costs {
     sums: [f64; STRATA],
     weights: [f64; STRATA],
@@ -33,9 +35,9 @@ impl Costs {
     }
 
     /// Takes in what a patch came to.
-    pub fn note(&mut self, kind: usize, triangles: u64, draws: u32, nodes: u32) {
+    pub fn note(&mut self, kind: usize, triangles: f64) {
         if let (Some(sum), Some(weight)) = (self.sums.get_mut(kind), self.weights.get_mut(kind)) {
-            *sum += triangles as f64 + f64::from(draws) * A_DRAW + f64::from(nodes) * A_NODE;
+            *sum += triangles;
             *weight += 1.0;
         }
     }
@@ -44,6 +46,11 @@ impl Costs {
         let of = |numbers: &[f64; STRATA]| numbers.get(kind).copied().unwrap_or(0.0);
         (of(&self.sums) + BELIEF * BELIEVED) / (of(&self.weights) + BELIEF)
     }
+}
+
+/// What it takes to find what may be seen through a patch and to hold it against the depth, in triangles.
+pub(super) fn overhead(nodes: u32, entries: usize, draws: u32) -> f64 {
+    f64::from(nodes) * A_NODE + entries as f64 * AN_ENTRY + f64::from(draws) * A_DRAW
 }
 
 /// The patches of one frame.
@@ -192,7 +199,7 @@ mod tests {
             );
             costs.fade();
             for (_, kind) in &lots.drawn {
-                costs.note(*kind, 10_000, 0, 0);
+                costs.note(*kind, 10_000.0);
             }
             drawn += lots.drawn.len();
         }

@@ -2,11 +2,10 @@
 //! most of what an aggressive setting gets wrong, so they are looked at more often, by as much as it pays (Neyman, *On the Two Different
 //! Aspects of the Representative Method*, 1934).
 
+use antumbra_draw::SceneTable;
 use antumbra_draw::patches::PATCH_SIDE;
-use antumbra_draw::{SceneTable, ViewFrame};
-use glam::Vec3;
 
-use crate::verdict::{Verdict, Verdicts};
+use super::cover::Covers;
 
 /// Kinds of patches.
 pub(super) const STRATA: usize = 2;
@@ -65,33 +64,23 @@ impl Patches {
     }
 
     /// Marks the patches that entities below the threshold lie on. What is left unmarked is merely looked at less often, so boxes do for meshes.
-    pub fn doubt(&mut self, table: &SceneTable, view: &ViewFrame, verdicts: &Verdicts) {
-        let clip = view.clip_from_relative();
-        for slot in verdicts.of_kind(Verdict::BelowThreshold) {
-            let mut low = Vec3::INFINITY;
-            let mut high = Vec3::NEG_INFINITY;
-            for corner in table.bounds(slot).corners() {
-                let at = clip * (corner - view.camera.position).as_vec3().extend(1.0);
-                let seen = match at.w > 0.0 {
-                    true => at.truncate() / at.w,
-                    false => Vec3::NAN,
-                };
-                // NaN stays in a minimum of this order.
-                low = Vec3::select(seen.cmplt(low), seen, low);
-                high = Vec3::select(seen.cmpgt(high), seen, high);
-            }
-            let across = |low: f32, high: f32, pixels: u32, patches: u32| {
-                let pixel = |share: f32| (share * 0.5 + 0.5) * pixels as f32 / PATCH_SIDE as f32;
-                let end = patches.saturating_sub(1);
-                (pixel(low).max(0.0) as u32).min(end)..=(pixel(high).max(0.0) as u32).min(end)
-            };
-            if !(low.is_finite() && high.is_finite()) {
+    pub fn doubt(
+        &mut self,
+        table: &SceneTable,
+        covers: &Covers,
+        left_out: impl Iterator<Item = u32>,
+    ) {
+        for slot in left_out {
+            let shadow = covers.shadow(table, slot);
+            // What is seen anywhere says nothing about where to look.
+            if shadow.is_everywhere() {
                 continue;
             }
-            let [width, height] = view.size;
-            for row in across(-high.y, -low.y, height, self.rows) {
-                for column in across(low.x, high.x, width, self.columns) {
-                    self.mark(row * self.columns + column);
+            if let Some([columns, rows]) = covers.patches(&shadow) {
+                for row in rows[0]..=rows[1] {
+                    for column in columns[0]..=columns[1] {
+                        self.mark(row * self.columns + column);
+                    }
                 }
             }
         }

@@ -131,11 +131,17 @@ impl Keeping {
 
     fn turn_dial(&self, strategy: &mut dyn Strategy) -> Result<(), DeclareError> {
         match self.steps.get(self.at.step).and_then(|step| step.dial) {
-            Some(dial) => set(strategy, dial, &self.at.allow.min(100.0).to_string()),
+            Some(dial) => {
+                let allow = self.at.allow.clamp(LEAST, 100.0);
+                set(strategy, dial, &allow.to_string())
+            }
             None => Ok(()),
         }
     }
 }
+
+/// Where a dial stands that allows nothing, in percent of the image: above 0, so that the plan has what the dial turns, and below a pixel of any image.
+const LEAST: f64 = 1e-9;
 
 fn set(strategy: &mut dyn Strategy, key: &str, value: &str) -> Result<(), DeclareError> {
     strategy

@@ -24,7 +24,8 @@ pub struct ThreePass {
     /// An entity is drawn when more samples of its proxy are visible, in pixels of the final image.
     pub threshold: u32,
     /// The part of the image, in percent, that a frame may leave out though it was seen: those with the fewest visible samples first, as many as
-    /// share no more than that. Beside the threshold; where answers stay on the GPU it must be 0.
+    /// share no more than that. Beside the threshold; where answers stay on the GPU an earlier frame's counts say how many those are, and it may be turned
+    /// only if it was above 0 when the plan was made.
     pub allow: Dial,
     /// With at most this many visible samples an entity is drawn one level of detail coarser, with at most a quarter of them two,
     /// with a sixteenth three, in pixels of the final image; 0: never.
@@ -33,6 +34,9 @@ pub struct ThreePass {
     pub occluders: StandIn,
     /// What stands in for the meshes in the second pass.
     pub occludees: StandIn,
+    /// A low-resolution version stands in where it deviates from its mesh by at most so many pixels of the final image; nearer by, the mesh stands
+    /// for itself. Infinity: anywhere.
+    pub deviation: f64,
     /// Side of the first two passes' image as a part of the final one's: at most 1.
     pub scale: f64,
 }
@@ -90,6 +94,7 @@ impl Default for ThreePass {
             coarser: 0,
             occluders: StandIn::Proxy,
             occludees: StandIn::Proxy,
+            deviation: 8.0,
             scale: 0.5,
         }
     }
@@ -101,6 +106,7 @@ const ALLOW_RANGE: &str = "a number of percent, 0 to 100";
 const COARSER_RANGE: &str = "a whole number of pixels, 0 (never) to 1000000";
 const OCCLUDERS_RANGE: &str = "proxy or full";
 const OCCLUDEES_RANGE: &str = "proxy, full or box";
+const DEVIATION_RANGE: &str = "a number of pixels from 0, or any";
 const SCALE_RANGE: &str = "a number from 0.05 to 1";
 
 impl ThreePass {
@@ -234,6 +240,15 @@ impl Strategy for ThreePass {
                 "what stands in for the meshes in the second pass",
             ),
             setting(
+                "deviation",
+                match self.deviation.is_finite() {
+                    true => self.deviation.to_string(),
+                    false => "any".to_owned(),
+                },
+                DEVIATION_RANGE,
+                "most pixels by which a proxy may deviate from its mesh; nearer by the mesh stands for itself",
+            ),
+            setting(
                 "scale",
                 self.scale.to_string(),
                 SCALE_RANGE,
@@ -272,6 +287,12 @@ impl Strategy for ThreePass {
                     &[StandIn::Proxy, StandIn::Full, StandIn::Box],
                 )?;
             }
+            "deviation" if value == "any" => self.deviation = f64::INFINITY,
+            "deviation" => {
+                self.deviation = parse(key, value, DEVIATION_RANGE, |pixels: &f64| {
+                    pixels.is_finite() && *pixels >= 0.0
+                })?
+            }
             "scale" => {
                 self.scale = parse(key, value, SCALE_RANGE, |scale| {
                     (0.05..=1.0).contains(scale)
@@ -306,25 +327,18 @@ impl Strategy for ThreePass {
             step.settings.extend(more);
             step
         };
-        let exact = step(&[("occluders", "full"), ("occludees", "full"), ("scale", "1")]);
-        let sharp = step(&[("scale", "1")]);
-        let mut steps = vec![exact];
-        match self.latency {
-            Latency::SameFrame => {
-                steps.push(sharp.with_dial("allow"));
-                if self.scale < 1.0 {
-                    steps.push(step(&[]).with_dial("allow"));
-                }
-            }
-            Latency::FrameLate => {
-                steps.extend([sharp, step(&[])]);
-                steps.push(step(&[("latency", "frame-late")]).with_dial("allow"));
-            }
-            Latency::OnGpu => {
-                steps.push(sharp);
-                let thresholds = ["0", "2", "5", "10", "20", "50", "100", "200", "500"];
-                steps.extend(thresholds.map(|threshold| step(&[("threshold", threshold)])));
-            }
+        // Closely enough that little is wrong, and what it is the audit will say.
+        let close = self.deviation.min(2.0).to_string();
+        let mut steps = vec![
+            step(&[("occluders", "full"), ("occludees", "full"), ("scale", "1")]),
+            step(&[("scale", "1"), ("deviation", &close)]),
+            step(&[("scale", "1")]).with_dial("allow"),
+        ];
+        if self.scale < 1.0 {
+            steps.push(step(&[]).with_dial("allow"));
+        }
+        if self.latency == Latency::FrameLate {
+            steps.push(step(&[("latency", "frame-late")]).with_dial("allow"));
         }
         steps
     }
@@ -334,9 +348,6 @@ impl Strategy for ThreePass {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
-        if self.latency == Latency::OnGpu && self.allow.get() > 0.0 {
-            return Err(self.conflict("what a frame may leave out is added up on the host: set allow to 0, or latency to frame-late or same-frame"));
-        }
         let way = self.way(g)?;
         let size = view
             .size()
@@ -348,11 +359,11 @@ impl Strategy for ThreePass {
             coarser: scaled(self.coarser),
         };
         let candidates = g.in_frustum(view);
-        let proxies = g.proxies(
+        let proxies = g.proxies_within(
             view,
-            candidates,
-            self.occluders.detail(),
-            self.occludees.detail(),
+            (candidates, self.occluders.detail()),
+            (candidates, self.occludees.detail()),
+            self.deviation,
         );
         let counts = g.count_samples(view, proxies, way, size);
         let within = Allowance {

@@ -223,6 +223,7 @@ fn verdicts(
         counts: join(g, view, seen, found),
         layout: CountLayout::BySlot,
         rule: SampleRule::from(0),
+        turned: None,
     }
     .into()
 }

@@ -1,0 +1,118 @@
+//! What of the image an entity may cover, and how near it comes: by its box, widened as boxes are that are asked about.
+
+use antumbra_draw::boxes::Widening;
+use antumbra_draw::patches::{Cover, PATCH_SIDE};
+use antumbra_draw::{SceneTable, ViewFrame};
+use antumbra_scene::Topology;
+use glam::{DMat4, DVec2, DVec3};
+
+/// A view, ready to see where boxes fall.
+#[derive(Debug)]
+pub(super) struct Covers {
+    clip_from_relative: DMat4,
+    size: [u32; 2],
+    solid: Widening,
+    thin: Widening,
+}
+
+/// Where a box falls on the image.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Shadow {
+    /// In pixels from the upper left corner, on the image or not.
+    least: DVec2,
+    greatest: DVec2,
+    /// Reversed depth.
+    nearest: f64,
+}
+
+impl Shadow {
+    /// Anywhere, and before all else.
+    const EVERYWHERE: Self = Self {
+        least: DVec2::NEG_INFINITY,
+        greatest: DVec2::INFINITY,
+        nearest: f64::INFINITY,
+    };
+
+    /// Whether it falls anywhere, for nobody knows where.
+    pub fn is_everywhere(&self) -> bool {
+        *self == Self::EVERYWHERE
+    }
+}
+
+/// What f32 may lose of a depth: a share of it, and where depth is linear a part of the whole. Two places above that of one operation.
+const ROUNDING: f64 = 1e-5;
+
+impl Covers {
+    pub fn new(view: &ViewFrame) -> Self {
+        Self {
+            clip_from_relative: view.clip_from_relative().as_dmat4(),
+            size: view.size,
+            solid: Widening::new(view, false),
+            thin: Widening::new(view, true),
+        }
+    }
+
+    /// Where an entity's box falls.
+    pub fn shadow(&self, table: &SceneTable, slot: u32) -> Shadow {
+        let widening = match table.class_of(slot).topology() {
+            Topology::Triangles => &self.solid,
+            _ => &self.thin,
+        };
+        let Some(corners) = widening.corners(&table.oriented(slot)) else {
+            return Shadow::EVERYWHERE;
+        };
+        let size = DVec2::new(f64::from(self.size[0]), f64::from(self.size[1]));
+        let (mut least, mut greatest) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for corner in corners {
+            let clip = self.clip_from_relative * corner.as_dvec3().extend(1.0);
+            // What is beside or behind the eye is seen anywhere; so is what has left the range of numbers.
+            if !(clip.w > 0.0 && clip.is_finite()) {
+                return Shadow::EVERYWHERE;
+            }
+            let at = clip.truncate() / clip.w;
+            least = least.min(at);
+            greatest = greatest.max(at);
+        }
+        // In a parallel view depth is linear, and w is 1 everywhere.
+        let linear = self.clip_from_relative.row(3).truncate() == DVec3::ZERO;
+        let lost = if linear { ROUNDING } else { 0.0 };
+        // Upwards in clip space is downwards in pixels.
+        let pixels = |x: f64, y: f64| (DVec2::new(x, -y) * 0.5 + 0.5) * size;
+        Shadow {
+            least: pixels(least.x, greatest.y),
+            greatest: pixels(greatest.x, least.y),
+            nearest: greatest.z * (1.0 + ROUNDING) + lost,
+        }
+    }
+
+    /// The patches that it falls on: columns and rows, as far as the image goes; `None` for none.
+    pub fn patches(&self, shadow: &Shadow) -> Option<[[u32; 2]; 2]> {
+        let [x, y] = self.on_image(shadow, [0, 0], self.size)?;
+        Some([x, y].map(|[least, greatest]| [least / PATCH_SIDE, greatest / PATCH_SIDE]))
+    }
+
+    /// What it may cover of a patch; `None` for nothing.
+    pub fn cover(&self, shadow: &Shadow, [column, row]: [u32; 2]) -> Option<Cover> {
+        let corner = [column * PATCH_SIDE, row * PATCH_SIDE];
+        let end = |at: usize| self.size[at].min(corner[at] + PATCH_SIDE);
+        let [x, y] = self.on_image(shadow, corner, [end(0), end(1)])?;
+        let nearest = shadow.nearest as f32;
+        Some(Cover {
+            nearest: nearest.next_up(),
+            pixels: [[x[0], y[0]], [x[1], y[1]]],
+        })
+    }
+
+    /// The pixels in x and in y between two corners of the image, both ends included.
+    fn on_image(&self, shadow: &Shadow, from: [u32; 2], to: [u32; 2]) -> Option<[[u32; 2]; 2]> {
+        let along = |least: f64, greatest: f64, from: u32, to: u32| {
+            // Casts of what is out of range end at the range's ends.
+            let (first, last) = (least.floor() as u32, greatest.floor() as u32);
+            let inside = greatest >= f64::from(from) && last >= from && first < to;
+            inside.then(|| [first.max(from), last.min(to - 1)])
+        };
+        let x = along(shadow.least.x, shadow.greatest.x, from[0], to[0])?;
+        let y = along(shadow.least.y, shadow.greatest.y, from[1], to[1])?;
+        Some([x, y])
+    }
+}

@@ -1,0 +1,108 @@
+//! Stand-ins that deviate from their meshes: how far is known, and none stands in where that shows; and what a frame may leave out, in every latency.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use antumbra_cull::{Registry, Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
+use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
+use antumbra_scene::builtin::{GridOptions, grid, icosphere};
+use antumbra_scene::{Camera, Drawable, EntityKey, Material, Mesh, Projection, Scene};
+use glam::{DAffine3, DVec3};
+
+const SIZE: [u32; 2] = [160, 120];
+
+fn gpu(name: &str) -> Gpu {
+    Gpu::open(&AdapterChoice::Named(name.to_owned()))
+        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
+}
+
+fn camera(eye: DVec3) -> Camera {
+    let projection = Projection::Perspective {
+        fov_y: 1.0,
+        near: 0.1,
+    };
+    Camera::look_at(eye, eye + DVec3::NEG_Z, DVec3::Y, projection).unwrap()
+}
+
+/// A few frames of a still scene: the last one's verdicts.
+fn settled(scene: &GpuScene, text: &str, camera: Camera) -> Verdicts {
+    let strategy = Registry::built_in().parse(text).unwrap();
+    let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
+    let mut stage = Stage::new(scene, strategy, specs, StageOptions::default()).unwrap();
+    for _ in 0..5 {
+        stage.frame(scene, &[ViewInput::new(camera)]).unwrap();
+        scene.gpu().wait().unwrap();
+    }
+    stage.verdicts(0, scene).unwrap()
+}
+
+/// A sphere whose proxy is a fifth of a metre too large, and a small one behind, which shows beside the sphere and not beside its proxy. All of it
+/// `scale` times as large.
+fn eclipse(scale: f64) -> (Scene, EntityKey, EntityKey) {
+    let mut scene = Scene::new();
+    let material = scene.add_material(Material::default());
+    let mut too_large = Mesh::new("too large", icosphere(4, 1.0));
+    too_large.proxy = Some(icosphere(4, 1.2));
+    let meshes = [too_large, Mesh::new("small", icosphere(3, 0.2))];
+    let places = [DVec3::new(0.0, 0.0, -5.0), DVec3::new(2.2, 0.0, -10.0)];
+    let mut keys = Vec::new();
+    for (mesh, place) in meshes.into_iter().zip(places) {
+        let mesh = scene.add_mesh(mesh).unwrap();
+        let place = DAffine3::from_scale(DVec3::splat(scale)) * DAffine3::from_translation(place);
+        let key = scene.spawn(None, place).unwrap();
+        scene
+            .set_drawable(key, Drawable { mesh, material })
+            .unwrap();
+        keys.push(key);
+    }
+    (scene, keys[0], keys[1])
+}
+
+#[test]
+fn no_stand_in_hides_where_its_deviation_shows() {
+    for adapter in ["vulkan", "gl"] {
+        let gpu = gpu(adapter);
+        for scale in [1.0, 100.0] {
+            let (mut scene, large, small) = eclipse(scale);
+            let scene = GpuScene::new(&gpu, &mut scene).unwrap();
+            let [large, small] = [large, small].map(|key| scene.slot(key).unwrap());
+            let off = f64::from(scene.table().deviation(large));
+            assert!((off - 0.2 * scale).abs() < 0.02 * scale, "{off} at {scale}");
+            assert_eq!(scene.table().deviation(small), 0.0);
+            // A fifth of a metre at 3.8 metres, of 110 pixels a metre at one metre: 5.8 pixels.
+            for (deviation, drawn) in [("any", false), ("8", false), ("4", true), ("0", true)] {
+                for latency in ["same-frame", "frame-late", "on-gpu"] {
+                    for counting in ["auto", "atomics", "compare", "queries"] {
+                        let text = format!(
+                            "three-pass:latency={latency}:counting={counting}:deviation={deviation}:threshold=0:scale=1"
+                        );
+                        let verdicts = settled(&scene, &text, camera(DVec3::ZERO));
+                        assert!(verdicts.get(large).draws(), "{text}: the sphere is lost");
+                        assert_eq!(verdicts.get(small).draws(), drawn, "{text} on {adapter}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn in_every_latency_as_much_is_left_out_as_is_allowed() {
+    let gpu = gpu("vulkan");
+    let options = GridOptions {
+        per_side: 7,
+        ..GridOptions::default()
+    };
+    let mut scene = grid(options).unwrap();
+    scene.ensure_proxies(&Default::default());
+    let scene = GpuScene::new(&gpu, &mut scene).unwrap();
+    let camera = camera(DVec3::new(0.4, 0.3, 9.0));
+    let all = |allow: &str| {
+        let texts = ["same-frame", "frame-late", "on-gpu"]
+            .map(|latency| format!("three-pass:latency={latency}:threshold=0:allow={allow}"));
+        texts.map(|text| settled(&scene, &text, camera).drawn().count())
+    };
+    let exact = all("0");
+    let less = all("5");
+    assert_eq!(exact, [exact[0]; 3]);
+    assert_eq!(less, [less[0]; 3]);
+    assert!(less[0] + 5 < exact[0], "{} of {}", less[0], exact[0]);
+}
