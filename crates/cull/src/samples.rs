@@ -248,7 +248,8 @@ impl Samples {
     }
 }
 
-/// The highest threshold at which all that have no more samples than it share no more than is allowed.
+/// The threshold at which as many as possible share no more than is allowed: as many samples as the largest of them has and no more, for whoever goes by
+/// it a frame later may meet somebody who has.
 fn highest(counts: impl Iterator<Item = u32>, allowed: u64) -> u32 {
     let mut having = [0u64; Allowance::LARGEST as usize + 1];
     for count in counts {
@@ -263,7 +264,9 @@ fn highest(counts: impl Iterator<Item = u32>, allowed: u64) -> u32 {
         if sum > allowed {
             break;
         }
-        highest = count;
+        if *number > 0 {
+            highest = count;
+        }
     }
     highest
 }
@@ -298,6 +301,7 @@ mod tests {
             [0, 1, 1, 7, 7, 12, 19, 19]
         );
         assert_eq!(left_out(919), 919);
+        assert_eq!(highest(counts(), 100), 7);
         // What is as large as that is never left out.
         assert_eq!(left_out(u64::MAX), 919);
     }

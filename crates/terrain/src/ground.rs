@@ -57,6 +57,15 @@ impl Ground {
         let mut highest: Option<f64> = None;
         self.boxes.each_touching(&square, |triangle| {
             let [a, b, c] = field.corners(triangle);
+            // Its box may touch the square where it does not itself: all of the square lies beyond one of its sides then.
+            let beyond = |[a, b]: [DVec3; 2]| {
+                let side = (b - a).truncate();
+                let inward = side.perp_dot(place - a.truncate());
+                inward + side.abs().element_sum() * reach < -1e-9 * side.length_squared()
+            };
+            if [[a, b], [b, c], [c, a]].into_iter().any(beyond) {
+                return;
+            }
             let normal = (b - a).cross(c - a);
             let fall = -normal.truncate() / normal.z;
             // The plane over the square's highest corner, and no more than the triangle's own.

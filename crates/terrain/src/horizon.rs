@@ -203,12 +203,57 @@ impl Horizons {
         horizon.copied().unwrap_or(Horizon::OPEN)
     }
 
-    /// The horizon of an edge, by its number in [`Field::edges`]: who is hidden by it from both ends is hidden from all places between.
+    /// The horizon of an edge, by its number in [`Field::edges`]: it holds at each of its places, at that place's own height and distance.
     #[must_use]
     pub fn along(&self, edge: u32, sector: u32, reach: u32) -> Horizon {
         let row = self.row(sector, reach);
         let horizon = row.get(self.vertices + edge as usize);
         horizon.copied().unwrap_or(Horizon::OPEN)
+    }
+
+    /// Whether all of an edge of this field between its ends is hidden from somebody at `from`, metres east, north and up of the field's origin. An end may
+    /// be seen where what hides the rest begins at it.
+    ///
+    /// Both ends do not speak for what lies between: somebody right before an edge is nearer to its middle than to its ends. So the nearest of its places is
+    /// asked for, and the one that comes closest to the line over the horizon.
+    #[must_use]
+    pub fn hides_edge(&self, field: &Field, edge: u32, from: DVec3) -> bool {
+        let Some(&half) = field.edges().get(edge as usize) else {
+            return false;
+        };
+        let ends = field.ends(half);
+        let [first, last] = ends.map(|end| self.sectors.containing((from - end).truncate()));
+        let Some(sector) = first.filter(|_| first == last) else {
+            return false;
+        };
+        let long = (ends[1] - ends[0]).truncate().length();
+        let along = (ends[1] - ends[0]) / long;
+        let away = (from - ends[0]).truncate();
+        let (foot, aside) = (
+            away.dot(along.truncate()),
+            away.perp_dot(along.truncate()).abs(),
+        );
+        let nearest = (foot - foot.clamp(0.0, long)).hypot(aside);
+        (0..self.sectors.reaches()).any(|reach| {
+            let horizon = self.along(edge, sector, reach);
+            // Where the edge rises as fast as the line over the horizon falls with a place that comes nearer; a falling line is lowest at an end.
+            let turn = along.z / f64::from(horizon.slope);
+            let lowest = foot - turn * aside / (1.0 - turn * turn).max(0.0).sqrt();
+            let places = [
+                0.0,
+                long,
+                if lowest.is_finite() {
+                    lowest.clamp(0.0, long)
+                } else {
+                    0.0
+                },
+            ];
+            nearest >= f64::from(horizon.distance)
+                && places.into_iter().all(|place| {
+                    let up = from.z - ends[0].z - along.z * place;
+                    up < f64::from(horizon.slope) * (foot - place).hypot(aside)
+                })
+        })
     }
 
     fn row(&self, sector: u32, reach: u32) -> &[Horizon] {
