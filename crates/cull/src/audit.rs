@@ -36,7 +36,7 @@ pub struct AuditOptions {
 impl Default for AuditOptions {
     fn default() -> Self {
         Self {
-            share: 0.04,
+            share: 0.05,
             seed: 0,
             census: false,
         }

@@ -163,6 +163,7 @@ impl FrameGraph<'_> {
             let at = At {
                 table: &scene.table,
                 view: &frame,
+                covers: Covers::new(&frame),
                 tree: &*ctx.get(tree)?,
                 culled: &culled,
                 number: ctx.frame(),
@@ -317,6 +318,7 @@ impl<'a> Culled<'a> {
 struct At<'a> {
     table: &'a SceneTable,
     view: &'a ViewFrame,
+    covers: Covers,
     tree: &'a Tree,
     culled: &'a Culled<'a>,
     number: u64,
@@ -344,9 +346,8 @@ impl Chooser {
         if options.census {
             return Lots::all(&self.patches);
         }
-        let covers = Covers::new(at.view);
         self.patches
-            .doubt(at.table, &covers, at.culled.doubtful().into_iter());
+            .doubt(at.table, &at.covers, at.culled.doubtful().into_iter());
         let triangles = match self.triangles {
             Some(known) if !at.number.is_multiple_of(RECKON) => known,
             _ => at.culled.triangles_drawn(at.table),
@@ -360,7 +361,6 @@ impl Chooser {
     /// Lists what may show in each patch, and says what finding it took.
     fn list(&mut self, at: &At<'_>, lots: &Lots, list: &mut PatchList) -> Vec<f64> {
         list.clear();
-        let covers = Covers::new(at.view);
         let mut work = Vec::with_capacity(lots.drawn.len());
         for (patch, _) in &lots.drawn {
             let place = self.patches.place(*patch);
@@ -369,8 +369,8 @@ impl Chooser {
             let nodes = through::walk(at.tree, &frustum, &mut self.stack, &mut self.found);
             let culled = self.found.iter().filter(|slot| at.culled.has(**slot));
             let members = culled.filter_map(|slot| {
-                let shadow = covers.shadow(at.table, *slot);
-                Some((*slot, covers.cover(&shadow, place)?))
+                let shadow = at.covers.shadow(at.table, *slot);
+                Some((*slot, at.covers.cover(&shadow, place)?))
             });
             self.members.clear();
             self.members.extend(members);

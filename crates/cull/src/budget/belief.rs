@@ -11,13 +11,15 @@ pub(super) struct Belief {
 
 /// The prior counts as so many hits.
 const PRIOR_HITS: f64 = 1.5;
-/// What a frame is worth to a belief a frame later: about 4,000 frames are remembered.
+/// What a frame is worth to a belief a frame later: about 4,000 frames are remembered,
 const FADES: f64 = 1.0 - 1.0 / 4_000.0;
+/// and of a step that is not stood on about 800, for what was seen of it then may be gone.
+const FORGETS: f64 = 1.0 - 1.0 / 800.0;
 
 impl Belief {
     /// Takes in a frame.
     pub fn note(&mut self, percent: f64, hits: f64) {
-        self.fade();
+        self.keep(FADES);
         self.found += percent;
         self.frames += 1.0;
         self.hits += hits;
@@ -25,9 +27,13 @@ impl Belief {
 
     /// Lets a frame pass that says nothing about it.
     pub fn fade(&mut self) {
-        self.found *= FADES;
-        self.frames *= FADES;
-        self.hits *= FADES;
+        self.keep(FORGETS);
+    }
+
+    fn keep(&mut self, part: f64) {
+        self.found *= part;
+        self.frames *= part;
+        self.hits *= part;
     }
 
     /// The mean, in percent; `a_hit` is what one hit stands for in a frame, `prior` what was believed before anything was found.

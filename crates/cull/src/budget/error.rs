@@ -34,7 +34,7 @@ struct Known {
 }
 
 /// The first step is conservative by contract; of the next nothing is known but that its author found it worth while. A part of the budget.
-const PRIOR: f64 = 0.4;
+const PRIOR: f64 = 0.35;
 /// By how much a step that was never stood on is believed to err more than the one before.
 const WORSENS: f64 = 2.0;
 /// So many times what is allowed is too much for patience.

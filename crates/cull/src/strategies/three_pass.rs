@@ -327,11 +327,8 @@ impl Strategy for ThreePass {
             step.settings.extend(more);
             step
         };
-        // Closely enough that little is wrong, and what it is the audit will say.
-        let close = self.deviation.min(2.0).to_string();
         let mut steps = vec![
             step(&[("occluders", "full"), ("occludees", "full"), ("scale", "1")]),
-            step(&[("scale", "1"), ("deviation", &close)]),
             step(&[("scale", "1")]).with_dial("allow"),
         ];
         if self.scale < 1.0 {
