@@ -108,6 +108,26 @@ pub struct Proxies {
     pub asked: Host<Asked>,
 }
 
+/// Where proxies do not stand in for their meshes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Close {
+    /// Nearer by than where they deviate from them by so many pixels of the view's image.
+    pub deviation: f64,
+    /// Whether what the near plane cuts hides others, as what it is. Not where answers are used a frame late: the eye may have passed through it by then,
+    /// and all that it hid is in sight.
+    pub cut_hide: bool,
+}
+
+impl Default for Close {
+    /// Everywhere but where the near plane cuts them, and there nothing is hidden.
+    fn default() -> Self {
+        Self {
+            deviation: f64::INFINITY,
+            cut_hide: false,
+        }
+    }
+}
+
 /// Which of two details is the full mesh.
 const CLOSE: usize = 1;
 
@@ -149,17 +169,16 @@ impl FrameGraph<'_> {
         hiding: (Host<Candidates>, Detail),
         candidates: (Host<Candidates>, Detail),
     ) -> Proxies {
-        self.proxies_within(view, hiding, candidates, f64::INFINITY)
+        self.proxies_within(view, hiding, candidates, Close::default())
     }
 
-    /// The same, with the full mesh in place of a [`Detail::Proxy`] that deviates from it by more than so many pixels of the view's image, or that the
-    /// near plane cuts.
+    /// The same, with the full mesh in place of a [`Detail::Proxy`] that is too close to stand in.
     pub fn proxies_within(
         &mut self,
         view: &ViewNodes,
         (hiding, occluder): (Host<Candidates>, Detail),
         (candidates, occludee): (Host<Candidates>, Detail),
-        pixels: f64,
+        close: Close,
     ) -> Proxies {
         let inputs = view.inputs();
         let all_hide = hiding == candidates && self.topology().classes().all(|class| class.hides());
@@ -199,12 +218,14 @@ impl FrameGraph<'_> {
             let mut occluder_list = ctx.get_mut(occluders.list)?;
             let frame = ctx.get(inputs.view)?;
             // Whoever stands between a mesh and its stand-in sees through the one and is blinded by the other: close by, nothing stands in.
+            let blinds = |slot: &u32| sorts && !close.cut_hide && hiding.is_near(*slot);
             let closely = |slot: u32| match hiding.is_near(slot) {
                 true => CLOSE,
-                false => usize::from(deviates(table, &frame, slot, pixels)),
+                false => usize::from(deviates(table, &frame, slot, close.deviation)),
             };
             let in_detail = |slot: u32| (slot, closely(slot));
             let hiders = hiding.inside().iter().copied().filter(hides);
+            let hiders = hiders.filter(|slot| !blinds(slot));
             if sorts {
                 front_to_back(&mut order, table, &frame, hiders);
                 let sorted = order.iter().map(|entry| in_detail(*entry as u32));
@@ -216,7 +237,8 @@ impl FrameGraph<'_> {
             let mut tested = Arc::new(occluder_list.ids().to_vec());
             if let (Some(others), Some(all)) = (others, all) {
                 let mut list = ctx.get_mut(others.list)?;
-                let rest = inside().filter(|slot| !hides(slot) || !hiding.contains(*slot));
+                let rest =
+                    inside().filter(|slot| !hides(slot) || blinds(slot) || !hiding.contains(*slot));
                 list.fill_mixed(table, rest.map(in_detail), &[occludee, closest]);
                 ctx.upload(others.ids, 0, bytemuck::cast_slice(list.ids()))?;
                 let mut list = ctx.get_mut(all.list)?;

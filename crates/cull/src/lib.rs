@@ -36,7 +36,7 @@ mod visible_samples;
 pub use audit::{AUDIT, Audit, AuditOptions, Estimate, FrameAudit};
 pub use budget::{Budget, BudgetError, Standing, Step};
 pub use candidates::{Asked, Candidates, Query, Stamp};
-pub use counting::{Counting, Counts, Proxies};
+pub use counting::{Close, Counting, Counts, Proxies};
 pub use dial::Dial;
 pub use frame_graph::{CULL, Chosen, DRAW, FrameGraph};
 pub use inner::Inner;

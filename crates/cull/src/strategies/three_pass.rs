@@ -6,7 +6,7 @@
 use antumbra_draw::Detail;
 
 use crate::budget::Step;
-use crate::counting::Counting;
+use crate::counting::{Close, Counting};
 use crate::dial::Dial;
 use crate::frame_graph::FrameGraph;
 use crate::samples::{Allowance, SampleRule};
@@ -360,7 +360,10 @@ impl Strategy for ThreePass {
             view,
             (candidates, self.occluders.detail()),
             (candidates, self.occludees.detail()),
-            self.deviation,
+            Close {
+                deviation: self.deviation,
+                cut_hide: self.latency != Latency::FrameLate,
+            },
         );
         let counts = g.count_samples(view, proxies, way, size);
         let within = Allowance {
