@@ -11,7 +11,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::cover::Covers;
 use super::plan::{Lots, MOST, overhead};
-use super::sift::{ENTRY_BYTES, GpuSettings, Listed, draw_bytes};
+use super::sift::{ENTRY_BYTES, GpuSettings, Listed, MOST_ENTRIES, draw_bytes};
 use super::strata::{DOUBTFUL, Patches, STRATA};
 use super::through;
 use super::{AUDIT, Audit, AuditOptions, Experience, FrameAudit, Hit};
@@ -69,6 +69,8 @@ impl FrameGraph<'_> {
             view.named("audit: marks"),
             BufferDesc::new(most * PATCH_BYTES).zeroed(),
         );
+        // What does not fit into a dispatch of one row leaves the frame out.
+        let entries = entries.min(MOST_ENTRIES);
         let looked = self.graph().host::<Looked>(view.named("audit: looked at"));
         let audit = self.read_marks(view, shown, looked, learned);
         let (listed, looked) = self.choose_patches(view, set, options, (audit, looked), entries);

@@ -41,6 +41,8 @@ pub(super) const ENTRY_BYTES: u64 = size_of::<GpuPatchEntry>() as u64;
 const KEPT_BYTES: u64 = 8;
 /// Entries a workgroup.
 const LANES: u32 = 64;
+/// The most entries that one row of workgroups holds.
+pub(super) const MOST_ENTRIES: u64 = 65_535 * LANES as u64;
 
 /// What the host has listed, on the GPU.
 #[derive(Debug, Clone, Copy)]
