@@ -1,11 +1,13 @@
 //!import marks
+//!import turned
 // Of what may show in a few patches of the image, keeps what the finished depth does not hide already by its box, and writes the indirect draws.
 // (Boxes against depth before meshes: Greene, Kass, Miller, Hierarchical Z-Buffer Visibility, 1993; here against each pixel, for they are few.)
 
 struct Settings {
     // Entries.
     count: u32,
-    // Where entities are chosen on the GPU: those with more visible samples than this are drawn already.
+    // Where entities are chosen on the GPU: those with more visible samples than this are drawn already. These words stand in for a threshold that is
+    // not turned.
     threshold: u32,
     padding_a: u32,
     padding_b: u32,
@@ -37,7 +39,9 @@ struct Draw {
 @group(0) @binding(3) var finished_depth: texture_2d<f32>;
 @group(0) @binding(4) var<storage, read_write> kept: array<vec2<u32>>;
 @group(0) @binding(5) var<storage, read_write> draws: array<Draw>;
+// Patch by patch, and in the last word the visible samples of all that a turned threshold left out.
 @group(0) @binding(6) var<storage, read_write> shown: array<atomic<u32>>;
+@group(0) @binding(7) var<storage, read> turned: Turned;
 
 fn may_show(entry: Entry) -> bool {
     let least = vec2<u32>(entry.least & 0xffffu, entry.least >> 16u);
@@ -55,11 +59,14 @@ fn may_show(entry: Entry) -> bool {
 
 @compute @workgroup_size(64)
 fn sift(@builtin(global_invocation_id) at: vec3<u32>) {
+    if at.x == 0u {
+        atomicStore(&shown[arrayLength(&shown) - 1u], turned.left_out);
+    }
     if at.x >= settings.count {
         return;
     }
     let entry = entries[at.x];
-    if entry.slot < arrayLength(&counts) && counts[entry.slot] > settings.threshold {
+    if entry.slot < arrayLength(&counts) && counts[entry.slot] > turned.threshold {
         return;
     }
     if !may_show(entry) {

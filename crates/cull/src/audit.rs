@@ -6,6 +6,7 @@
 //! Universe*, 1952). `docs/audit.md` has the derivation.
 
 mod cover;
+mod doubts;
 mod interval;
 mod nodes;
 mod plan;

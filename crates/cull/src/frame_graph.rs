@@ -150,13 +150,23 @@ impl<'g> FrameGraph<'g> {
 
     /// A tree of boxes over all that may be culled, kept in step with the scene; one a shape, however many views ask for it.
     pub fn tree(&mut self, view: &ViewNodes, shape: Shape) -> Host<Tree> {
+        self.tree_for(view, shape, CULL)
+    }
+
+    /// The same; where it was not kept yet, what keeping it costs is accounted to `group`.
+    pub(crate) fn tree_for(
+        &mut self,
+        view: &ViewNodes,
+        shape: Shape,
+        group: &'static str,
+    ) -> Host<Tree> {
         if let Some(kept) = self.shared.trees.get(&shape) {
             return *kept;
         }
         let scene = view.inputs.scene;
         let tree = self.graph.host::<Tree>(format!("tree of {shape}"));
         let mut node = self.graph.host_node(format!("follow tree of {shape}"));
-        node.group(CULL).read(scene);
+        node.group(group).read(scene);
         let tree = node.updates(tree);
         node.run(move |ctx| {
             let scene = ctx.get(scene)?;

@@ -11,10 +11,10 @@ use bytemuck::{Pod, Zeroable};
 use crate::candidates::{Asked, Candidates};
 use crate::counting::{ComputePipeline, Counts};
 use crate::frame_graph::{CULL, DRAW, FrameGraph};
-use crate::late_threshold::LateThreshold;
 use crate::order::back_to_front;
 use crate::samples::{Allowance, CountLayout, SampleRule};
 use crate::strategy::{VerdictSource, VisibleSet};
+use crate::turned::Turned;
 use crate::view_nodes::ViewNodes;
 
 /// Mirrors `Batch` of `compact.wgsl`.
@@ -82,14 +82,6 @@ impl Bounds {
     };
 }
 
-/// What earns a place in the visible set.
-#[derive(Debug, Clone, Copy)]
-struct Judged {
-    rule: SampleRule,
-    /// The frame's threshold, where it is not the rule's.
-    turned: Option<Host<LateThreshold>>,
-}
-
 /// Candidates laid out for the compaction.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Layout {
@@ -147,22 +139,17 @@ impl FrameGraph<'_> {
             CountLayout::BySlot => counts.buffer,
             CountLayout::ByQuery => self.scatter(view, counts),
         };
-        let turned = within.allows().then(|| {
-            let by_slot = Counts {
-                buffer: by_slot,
-                layout: CountLayout::BySlot,
-                asked: counts.asked,
-            };
-            self.late_threshold(view, candidates, by_slot, (rule, within))
-        });
-        let rule = Judged { rule, turned };
+        let turned = within
+            .allows()
+            .then(|| self.turned(view, candidates, by_slot, (rule, within)));
         let among = (candidates, counts.asked);
         let solid = self.layout(view, "candidates", among, rule, false);
-        let solid = self.compact(view, "visible set", solid, by_slot);
+        let solid = self.compact(view, "visible set", solid, (by_slot, turned));
         self.shade_indirect(view, "shaded", solid);
         if self.topology().transparent {
             let blended = self.layout(view, "transparent candidates", among, rule, true);
-            let blended = self.compact(view, "visible transparent set", blended, by_slot);
+            let counted = (by_slot, turned);
+            let blended = self.compact(view, "visible transparent set", blended, counted);
             self.shade_indirect(view, "transparent", blended);
         }
         VerdictSource::Gpu {
@@ -170,7 +157,7 @@ impl FrameGraph<'_> {
             asked: counts.asked,
             counts: by_slot,
             layout: CountLayout::BySlot,
-            rule: rule.rule,
+            rule,
             turned,
         }
         .into()
@@ -182,7 +169,7 @@ impl FrameGraph<'_> {
         view: &ViewNodes,
         name: &str,
         (candidates, asked): (Host<Candidates>, Host<Asked>),
-        Judged { rule, turned }: Judged,
+        rule: SampleRule,
         transparent: bool,
     ) -> Layout {
         // Back to front, neighbours seldom share a batch: as many runs as slots at worst.
@@ -202,16 +189,9 @@ impl FrameGraph<'_> {
             (most, u64::from(levels)),
             |node| {
                 node.read(candidates).read(asked);
-                if let Some(turned) = turned {
-                    node.read(turned);
-                }
             },
             move |ctx, table, frame, laid| {
                 let candidates = ctx.get(candidates)?;
-                let mut rule = rule;
-                if let Some(turned) = turned {
-                    rule.threshold = ctx.get(turned)?.threshold;
-                }
                 let unasked = unasked(&candidates, &*ctx.get(asked)?);
                 let members = candidates
                     .inside()
@@ -303,13 +283,13 @@ impl FrameGraph<'_> {
         layout
     }
 
-    /// Keeps of a layout what the counts, by slot, say.
+    /// Keeps of a layout what the counts, by slot, say, and a threshold beyond the runs' bounds where one is turned.
     pub(crate) fn compact(
         &mut self,
         view: &ViewNodes,
         name: &str,
         layout: Layout,
-        counts: Buffer,
+        (counts, turned): (Buffer, Option<Turned>),
     ) -> Indirect {
         let pipeline =
             ComputePipeline::new(self.gpu(), &antumbra_shaders::jobs::compact::JOB, "compact");
@@ -328,6 +308,11 @@ impl FrameGraph<'_> {
         node.storage_read(layout.runs)
             .storage_read(layout.entries)
             .storage_read(counts);
+        // Words that hold no threshold.
+        let turned = turned.map_or(layout.settings, |turned| turned.buffer);
+        if turned != layout.settings {
+            node.storage_read(turned);
+        }
         let (ids, draws) = (node.storage_write(ids), node.storage_write(draws));
         node.run(move |ctx| {
             let runs = ctx.get(layout.list)?.runs().len() as u32;
@@ -341,6 +326,7 @@ impl FrameGraph<'_> {
                 Bind::Buffer(3, counts),
                 Bind::Buffer(4, ids),
                 Bind::Buffer(5, draws),
+                Bind::Buffer(6, turned),
             ];
             let group = ctx.bind_group(0, &pipeline.layout, &binds)?;
             let pass = ctx.pass();

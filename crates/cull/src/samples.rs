@@ -110,7 +110,7 @@ impl Allowance {
     }
 
     /// In samples.
-    fn samples(&self) -> u64 {
+    pub(crate) fn samples(&self) -> u64 {
         (f64::from(self.percent.get()) / 100.0 * f64::from(self.pixels)).max(0.0) as u64
     }
 
@@ -163,35 +163,26 @@ impl Samples {
         allowance: &Allowance,
         verdicts: &mut Verdicts,
     ) {
-        rule.threshold = self.highest_within(candidates, rule, allowance).0;
+        rule.threshold = self.highest_within(candidates, rule, allowance.samples());
         self.judge(table, candidates, rule, verdicts);
         verdicts.share_left_out_of(allowance.pixels);
     }
 
-    /// The threshold of a rule, or as high a one as an allowance lets it be, and what that leaves out, in percent of the image.
+    /// The threshold of a rule, or as high a one as lets so many samples be left out.
     pub(crate) fn highest_within(
         &self,
         candidates: &Candidates,
         rule: SampleRule,
-        allowance: &Allowance,
-    ) -> (u32, f64) {
-        let counts = || {
-            candidates.inside().iter().filter_map(|slot| {
-                let judged = !candidates.is_exempt(*slot);
-                self.get(*slot).filter(|_| judged)
-            })
-        };
-        let allowed = allowance.samples();
-        let threshold = match allowed {
-            0 => rule.threshold,
-            _ => rule.threshold.max(highest(counts(), allowed)),
-        };
-        let left_out: u64 = counts()
-            .filter(|count| *count <= threshold)
-            .map(u64::from)
-            .sum();
-        let percent = left_out as f64 / f64::from(allowance.pixels.max(1)) * 100.0;
-        (threshold, percent)
+        allowed: u64,
+    ) -> u32 {
+        if allowed == 0 {
+            return rule.threshold;
+        }
+        let counts = candidates.inside().iter().filter_map(|slot| {
+            let judged = !candidates.is_exempt(*slot);
+            self.get(*slot).filter(|_| judged)
+        });
+        rule.threshold.max(highest(counts, allowed))
     }
 
     /// When the question was asked; `None` before any answer.

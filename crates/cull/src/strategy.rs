@@ -6,9 +6,9 @@ use thiserror::Error;
 use crate::candidates::Candidates;
 use crate::frame_graph::FrameGraph;
 use crate::hand_on::HandedOn;
-use crate::late_threshold::LateThreshold;
 use crate::setting::{Setting, SettingError};
 use crate::sketch::Sketch;
+use crate::turned::Turned;
 use crate::verdict::Verdicts;
 use crate::view_nodes::ViewNodes;
 
@@ -137,7 +137,7 @@ pub(crate) enum VerdictSource {
         layout: crate::CountLayout,
         rule: crate::SampleRule,
         /// The frame's threshold, where it is not the rule's.
-        turned: Option<Host<LateThreshold>>,
+        turned: Option<Turned>,
     },
 }
 

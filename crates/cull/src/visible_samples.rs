@@ -24,8 +24,8 @@ impl FrameGraph<'_> {
         self.visible_samples_within(view, candidates, counts, latency, rule, &none)
     }
 
-    /// The same with a threshold that each frame is as high as an allowance lets it be. On the GPU it is as high as the counts of an earlier frame let it
-    /// be; an allowance that stands at 0 when this is declared then stays without effect.
+    /// The same with a threshold that each frame is as high as an allowance lets it be by the counts it goes by. On the GPU, where no host sees these, a
+    /// compute node turns it; an allowance that stands at 0 when this is declared has none there, and stays without effect.
     pub fn visible_samples_within(
         &mut self,
         view: &mut ViewNodes,

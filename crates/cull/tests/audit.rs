@@ -94,10 +94,11 @@ const CENSUS: AuditOptions = AuditOptions {
 };
 
 /// Every strategy that errs, in each latency.
-const AGGRESSIVE: [&str; 7] = [
+const AGGRESSIVE: [&str; 8] = [
     "three-pass",
     "three-pass:latency=same-frame:threshold=20",
     "three-pass:latency=on-gpu:threshold=20",
+    "three-pass:latency=on-gpu:threshold=5:allow=2",
     "occupancy-map:latency=frame-late",
     "coherent:latency=frame-late:fraction=0.3",
     "coherent:latency=same-frame:fraction=0.5",

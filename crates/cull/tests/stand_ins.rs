@@ -1,7 +1,7 @@
 //! Stand-ins that deviate from their meshes: how far is known, and none stands in where that shows; and what a frame may leave out, in every latency.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{Registry, Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
+use antumbra_cull::{AuditOptions, Registry, Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
 use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
 use antumbra_scene::builtin::{GridOptions, grid, icosphere};
 use antumbra_scene::{Camera, Drawable, EntityKey, Material, Mesh, Projection, Scene};
@@ -105,4 +105,79 @@ fn in_every_latency_as_much_is_left_out_as_is_allowed() {
     assert_eq!(exact, [exact[0]; 3]);
     assert_eq!(less, [less[0]; 3]);
     assert!(less[0] + 5 < exact[0], "{} of {}", less[0], exact[0]);
+}
+
+/// Who is drawn in a frame.
+type Drawn = Vec<u32>;
+/// A frame, and what its audit has heard of what it left out, in percent.
+type LeftOut = (u64, Option<f64>);
+
+/// Flies along a path of leaps.
+fn leaping(scene: &GpuScene, text: &str) -> (Vec<Drawn>, Vec<LeftOut>) {
+    let strategy = Registry::built_in().parse(text).unwrap();
+    let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
+    let options = StageOptions {
+        audit: Some(AuditOptions::default()),
+        ..StageOptions::default()
+    };
+    let mut stage = Stage::new(scene, strategy, specs, options).unwrap();
+    let mut drawn = Vec::new();
+    for frame in 0..8 {
+        let eye = DVec3::new(f64::from(frame % 3) - 1.0, 0.3, 11.0 - f64::from(frame));
+        stage.frame(scene, &[ViewInput::new(camera(eye))]).unwrap();
+        scene.gpu().wait().unwrap();
+        drawn.push(stage.verdicts(0, scene).unwrap().drawn().collect());
+    }
+    let audit = stage.audit(0).unwrap();
+    let left_out = audit.frames();
+    let left_out = left_out.map(|found| (found.frame, found.left_out_percent()));
+    (drawn, left_out.collect())
+}
+
+#[test]
+fn the_gpu_turns_each_frames_threshold_as_the_host_does() {
+    for adapter in ["vulkan", "gl"] {
+        let gpu = gpu(adapter);
+        let options = GridOptions {
+            per_side: 7,
+            ..GridOptions::default()
+        };
+        let mut scene = grid(options).unwrap();
+        scene.ensure_proxies(&Default::default());
+        let scene = GpuScene::new(&gpu, &mut scene).unwrap();
+        let mut fewest = usize::MAX;
+        for settings in [
+            "threshold=0:allow=0.000000001",
+            "threshold=0:allow=0.2",
+            "threshold=0:allow=5",
+            "threshold=12:allow=0.2",
+            "threshold=12:allow=5:coarser=80",
+            "threshold=5000:allow=5",
+            "threshold=0:allow=100",
+        ] {
+            let [host, on_gpu] = ["same-frame", "on-gpu"].map(|latency| {
+                leaping(&scene, &format!("three-pass:latency={latency}:{settings}"))
+            });
+            assert_eq!(host.0, on_gpu.0, "{settings} on {adapter}: who is drawn");
+            for known in &on_gpu.1 {
+                let same = host.1.iter().find(|(frame, _)| *frame == known.0);
+                let (Some(ours), Some(theirs)) = (known.1, same.and_then(|same| same.1)) else {
+                    panic!(
+                        "{settings} on {adapter}: nothing is known of frame {}",
+                        known.0
+                    );
+                };
+                assert!(
+                    (ours - theirs).abs() < 1e-9,
+                    "{settings} on {adapter}: {ours}, {theirs}"
+                );
+            }
+            assert!(on_gpu.1.len() >= 5, "{:?}", on_gpu.1);
+            fewest = fewest.min(host.0.iter().map(Vec::len).min().unwrap_or(0));
+        }
+        assert!(
+            fewest < 20,
+            "{fewest} are drawn with all that may be left out"
+        );
+    }
 }

@@ -10,6 +10,7 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
 use super::cover::Covers;
+use super::doubts::Doubts;
 use super::plan::{Lots, MOST, overhead};
 use super::sift::{ENTRY_BYTES, GpuSettings, Listed, MOST_ENTRIES, draw_bytes};
 use super::strata::{DOUBTFUL, Patches, STRATA};
@@ -18,7 +19,6 @@ use super::{AUDIT, Audit, AuditOptions, Experience, FrameAudit, Hit};
 use crate::candidates::{Asked, Candidates};
 use crate::counting::Counting;
 use crate::frame_graph::FrameGraph;
-use crate::late_threshold::LateThreshold;
 use crate::on_gpu::unasked;
 use crate::strategy::{VerdictSource, VisibleSet};
 use crate::tree::Tree;
@@ -33,6 +33,8 @@ struct Looked {
     work: Arc<Vec<f64>>,
     cuts: u64,
     left_out: Option<f64>,
+    /// Pixels of the image in which the GPU says what was left out, where it is there that the threshold is turned.
+    counted: Option<u32>,
     pixels: f64,
     census: bool,
     /// There was no room for all that had to be drawn: the frame says nothing.
@@ -43,6 +45,8 @@ struct Looked {
 const ENTRIES: u64 = 65_536;
 /// In a census, instances a patch there is room for.
 const ENTRIES_A_PATCH: u64 = 64;
+/// After the marks of all patches: the visible samples of all that a turned threshold left out.
+const LEFT_OUT_BYTES: u64 = size_of::<u32>() as u64;
 /// How often the triangles a view draws are added up, in frames.
 const RECKON: u64 = 16;
 /// Which part of the candidates' triangles is taken to be drawn where that is decided on the GPU.
@@ -67,7 +71,7 @@ impl FrameGraph<'_> {
         };
         let shown = self.graph().buffer(
             view.named("audit: marks"),
-            BufferDesc::new(most * PATCH_BYTES).zeroed(),
+            BufferDesc::new(most * PATCH_BYTES + LEFT_OUT_BYTES).zeroed(),
         );
         // What does not fit into a dispatch of one row leaves the frame out.
         let entries = entries.min(MOST_ENTRIES);
@@ -127,6 +131,7 @@ impl FrameGraph<'_> {
     ) -> (Listed, Host<Looked>) {
         let inputs = view.inputs();
         let tree = self.any_tree(view);
+        let doubts = self.doubts(view, set.verdicts);
         let list = self.graph().host::<PatchList>(view.named("audit: list"));
         let mut buffer = |name: &str, bytes| {
             let name = view.named(&format!("audit: {name}"));
@@ -143,7 +148,7 @@ impl FrameGraph<'_> {
             .read(inputs.view)
             .read(tree)
             .read(audit);
-        read(&mut node, source);
+        read(&mut node, source, doubts);
         let looked = node.write(looked);
         let listed = Listed {
             list: node.write(list),
@@ -154,6 +159,10 @@ impl FrameGraph<'_> {
                 VerdictSource::Host(_) => node.upload(none),
                 VerdictSource::Gpu { counts, .. } => counts,
             },
+            turned: match source {
+                VerdictSource::Host(_) => None,
+                VerdictSource::Gpu { turned, .. } => turned,
+            },
         };
         let index = view.index() as u64;
         let mut chooser = Chooser::default();
@@ -161,7 +170,7 @@ impl FrameGraph<'_> {
             let (scene, frame) = (ctx.get(inputs.scene)?, ctx.get(inputs.view)?);
             let seed = options.seed ^ index.wrapping_mul(0x9E37_79B9_7F4A_7C15);
             let mut random = Pcg64Mcg::seed_from_u64(seed.wrapping_add(ctx.frame()));
-            let culled = Culled::of(ctx, source)?;
+            let culled = Culled::of(ctx, source, doubts)?;
             let at = At {
                 table: &scene.table,
                 view: &frame,
@@ -184,10 +193,11 @@ impl FrameGraph<'_> {
                     ctx.upload(listed.counts, 0, &[0; 16])?;
                     u32::MAX
                 }
-                VerdictSource::Gpu { rule, turned, .. } => match turned {
-                    Some(turned) => ctx.get(turned)?.threshold,
-                    None => rule.threshold,
-                },
+                VerdictSource::Gpu { rule, .. } => rule.threshold,
+            };
+            let counted = match listed.turned {
+                Some(turned) => Some(ctx.get(turned.allowed)?.pixels),
+                None => None,
             };
             let settings = GpuSettings::new(list.entries().len(), threshold);
             ctx.upload(listed.settings, 0, bytemuck::bytes_of(&settings))?;
@@ -197,6 +207,7 @@ impl FrameGraph<'_> {
                 work: Arc::new(work),
                 cuts: frame.cuts,
                 left_out: culled.left_out(),
+                counted,
                 pixels: f64::from(width) * f64::from(height),
                 census: options.census,
                 spilled,
@@ -206,17 +217,20 @@ impl FrameGraph<'_> {
         (listed, looked)
     }
 
-    /// A tree that is kept anyway, or one of boxes.
+    /// A tree that is kept anyway, or one of boxes, which the audit has to pay for.
     fn any_tree(&mut self, view: &ViewNodes) -> Host<Tree> {
         let kept = [Shape::Divided, Shape::Boxes, Shape::Groups]
             .into_iter()
             .find(|shape| self.keeps_tree(*shape));
-        self.tree(view, kept.unwrap_or(Shape::Boxes))
+        self.tree_for(view, kept.unwrap_or(Shape::Boxes), AUDIT)
     }
 }
 
 /// Declares what tells who was culled.
-fn read(node: &mut HostBuilder<'_>, source: VerdictSource) {
+fn read(node: &mut HostBuilder<'_>, source: VerdictSource, doubts: Option<Host<Doubts>>) {
+    if let Some(doubts) = doubts {
+        node.read(doubts);
+    }
     match source {
         VerdictSource::Host(verdicts) => node.read(verdicts),
         VerdictSource::Gpu {
@@ -226,7 +240,7 @@ fn read(node: &mut HostBuilder<'_>, source: VerdictSource) {
             ..
         } => {
             if let Some(turned) = turned {
-                node.read(turned);
+                node.read(turned.allowed);
             }
             node.read(candidates).read(asked)
         }
@@ -240,28 +254,28 @@ enum Culled<'a> {
     Gpu {
         candidates: HostRef<'a, Candidates>,
         unasked: Vec<u32>,
-        turned: Option<HostRef<'a, LateThreshold>>,
+        doubts: Option<HostRef<'a, Doubts>>,
     },
 }
 
 impl<'a> Culled<'a> {
-    fn of(ctx: &HostContext<'a>, source: VerdictSource) -> Result<Self, BodyError> {
+    fn of(
+        ctx: &HostContext<'a>,
+        source: VerdictSource,
+        doubts: Option<Host<Doubts>>,
+    ) -> Result<Self, BodyError> {
         Ok(match source {
             VerdictSource::Host(verdicts) => Self::Host(ctx.get(verdicts)?),
             VerdictSource::Gpu {
-                candidates,
-                asked,
-                turned,
-                ..
+                candidates, asked, ..
             } => {
                 let candidates = ctx.get(candidates)?;
-                let turned = turned.map(|turned| ctx.get(turned)).transpose()?;
                 let asked: &Asked = &*ctx.get(asked)?;
                 let unasked = unasked(&candidates, asked);
                 Self::Gpu {
                     candidates,
                     unasked,
-                    turned,
+                    doubts: doubts.map(|doubts| ctx.get(doubts)).transpose()?,
                 }
             }
         })
@@ -279,11 +293,11 @@ impl<'a> Culled<'a> {
         }
     }
 
-    /// What was left out by the frame's own count, in percent; by the latest count there is, where it stays on the GPU.
+    /// What was left out by the frame's own count, in percent, where the host knows that.
     fn left_out(&self) -> Option<f64> {
         match self {
             Self::Host(verdicts) => verdicts.left_out_percent(),
-            Self::Gpu { turned, .. } => turned.as_ref()?.left_out,
+            Self::Gpu { .. } => None,
         }
     }
 
@@ -292,9 +306,9 @@ impl<'a> Culled<'a> {
         match self {
             Self::Host(verdicts) => verdicts.of_kind(Verdict::BelowThreshold).collect(),
             Self::Gpu {
-                candidates, turned, ..
+                candidates, doubts, ..
             } => {
-                let left_out = turned.iter().flat_map(|turned| turned.left_out(candidates));
+                let left_out = doubts.iter().flat_map(|doubts| doubts.left_out(candidates));
                 left_out.collect()
             }
         }
@@ -410,6 +424,12 @@ fn take(audit: &mut Audit, frame: u64, looked: &Looked, bytes: &[u8]) {
             });
         }
     }
+    let left_out = match (looked.counted, bytes.last_chunk()) {
+        (Some(pixels), Some(samples)) => {
+            Some(f64::from(u32::from_le_bytes(*samples)) / f64::from(pixels.max(1)) * 100.0)
+        }
+        _ => looked.left_out,
+    };
     let heaviest = match looked.census {
         true => 0.0,
         false => looked.lots.heaviest() * pixels_a_patch,
@@ -421,6 +441,6 @@ fn take(audit: &mut Audit, frame: u64, looked: &Looked, bytes: &[u8]) {
         pixels: looked.pixels,
         heaviest,
         hits,
-        left_out: looked.left_out,
+        left_out,
     });
 }

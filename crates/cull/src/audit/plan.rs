@@ -13,8 +13,10 @@ const A_DRAW: f64 = 64.0;
 const A_NODE: f64 = 0.25;
 /// and an entity that is held against the depth.
 const AN_ENTRY: f64 = 4.0;
-/// No kind gets less of the budget than this part of it.
+/// No kind gets less of the budget than this part of it,
 const LEAST: f64 = 0.15;
+/// nor fewer patches than this on average, whatever the budget: what is looked at too seldom bounds nothing, and a hit there drowns all others.
+const FEWEST: f64 = 0.25;
 /// What a patch is believed to cost before any was looked at, in triangles, as if from so many patches.
 const BELIEVED: f64 = 2_000.0;
 const BELIEF: f64 = 4.0;
@@ -128,7 +130,7 @@ fn expected(there: [u32; STRATA], budget: f64, costs: &Costs, moments: &Moments)
         };
         // A patch may be drawn twice by chance, and counts twice then: no more than there are keeps that rare.
         let most = f64::from(there[kind].min(MOST));
-        (budget * part / costs.of(kind)).clamp(1e-3, most.max(1e-3))
+        (budget * part / costs.of(kind)).max(FEWEST).min(most)
     })
 }
 

@@ -10,6 +10,7 @@ use bytemuck::{Pod, Zeroable};
 use super::AUDIT;
 use crate::counting::ComputePipeline;
 use crate::frame_graph::FrameGraph;
+use crate::turned::Turned;
 use crate::view_nodes::ViewNodes;
 
 /// Mirrors `Settings` of `sift.wgsl`.
@@ -54,6 +55,8 @@ pub(super) struct Listed {
     pub draws: Buffer,
     /// Visible samples by slot, or words of zero.
     pub counts: Buffer,
+    /// The threshold they are held against, where it is not that of the settings.
+    pub turned: Option<Turned>,
 }
 
 /// Bytes of the draws of so many entries.
@@ -82,12 +85,17 @@ impl FrameGraph<'_> {
             .storage_read(listed.entries)
             .storage_read(listed.counts)
             .sample(depth);
+        let turned = listed.turned.map(|turned| turned.buffer);
+        if let Some(turned) = turned {
+            node.storage_read(turned);
+        }
         let kept = node.storage_write(kept);
         let draws = node.storage_write(listed.draws);
         let shown = node.storage_write(shown);
         node.run(move |ctx| {
             let entries = ctx.get(listed.list)?.entries().len() as u32;
-            if entries == 0 {
+            // What a turned threshold left out is noted though there is nothing to sift.
+            if entries == 0 && turned.is_none() {
                 return Ok(());
             }
             let binds = [
@@ -98,12 +106,13 @@ impl FrameGraph<'_> {
                 Bind::Buffer(4, kept),
                 Bind::Buffer(5, draws),
                 Bind::Buffer(6, shown),
+                Bind::Buffer(7, turned.unwrap_or(listed.settings)),
             ];
             let group = ctx.bind_group(0, &pipeline.layout, &binds)?;
             let pass = ctx.pass();
             pass.set_pipeline(&pipeline.pipeline);
             pass.set_bind_group(0, &group, &[]);
-            pass.dispatch_workgroups(entries.div_ceil(LANES), 1, 1);
+            pass.dispatch_workgroups(entries.div_ceil(LANES).max(1), 1, 1);
             Ok(())
         });
         let sifted = SiftedPatches {

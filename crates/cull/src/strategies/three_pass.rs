@@ -24,8 +24,7 @@ pub struct ThreePass {
     /// An entity is drawn when more samples of its proxy are visible, in pixels of the final image.
     pub threshold: u32,
     /// The part of the image, in percent, that a frame may leave out though it was seen: those with the fewest visible samples first, as many as
-    /// share no more than that. Beside the threshold; where answers stay on the GPU an earlier frame's counts say how many those are, and it may be turned
-    /// only if it was above 0 when the plan was made.
+    /// share no more than that. Beside the threshold; where answers stay on the GPU it may be turned only if it was above 0 when the plan was made.
     pub allow: Dial,
     /// With at most this many visible samples an entity is drawn one level of detail coarser, with at most a quarter of them two,
     /// with a sixteenth three, in pixels of the final image; 0: never.

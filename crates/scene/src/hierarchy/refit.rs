@@ -4,6 +4,9 @@
 use super::{Hierarchy, HierarchyNode, NONE};
 use crate::bounds::Aabb;
 
+/// Where more than this part of the nodes are dirty, looking at all of them in order costs less than keeping the dirty ones sorted.
+const SWEEPS: usize = 32;
+
 impl Hierarchy {
     /// Gives some leaves their boxes of now, and fits every box above them. A leaf that is not in the tree comes in, loose; one whose box is
     /// empty is taken out.
@@ -61,7 +64,7 @@ impl Hierarchy {
 
     /// Fits the dirty boxes and those above them, the last ones first: no node comes before its parent.
     fn fit(&mut self) {
-        if self.dirty.len() > self.nodes.len() / 8 {
+        if self.dirty.len() > self.nodes.len() / SWEEPS {
             self.dirty.clear();
             for number in (0..self.loose_from).rev() {
                 if !self.nodes[number as usize].is_leaf() {

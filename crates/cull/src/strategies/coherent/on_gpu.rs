@@ -40,11 +40,11 @@ pub(super) fn first(g: &mut FrameGraph<'_>, view: &mut ViewNodes, how: Coherence
     let owned = g.sample_counts(view);
     let seen = owned.previous();
     let all = solid(g, view, "last visible", candidates, true);
-    let last = g.compact(view, "last visible", all, seen);
+    let last = g.compact(view, "last visible", all, (seen, None));
     let ids = g.shade_identified(view, "shade last visible", last, ids);
     let found = test(g, view, candidates, how, seen);
     let rest = solid(g, view, "found visible", candidates, false);
-    let new = g.compact(view, "found visible", rest, found);
+    let new = g.compact(view, "found visible", rest, (found, None));
     let ids = g.shade_identified(view, "shade found visible", new, ids);
     shade_blended(g, view, candidates, found);
     let owned = g.histogram(view, ids, [width, height], owned);
@@ -63,11 +63,11 @@ pub(super) fn next(
 ) -> VisibleSet {
     let candidates = g.in_frustum(view);
     let all = solid(g, view, "seen by the other eye", candidates, true);
-    let lent = g.compact(view, "seen by the other eye", all, owned);
+    let lent = g.compact(view, "seen by the other eye", all, (owned, None));
     g.shade_indirect(view, "shade what the other eye sees", lent);
     let found = test(g, view, candidates, how, owned);
     let rest = solid(g, view, "found visible", candidates, false);
-    let new = g.compact(view, "found visible", rest, found);
+    let new = g.compact(view, "found visible", rest, (found, None));
     g.shade_indirect(view, "shade found visible", new);
     shade_blended(g, view, candidates, found);
     verdicts(g, view, candidates, owned, found)
@@ -145,7 +145,7 @@ fn test(
             Ok(())
         },
     );
-    let tests = g.compact(view, "last occluded", layout, seen);
+    let tests = g.compact(view, "last occluded", layout, (seen, None));
     count(g, view, tests)
 }
 
@@ -192,7 +192,7 @@ fn shade_blended(
             Ok(())
         },
     );
-    let kept = g.compact(view, "visible transparent set", layout, found);
+    let kept = g.compact(view, "visible transparent set", layout, (found, None));
     g.shade_indirect(view, "transparent", kept);
 }
 

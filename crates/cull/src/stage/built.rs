@@ -1,0 +1,236 @@
+//! A stage's plan: the strategy's nodes between imports and outputs, view by view, compiled.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use antumbra_draw::passes::ViewInputs;
+use antumbra_draw::{
+    DEPTH_FORMAT, GpuLights, GpuScene, GpuView, PassKind, PassPipelines, SceneFrame, Topology,
+    ViewFrame,
+};
+use antumbra_graph::{BufferDesc, Clear, CompileOptions, Graph, Host, Mode, Plan, TextureDesc};
+
+use super::{StageError, StageOptions, ViewSpec};
+use crate::audit::Audit;
+use crate::frame_graph::{CULL, FrameGraph, Shared};
+use crate::hand_on::HandedOn;
+use crate::sketch::Sketch;
+use crate::strategy::{Strategy, VerdictSource};
+use crate::view_nodes::{Targets, ViewNodes};
+
+/// What a stage runs: the plan, and handles into it.
+pub(super) struct Built {
+    /// The scene it was built for: what it remembers is about that one's slots and epochs.
+    pub number: u64,
+    pub topology: Topology,
+    pub pipelines: HashMap<PassKind, Arc<PassPipelines>>,
+    pub plan: Plan,
+    pub scene: Host<SceneFrame>,
+    pub views: Vec<BuiltView>,
+}
+
+/// One view of it.
+pub(super) struct BuiltView {
+    pub frame: Host<ViewFrame>,
+    pub reference: Option<Host<Arc<Vec<u32>>>>,
+    pub imported: Option<Targets>,
+    pub targets: Targets,
+    pub verdicts: VerdictSource,
+    pub sketch: Option<Host<Sketch>>,
+    pub handed_on: Option<HandedOn>,
+    pub audit: Option<Host<Audit>>,
+    /// Audited frames of earlier plans.
+    pub audited_before: u64,
+}
+
+/// Declares a strategy's nodes on a new graph, with what pipelines and audits earlier plans left, and compiles it.
+pub(super) fn build(
+    scene: &GpuScene,
+    strategy: &mut dyn Strategy,
+    specs: &[ViewSpec],
+    options: &StageOptions,
+    (pipelines, audits): (HashMap<PassKind, Arc<PassPipelines>>, &[Audit]),
+) -> Result<Built, StageError> {
+    let gpu = scene.gpu();
+    let topology = scene.topology();
+    let mut graph = Graph::new(strategy.name());
+    let scene_handle = graph.import_host::<SceneFrame>("scene");
+    let mut shared = Shared {
+        gpu: gpu.clone(),
+        topology: topology.clone(),
+        colour_format: options.colour_format,
+        pipelines,
+        boxes: None,
+        trees: HashMap::new(),
+    };
+    let mut views = Vec::with_capacity(specs.len());
+    for (index, spec) in specs.iter().enumerate() {
+        let frame = graph.import_host::<ViewFrame>(format!("{} camera", spec.name));
+        let needs_reference = strategy.needs_reference();
+        let reference =
+            needs_reference.then(|| graph.import_host(format!("{} reference", spec.name)));
+        let (targets, imported) = targets(&mut graph, spec, options);
+        let mut nodes = ViewNodes {
+            name: spec.name.clone(),
+            index,
+            count: specs.len(),
+            size: spec.size,
+            inputs: inputs(&mut graph, spec, specs.len(), scene_handle, frame),
+            targets,
+            reference,
+            in_frustum: None,
+            handed_on: None,
+        };
+        let mut declared = FrameGraph::new(&mut graph, &mut shared);
+        let set = strategy.declare(&mut declared, &mut nodes)?;
+        let learned = audits.get(index).map(Audit::experience).cloned();
+        let learned = learned.unwrap_or_default();
+        let audit = options
+            .audit
+            .map(|options| declared.audit(&nodes, &set, options, learned));
+        // Writing an import keeps its writers; an output would ask more usages of its owner's texture.
+        if imported.is_none() {
+            graph.output(nodes.targets.colour);
+        }
+        if let Some(sketch) = set.sketch {
+            graph.output(sketch);
+        }
+        if let Some(HandedOn { inside, left }) = set.handed_on {
+            graph.output(inside);
+            graph.output(left);
+        }
+        if let Some(audit) = audit {
+            graph.output(audit);
+        }
+        match set.verdicts {
+            VerdictSource::Host(verdicts) => graph.output(verdicts),
+            VerdictSource::Gpu {
+                candidates,
+                asked,
+                counts,
+                turned,
+                ..
+            } => {
+                if let Some(turned) = turned {
+                    graph.output(turned.buffer);
+                }
+                graph.output(candidates);
+                graph.output(asked);
+                graph.output(counts);
+            }
+        }
+        views.push(BuiltView {
+            frame,
+            reference,
+            imported,
+            targets: nodes.targets,
+            verdicts: set.verdicts,
+            sketch: set.sketch,
+            handed_on: set.handed_on,
+            audit,
+            audited_before: 0,
+        });
+    }
+    let compile = CompileOptions {
+        mode: options.mode,
+        timing: options.timing,
+        ..CompileOptions::owned(&gpu.device)
+    };
+    let plan = graph
+        .compile(&compile)
+        .map_err(|errors| StageError::Compile {
+            strategy: strategy.name().to_owned(),
+            errors,
+        })?;
+    Ok(Built {
+        number: scene.number(),
+        topology,
+        pipelines: shared.pipelines,
+        plan,
+        scene: scene_handle,
+        views,
+    })
+}
+
+/// The view's textures: the plan's own, or its owner's.
+fn targets(
+    graph: &mut Graph,
+    spec: &ViewSpec,
+    options: &StageOptions,
+) -> (Targets, Option<Targets>) {
+    let [width, height] = spec.size;
+    let colour = TextureDesc::new(width, height, options.colour_format);
+    let depth = TextureDesc::new(width, height, DEPTH_FORMAT);
+    let (colour_name, depth_name) = (
+        format!("{} colour", spec.name),
+        format!("{} depth", spec.name),
+    );
+    match options.mode {
+        Mode::Embedded => {
+            let targets = Targets {
+                colour: graph.import_texture(colour_name, colour),
+                depth: graph.import_texture(depth_name, depth),
+            };
+            (targets, Some(targets))
+        }
+        Mode::Owned => {
+            let colour = graph.texture(
+                colour_name,
+                colour.cleared(Clear::Colour(options.background)),
+            );
+            (
+                Targets {
+                    colour,
+                    depth: graph.texture(depth_name, depth.cleared(Clear::Depth(0.0))),
+                },
+                None,
+            )
+        }
+    }
+}
+
+/// Uploads the view's uniforms.
+fn inputs(
+    graph: &mut Graph,
+    spec: &ViewSpec,
+    count: usize,
+    scene: Host<SceneFrame>,
+    view: Host<ViewFrame>,
+) -> ViewInputs {
+    let named = |what: &str| {
+        if count > 1 {
+            format!("{}: {what}", spec.name)
+        } else {
+            what.to_owned()
+        }
+    };
+    let uniform = graph.buffer(named("view"), BufferDesc::new(size_of::<GpuView>() as u64));
+    let lights = graph.buffer(
+        named("lights"),
+        BufferDesc::new(size_of::<GpuLights>() as u64),
+    );
+    let mut node = graph.host_node(named("upload view"));
+    node.group(CULL).read(scene).read(view);
+    let (uniform, lights) = (node.upload(uniform), node.upload(lights));
+    node.run(move |ctx| {
+        let (scene, view) = (ctx.get(scene)?, ctx.get(view)?);
+        let [right, up, forward] = view.axes();
+        ctx.upload(uniform, 0, bytemuck::bytes_of(&view.uniform()))?;
+        ctx.upload(
+            lights,
+            0,
+            bytemuck::bytes_of(
+                &scene
+                    .lights
+                    .around(view.camera.position, forward, right, up),
+            ),
+        )?;
+        Ok(())
+    });
+    ViewInputs {
+        scene,
+        view,
+        uniform,
+        lights,
+    }
+}
