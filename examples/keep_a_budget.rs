@@ -2,7 +2,7 @@
 //! settings run beside them, so that the best of these, known only in hindsight, can be held against what a budget finds by itself.
 //!
 //! ```text
-//! cargo run --release --example keep_a_budget -- 500 640x480 18 0.05 out/budget
+//! cargo run --release --example keep_a_budget -- 500 640x480 18 0.1 out/budget
 //! ```
 //!
 //! Frames, image size, entities along a side of the grid, the audit's share of triangles, and the folder for `report.json` and `report.html`.
@@ -121,7 +121,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (wide, high) = size.split_once('x').ok_or("write the size as 320x240")?;
     let size = [wide.parse()?, high.parse()?];
     let per_side = next("18").parse()?;
-    let share = next("0.05").parse()?;
+    let share = next("0.1").parse()?;
     let out = PathBuf::from(next("out/budget"));
 
     let gpu = Gpu::open(&AdapterChoice::Auto)?;

@@ -1,5 +1,5 @@
-//! The audit: each frame draws some of what it culled against its own finished depth, in a few small patches of the image chosen by lot, and
-//! counts the pixels in which anything of it would have shown. A frame late that is an unbiased estimate of the frame's wrong pixels.
+//! The audit: frames, chosen by lot, draw some of what they culled against their own finished depth, in a few small patches of the image chosen by lot, and
+//! count the pixels in which anything of it would have shown. A frame late that is an unbiased estimate of every frame's wrong pixels.
 //!
 //! A patch is a cluster of a stratified sample (Cochran, *Sampling Techniques*, 3rd edition, 1977, chapters 5 and 9), and each drawn patch
 //! stands for as many as its chance of being drawn says (Horvitz and Thompson, *A Generalization of Sampling Without Replacement From a Finite
@@ -28,16 +28,33 @@ pub const AUDIT: &str = "audit";
 pub struct AuditOptions {
     /// The part of the triangles a view draws that the audit may draw again, on average over frames; above 0, at most 1.
     pub share: f64,
+    /// The part of the frames that are looked at, by lot; 0.001 to 1. What an audit takes however little it looks at, two passes and their
+    /// turns, is paid that seldom, and the frames that are looked at get as much more of `share`.
+    pub often: f64,
     /// Seeds the lots. The same seed and frames give the same patches.
     pub seed: u64,
     /// Draws every patch of every frame, whatever `share` says: no estimate but the count itself. For tests, and for images nobody waits for.
     pub census: bool,
 }
 
+impl AuditOptions {
+    /// The part of the frames that are looked at, within its range whatever was asked for.
+    fn part(&self) -> f64 {
+        match self.census {
+            true => 1.0,
+            false => self.often.max(LEAST_OFTEN).min(1.0),
+        }
+    }
+}
+
+/// No audit looks at fewer frames than one in a thousand.
+const LEAST_OFTEN: f64 = 1e-3;
+
 impl Default for AuditOptions {
     fn default() -> Self {
         Self {
-            share: 0.05,
+            share: 0.1,
+            often: 0.25,
             seed: 0,
             census: false,
         }
@@ -53,6 +70,9 @@ pub struct FrameAudit {
     pub cuts: u64,
     /// Patches that were looked at.
     pub patches: u32,
+    /// Whether its lot was to be looked at, and how large a part of the frames that is.
+    looked: bool,
+    often: f64,
     /// Pixels of the view.
     pixels: f64,
     /// The most pixels that one pixel looked at stands for, times those of a patch; 0 when all were looked at.
@@ -77,7 +97,7 @@ struct Hit {
 pub(crate) struct Found {
     /// Percent of the view's pixels.
     pub percent: f64,
-    /// In how many patches.
+    /// In how many patches that were drawn by lots of their own.
     pub hits: f64,
 }
 
@@ -87,7 +107,8 @@ impl FrameAudit {
         Estimate::of(std::iter::once(self))
     }
 
-    /// What the frame left out by its own count ([`Verdicts::left_out_percent`](crate::Verdicts::left_out_percent)).
+    /// What the frame left out by its own count ([`Verdicts::left_out_percent`](crate::Verdicts::left_out_percent)); where that is counted on the GPU it is
+    /// known of frames that were looked at.
     pub fn left_out_percent(&self) -> Option<f64> {
         self.left_out
     }
@@ -107,6 +128,8 @@ impl FrameAudit {
             pixels: 100.0,
             hits: hits.collect(),
             left_out,
+            looked: true,
+            often: 1.0,
             ..Self::default()
         }
     }
@@ -116,6 +139,14 @@ impl FrameAudit {
         self.heaviest / self.pixels.max(1.0) * 100.0
     }
 
+    /// What was found wrong in percent of the image where something below the threshold lies, and what the frame meant to leave out; taken for itself, not for
+    /// the frames beside it that nobody looked at. `None` where it is one of these, or nothing is known of what was meant.
+    pub(crate) fn meant(&self) -> Option<[f64; 2]> {
+        let [_, doubtful] = self.by_kind();
+        let left_out = self.left_out.filter(|_| self.looked)?;
+        Some([doubtful.percent * self.often, left_out])
+    }
+
     /// What was found where nothing below the threshold lies, and where something does.
     pub(crate) fn by_kind(&self) -> [Found; 2] {
         let mut kinds = [Found::default(); 2];
@@ -123,7 +154,12 @@ impl FrameAudit {
             let [plain, doubtful] = &mut kinds;
             let kind = if hit.doubtful { doubtful } else { plain };
             kind.percent += hit.pixels / self.pixels * 100.0;
-            kind.hits += 1.0;
+            // Where a lot decides about whole frames, all that is found in one is found together.
+            kind.hits = if self.often < 1.0 {
+                1.0
+            } else {
+                kind.hits + 1.0
+            };
         }
         kinds
     }

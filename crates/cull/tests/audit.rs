@@ -89,6 +89,7 @@ fn fly(
 
 const CENSUS: AuditOptions = AuditOptions {
     share: 0.02,
+    often: 1.0,
     seed: 0,
     census: true,
 };
@@ -302,9 +303,14 @@ fn lots_are_right_on_average() {
 fn the_truth_lies_within_the_interval_as_often_as_it_says() {
     let gpu = gpu("vulkan");
     let scene = GpuScene::new(&gpu, &mut balls(7)).unwrap();
-    for strategy in ["three-pass", "three-pass:latency=on-gpu:threshold=20"] {
+    for (strategy, often) in [
+        ("three-pass", 1.0),
+        ("three-pass", 0.25),
+        ("three-pass:latency=on-gpu:threshold=20", 0.5),
+    ] {
         let audit = AuditOptions {
             share: 0.5,
+            often,
             seed: 11,
             ..AuditOptions::default()
         };
@@ -465,6 +471,7 @@ fn patches_a_frame(scene: &GpuScene, strategy: Box<dyn Strategy>, wall: f32) -> 
         mode: Mode::Embedded,
         audit: Some(AuditOptions {
             share: 0.1,
+            often: 1.0,
             ..AuditOptions::default()
         }),
         ..StageOptions::default()

@@ -225,3 +225,20 @@ fn a_second_eye_is_there_when_it_is_asked_for() {
         "{two:?}"
     );
 }
+
+#[test]
+fn a_threshold_is_turned_on_the_gpu_and_nothing_read_back_for_it() {
+    let scene = GpuScene::new(&gpu(), &mut small_grid()).unwrap();
+    let turns = |text: &str| {
+        let all = passes(&stage(&scene, text, &["main"]));
+        ["submit judged", "turn threshold"]
+            .map(|name| all.iter().filter(|pass| *pass == name).count())
+    };
+    assert_eq!(turns(ON_GPU), [0, 0]);
+    assert_eq!(turns("three-pass:latency=on-gpu:allow=0.1"), [1, 1]);
+    assert_eq!(turns("three-pass:latency=same-frame:allow=0.1"), [0, 0]);
+    let allowing = stage(&scene, "three-pass:latency=on-gpu:allow=0.1", &["main"]);
+    assert_eq!(allowing.plan().sync_points(), 0);
+    let picture = allowing.plan().picture(Picture::Dot);
+    assert!(!picture.contains("style=dashed"), "{picture}");
+}

@@ -19,10 +19,8 @@ impl<'a> Recorder<'a, '_> {
         view: PassView<'a>,
         body: &mut RasterBody,
     ) -> Result<(), ExecuteError> {
-        let condition = view.pass.condition.as_ref();
-        let idle = condition.is_some_and(|condition| !condition(&HostReader { view }));
         let mut nothing: RasterBody = Box::new(|_| Ok(()));
-        let body = match idle {
+        let body = match view.is_idle() {
             true if !(first && self.prepared[pass].attachments.iter().any(|a| a.first)) => {
                 return Ok(());
             }

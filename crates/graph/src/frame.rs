@@ -6,6 +6,7 @@ use crate::access::Access;
 use crate::bind::{BindCache, Bound, External};
 use crate::error::AccessError;
 use crate::handle::{Host, Raw};
+use crate::host::HostReader;
 use crate::pass::Pass;
 use crate::physical::{Physical, PhysicalTexture, Placed};
 use crate::read_back::{AnyRing, Late, Ring, RingDecl};
@@ -71,6 +72,12 @@ pub(crate) struct PassView<'a> {
 }
 
 impl<'a> PassView<'a> {
+    /// Whether the node has said that it has nothing to do this time.
+    pub fn is_idle(self) -> bool {
+        let condition = self.pass.condition.as_ref();
+        condition.is_some_and(|condition| !condition(&HostReader { view: self }))
+    }
+
     /// That the pass declared a use of the resource which `allows`.
     pub fn check(
         &self,

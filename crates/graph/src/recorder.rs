@@ -103,6 +103,7 @@ impl<'a> Recorder<'a, '_> {
         let result = match &mut body {
             Body::None => Ok(()),
             Body::Raster(run) => self.raster(pass, first, view, run),
+            Body::Compute(_) if view.is_idle() => Ok(()),
             Body::Compute(run) => {
                 let running = self
                     .timing

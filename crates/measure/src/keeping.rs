@@ -76,10 +76,9 @@ fn of_budget(strategy: &StrategyReport, budget: &BudgetReport) -> String {
 fn cost(report: &Report, audited: &StrategyReport) -> Option<String> {
     let title = audited.title().strip_suffix(AUDITED)?;
     let plain = report.strategies.iter().find(|one| one.title() == title)?;
-    let block = report.noise.block_frames.unwrap_or(1).max(1) as usize;
+    // Of all frames: a median would not notice what few of them pay.
     let (own, other) = (&audited.frames.frame_ms, &plain.frames.frame_ms);
-    let ratios = stats::block_ratios(own, other, block).ok()?;
-    let ratio = stats::median(&ratios).ok()?;
+    let ratio = stats::mean(own).ok()? / stats::mean(other).ok().filter(|mean| *mean > 0.0)?;
     Some(format!(
         "the audit takes {} % of a frame's time ({} ms in its passes), where differences below {} % show nothing",
         words::percent((ratio - 1.0) * 100.0),

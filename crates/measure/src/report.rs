@@ -157,7 +157,7 @@ pub struct StrategyReport {
     /// Median time of the shaded and transparent passes, milliseconds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub draw_ms: Option<f64>,
-    /// Median time of the audit's passes, milliseconds; absent where there was no audit.
+    /// What the audit's passes take of a frame on average, milliseconds; absent where there was no audit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub audit_ms: Option<f64>,
     /// Frame time over that of `none`, the median of the block ratios: 0.5 takes half the time.

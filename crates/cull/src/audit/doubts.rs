@@ -18,6 +18,20 @@ pub(super) struct Doubts {
 }
 
 impl Doubts {
+    /// Who of some is drawn by an earlier frame's counts; `None` before there are any.
+    pub fn drawn<'a>(
+        &'a self,
+        candidates: &'a Candidates,
+    ) -> Option<impl Iterator<Item = u32> + 'a> {
+        self.samples.asked()?;
+        let inside = candidates.inside().iter().copied();
+        let enough = |slot: &u32| {
+            let count = self.samples.get(*slot);
+            count.is_none_or(|count| count > self.threshold)
+        };
+        Some(inside.filter(move |slot| candidates.is_exempt(*slot) || enough(slot)))
+    }
+
     /// Entities that had visible samples, and too few of them.
     pub fn left_out<'a>(&'a self, candidates: &'a Candidates) -> impl Iterator<Item = u32> + 'a {
         // What was seen before a cut says nothing about what is seen after it.

@@ -27,7 +27,7 @@ use crate::view_nodes::ViewNodes;
 
 /// What was looked at; goes along with the marks.
 #[derive(Debug, Clone, Default)]
-struct Looked {
+pub(super) struct Looked {
     lots: Arc<Lots>,
     /// What it took to find and list what may show in each patch, in triangles.
     work: Arc<Vec<f64>>,
@@ -37,6 +37,7 @@ struct Looked {
     counted: Option<u32>,
     pixels: f64,
     census: bool,
+    often: f64,
     /// There was no room for all that had to be drawn: the frame says nothing.
     spilled: bool,
 }
@@ -49,8 +50,15 @@ const ENTRIES_A_PATCH: u64 = 64;
 const LEFT_OUT_BYTES: u64 = size_of::<u32>() as u64;
 /// How often the triangles a view draws are added up, in frames.
 const RECKON: u64 = 16;
-/// Which part of the candidates' triangles is taken to be drawn where that is decided on the GPU.
+/// Which part of the candidates' triangles is taken to be drawn where that is decided on the GPU and no count is known.
 const DRAWN_ON_GPU: f64 = 0.25;
+
+impl Looked {
+    /// Whether the frame is looked at.
+    pub fn at_all(&self) -> bool {
+        self.lots.looked
+    }
+}
 
 impl FrameGraph<'_> {
     /// Audits what a view has drawn: after all of its nodes, with its final depth. What the audit finds is in the value, a frame or two late.
@@ -151,6 +159,7 @@ impl FrameGraph<'_> {
         read(&mut node, source, doubts);
         let looked = node.write(looked);
         let listed = Listed {
+            looked,
             list: node.write(list),
             settings: node.upload(settings),
             entries: node.upload(entry_buffer),
@@ -210,6 +219,7 @@ impl FrameGraph<'_> {
                 counted,
                 pixels: f64::from(width) * f64::from(height),
                 census: options.census,
+                often: options.part(),
                 spilled,
             };
             Ok(())
@@ -322,9 +332,17 @@ impl<'a> Culled<'a> {
                 let drawn = verdicts.drawn();
                 drawn.map(|slot| of(slot, verdicts.level(slot))).sum()
             }
-            Self::Gpu { candidates, .. } => {
-                let all = candidates.inside().iter();
-                all.map(|slot| of(*slot, 0)).sum::<f64>() * DRAWN_ON_GPU
+            Self::Gpu {
+                candidates, doubts, ..
+            } => {
+                let known = doubts.as_ref().and_then(|doubts| doubts.drawn(candidates));
+                match known {
+                    Some(drawn) => drawn.map(|slot| of(slot, 0)).sum(),
+                    None => {
+                        let all = candidates.inside().iter();
+                        all.map(|slot| of(*slot, 0)).sum::<f64>() * DRAWN_ON_GPU
+                    }
+                }
             }
         }
     }
@@ -371,7 +389,8 @@ impl Chooser {
         self.triangles = Some(triangles);
         let budget = triangles * options.share;
         let Experience { costs, moments } = audit.experience();
-        Lots::draw(&self.patches, (budget, costs, moments), random)
+        let known = (budget, costs, moments);
+        Lots::draw(&self.patches, known, options.part(), random)
     }
 
     /// Lists what may show in each patch, and says what finding it took.
@@ -405,8 +424,10 @@ fn take(audit: &mut Audit, frame: u64, looked: &Looked, bytes: &[u8]) {
     let side = f64::from(PATCH_SIDE);
     let pixels_a_patch = side * side;
     let Experience { costs, moments } = &mut audit.experience;
-    moments.fade();
-    costs.fade();
+    if looked.lots.looked {
+        moments.fade();
+        costs.fade();
+    }
     let mut hits = Vec::new();
     let kept = bytes.chunks_exact(PATCH_BYTES as usize);
     let drawn = looked.lots.drawn.iter().zip(looked.work.iter());
@@ -425,6 +446,7 @@ fn take(audit: &mut Audit, frame: u64, looked: &Looked, bytes: &[u8]) {
         }
     }
     let left_out = match (looked.counted, bytes.last_chunk()) {
+        (Some(_), _) if !looked.lots.looked => None,
         (Some(pixels), Some(samples)) => {
             Some(f64::from(u32::from_le_bytes(*samples)) / f64::from(pixels.max(1)) * 100.0)
         }
@@ -438,6 +460,8 @@ fn take(audit: &mut Audit, frame: u64, looked: &Looked, bytes: &[u8]) {
         frame,
         cuts: looked.cuts,
         patches: looked.lots.drawn.len() as u32,
+        looked: looked.lots.looked,
+        often: looked.often,
         pixels: looked.pixels,
         heaviest,
         hits,

@@ -14,9 +14,10 @@ const A_NODE: f64 = 0.25;
 /// and an entity that is held against the depth.
 const AN_ENTRY: f64 = 4.0;
 /// No kind gets less of the budget than this part of it,
-const LEAST: f64 = 0.15;
-/// nor fewer patches than this on average, whatever the budget: what is looked at too seldom bounds nothing, and a hit there drowns all others.
-const FEWEST: f64 = 0.25;
+const LEAST: f64 = 0.3;
+/// nor fewer patches than this in a frame that is looked at, whatever the budget: what is looked at too seldom bounds nothing, and a hit there drowns all
+/// others.
+const FEWEST: f64 = 1.0;
 /// What a patch is believed to cost before any was looked at, in triangles, as if from so many patches.
 const BELIEVED: f64 = 2_000.0;
 const BELIEF: f64 = 4.0;
@@ -62,6 +63,8 @@ pub(super) struct Lots {
     pub drawn: Vec<(u32, usize)>,
     /// How many patches each one of a kind stands for; 0 where there are none of the kind.
     pub weights: [f64; STRATA],
+    /// Whether the frame is looked at.
+    pub looked: bool,
 }
 
 impl Lots {
@@ -70,25 +73,34 @@ impl Lots {
         Self {
             drawn: (0..patches.number()).map(|patch| (patch, PLAIN)).collect(),
             weights: [1.0, 0.0],
+            looked: true,
         }
     }
 
-    /// Draws lots. How many rests on earlier frames alone, never on what this one would show: that keeps the estimate unbiased.
+    /// Draws lots: whether the frame is looked at, which of so many are, and then where. How many patches rests on earlier frames alone, never on what this
+    /// one would show: that keeps the estimate unbiased.
     pub fn draw(
         patches: &Patches,
         (budget, costs, moments): (f64, &Costs, &Moments),
+        often: f64,
         random: &mut impl Rng,
     ) -> Self {
         let there = [patches.number(), patches.doubtful().len() as u32];
-        let expected = expected(there, budget, costs, moments);
-        let mut lots = Self::default();
+        let expected = expected(there, budget / often, costs, moments);
+        let mut lots = Self {
+            looked: random.random_bool(often),
+            ..Self::default()
+        };
         for kind in [DOUBTFUL, PLAIN] {
             let number = there[kind];
             if number == 0 {
                 continue;
             }
             let expected = expected[kind];
-            lots.weights[kind] = f64::from(number) / expected;
+            lots.weights[kind] = f64::from(number) / (expected * often);
+            if !lots.looked {
+                continue;
+            }
             let whole = expected.floor();
             let count =
                 whole as u32 + u32::from(random.random_bool((expected - whole).clamp(0.0, 1.0)));
@@ -159,7 +171,13 @@ mod tests {
         }
         let truth: f64 = (0..patches.number()).map(wrong).sum();
         let mut random = Pcg64Mcg::seed_from_u64(7);
-        for budget in [1_000.0, 20_000.0, 500_000.0] {
+        for (budget, often) in [
+            (1_000.0, 1.0),
+            (1_000.0, 0.3),
+            (20_000.0, 1.0),
+            (20_000.0, 0.2),
+            (500_000.0, 1.0),
+        ] {
             let mut sum = 0.0;
             let mut squares = 0.0;
             let rounds = 20_000;
@@ -167,6 +185,7 @@ mod tests {
                 let lots = Lots::draw(
                     &patches,
                     (budget, &Costs::default(), &Moments::default()),
+                    often,
                     &mut random,
                 );
                 let found: f64 = lots
@@ -181,7 +200,7 @@ mod tests {
             let error = (squares / f64::from(rounds)).sqrt() / f64::from(rounds).sqrt();
             assert!(
                 (mean - truth).abs() < 4.0 * error,
-                "{budget}: {mean} of {truth}, +- {error}"
+                "{budget}, {often}: {mean} of {truth}, +- {error}"
             );
         }
     }
@@ -191,21 +210,26 @@ mod tests {
         let mut patches = Patches::default();
         patches.reset([640, 480]);
         let mut random = Pcg64Mcg::seed_from_u64(8);
-        let mut costs = Costs::default();
-        let mut drawn = 0;
-        for _ in 0..4_000 {
-            let lots = Lots::draw(
-                &patches,
-                (3_000.0, &costs, &Moments::default()),
-                &mut random,
-            );
-            costs.fade();
-            for (_, kind) in &lots.drawn {
-                costs.note(*kind, 10_000.0);
+        for often in [1.0, 0.25] {
+            let mut costs = Costs::default();
+            let (mut drawn, mut looked) = (0, 0);
+            for _ in 0..4_000 {
+                let known = (30_000.0, &costs, &Moments::default());
+                let lots = Lots::draw(&patches, known, often, &mut random);
+                looked += u32::from(lots.looked);
+                assert!(lots.looked || lots.drawn.is_empty());
+                if lots.looked {
+                    costs.fade();
+                }
+                for (_, kind) in &lots.drawn {
+                    costs.note(*kind, 10_000.0);
+                }
+                drawn += lots.drawn.len();
             }
-            drawn += lots.drawn.len();
+            let triangles = drawn as f64 * 10_000.0 / 4_000.0;
+            assert!((20_000.0..40_000.0).contains(&triangles), "{triangles}");
+            let part = f64::from(looked) / 4_000.0;
+            assert!((part - often).abs() < 0.03, "{part} of {often}");
         }
-        let triangles = drawn as f64 * 10_000.0 / 4_000.0;
-        assert!((2_000.0..4_000.0).contains(&triangles), "{triangles}");
     }
 }

@@ -8,6 +8,7 @@ use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
 
 use super::AUDIT;
+use super::nodes::Looked;
 use crate::counting::ComputePipeline;
 use crate::frame_graph::FrameGraph;
 use crate::turned::Turned;
@@ -48,6 +49,7 @@ pub(super) const MOST_ENTRIES: u64 = 65_535 * LANES as u64;
 /// What the host has listed, on the GPU.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Listed {
+    pub looked: Host<Looked>,
     pub list: Host<PatchList>,
     pub settings: Buffer,
     pub entries: Buffer,
@@ -80,6 +82,7 @@ impl FrameGraph<'_> {
         );
         let mut node = self.graph().compute(view.named("audit: sift"));
         node.group(AUDIT)
+            .read(listed.looked)
             .read(listed.list)
             .storage_read(listed.settings)
             .storage_read(listed.entries)
@@ -89,15 +92,20 @@ impl FrameGraph<'_> {
         if let Some(turned) = turned {
             node.storage_read(turned);
         }
+        node.only_if(move |host| {
+            // A value that cannot be read is the body's to complain of.
+            let something = host.get(listed.list).map_or(true, |list| !list.is_empty());
+            // What a turned threshold left out is noted though there is nothing to sift.
+            let notes = host
+                .get(listed.looked)
+                .map_or(true, |looked| looked.at_all());
+            something || turned.is_some() && notes
+        });
         let kept = node.storage_write(kept);
         let draws = node.storage_write(listed.draws);
         let shown = node.storage_write(shown);
         node.run(move |ctx| {
             let entries = ctx.get(listed.list)?.entries().len() as u32;
-            // What a turned threshold left out is noted though there is nothing to sift.
-            if entries == 0 && turned.is_none() {
-                return Ok(());
-            }
             let binds = [
                 Bind::Buffer(0, listed.settings),
                 Bind::Buffer(1, listed.entries),

@@ -53,6 +53,8 @@ const SURELY: f64 = 2.0;
 const HORIZON: f64 = 200.0;
 /// Frames until answers are about a new step.
 const SETTLES: u64 = 4;
+/// Frames that are remembered of what was meant to be left out and what it came to.
+const REMEMBERS: f64 = 1_000.0;
 /// Hits' worth that are believed to be wrong as counted.
 const BELIEF: f64 = 3.0;
 
@@ -108,9 +110,9 @@ impl ErrorKeeper {
                 false => step.base.fade(),
             }
         }
-        if current && let Some(meant) = found.left_out_percent() {
-            for (sum, more) in self.doubtful.iter_mut().zip([doubtful.percent, meant]) {
-                *sum = *sum * (1.0 - 1.0 / 1_000.0) + more;
+        if current && let Some(both) = found.meant() {
+            for (sum, more) in self.doubtful.iter_mut().zip(both) {
+                *sum = *sum * (1.0 - 1.0 / REMEMBERS) + more;
             }
         }
         self.frames += 1;

@@ -97,6 +97,35 @@ fn a_pass_with_nothing_to_do_is_left_out_but_for_its_clear() {
     }
 }
 
+#[test]
+fn a_compute_pass_with_nothing_to_do_is_left_out_but_its_zeros_are_not() {
+    let gpu = vulkan();
+    let mut g = Graph::new("only if");
+    let wanted = g.import_host::<bool>("wanted");
+    let counted = g.buffer("counted", antumbra_graph::BufferDesc::new(4));
+    let zeroed = g.buffer("zeroed", antumbra_graph::BufferDesc::new(4).zeroed());
+    let mut node = g.compute("count frames");
+    node.read(wanted);
+    node.only_if(move |host| host.get(wanted).is_ok_and(|wanted| *wanted));
+    let counted = node.updates(counted);
+    crate::sync::run_over(&mut node, gpu.compute("data[0] += 1u;"), counted);
+    let mut node = g.compute("count from nothing");
+    node.read(wanted);
+    node.only_if(move |host| host.get(wanted).is_ok_and(|wanted| *wanted));
+    let zeroed = node.storage_write(zeroed);
+    crate::sync::run_over(&mut node, gpu.compute("data[0] += 1u;"), zeroed);
+    g.output(counted);
+    g.output(zeroed);
+    let mut plan = gpu.compile(g);
+    let cases = [(true, 1, 1), (false, 1, 0), (false, 1, 0), (true, 2, 1)];
+    for (wants, frames, one) in cases {
+        plan.set(wanted, wants).unwrap();
+        plan.execute(&gpu.device, &gpu.queue).unwrap();
+        let read = |buffer| gpu.read_u32(plan.buffer(buffer).unwrap(), 1)[0];
+        assert_eq!((read(counted), read(zeroed)), (frames, one), "{wants}");
+    }
+}
+
 /// A plate at 1/2, then green before it and red behind it; `sampled`: the depth is looked at while it is attached.
 fn hidden(gpu: &Gpu, sampled: bool) -> (Graph, Texture) {
     let mut g = Graph::new("depth");

@@ -96,7 +96,7 @@ impl Entries<'_> {
             free_running_ms: run.free_running_ms,
             cull_ms: run.group_median("cull"),
             draw_ms: run.group_median("draw"),
-            audit_ms: run.group_median(antumbra_cull::AUDIT),
+            audit_ms: run.group_mean(antumbra_cull::AUDIT),
             time_vs_none: self.against(at, "none")?,
             time_vs_frustum: self.against(at, "frustum")?,
             time_vs_ideal: self.against(at, "ideal")?,

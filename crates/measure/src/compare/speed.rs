@@ -31,6 +31,8 @@ pub struct Run {
     pub free_running_ms: Option<f64>,
     passes: Vec<PassSeries>,
     last_timed: Option<u64>,
+    /// Frames whose passes were timed.
+    timed: u32,
 }
 
 /// Times of one pass in milliseconds.
@@ -205,6 +207,7 @@ impl Run {
             return;
         }
         self.last_timed = Some(timings.frame);
+        self.timed += 1;
         for pass in &timings.passes {
             // A budget may change the plan: passes are known by their names.
             let known = self.passes.iter().position(|one| one.name == pass.name);
@@ -244,6 +247,17 @@ impl Run {
                 })
                 .sum(),
         )
+    }
+
+    /// What a group's passes take of a frame on average, those counted in which some do not run: GPU time where it was measured, CPU time for what runs there.
+    pub fn group_mean(&self, group: &str) -> Option<f64> {
+        let passes = self.passes.iter().filter(|pass| pass.group == group);
+        let all = passes.map(|pass| match pass.gpu_ms.is_empty() {
+            true => pass.cpu_ms.iter().sum::<f64>(),
+            false => pass.gpu_ms.iter().sum(),
+        });
+        let sum = all.reduce(|sum, more| sum + more)?;
+        (self.timed > 0).then(|| sum / f64::from(self.timed))
     }
 
     /// Each pass's medians.
