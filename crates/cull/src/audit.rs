@@ -42,7 +42,9 @@ impl AuditOptions {
     fn part(&self) -> f64 {
         match self.census {
             true => 1.0,
-            false => self.often.max(LEAST_OFTEN).min(1.0),
+            // What is no number is looked at as seldom as can be.
+            false if self.often.is_nan() => LEAST_OFTEN,
+            false => self.often.clamp(LEAST_OFTEN, 1.0),
         }
     }
 }
