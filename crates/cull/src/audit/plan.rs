@@ -125,7 +125,7 @@ impl Lots {
     }
 }
 
-/// How many patches of each kind to look at on average.
+/// How many patches of each kind to look at in a frame that is looked at, on average.
 fn expected(there: [u32; STRATA], budget: f64, costs: &Costs, moments: &Moments) -> [f64; STRATA] {
     let wanted = [PLAIN, DOUBTFUL].map(|kind| {
         let gain = f64::from(there[kind]) * moments.spread(kind) * costs.of(kind).sqrt();
@@ -133,16 +133,21 @@ fn expected(there: [u32; STRATA], budget: f64, costs: &Costs, moments: &Moments)
     });
     let all: f64 = wanted.iter().sum();
     let alone = there.contains(&0);
-    [PLAIN, DOUBTFUL].map(|kind| {
+    // A patch may be drawn twice by chance, and counts twice then: no more than there are keeps that rare.
+    let most = [PLAIN, DOUBTFUL].map(|kind| f64::from(there[kind].min(MOST)));
+    let paid = [PLAIN, DOUBTFUL].map(|kind| {
         let part = if all > 0.0 { wanted[kind] / all } else { 0.0 };
         let part = if alone {
             part
         } else {
             part.clamp(LEAST, 1.0 - LEAST)
         };
-        // A patch may be drawn twice by chance, and counts twice then: no more than there are keeps that rare.
-        let most = f64::from(there[kind].min(MOST));
-        (budget * part / costs.of(kind)).max(FEWEST).min(most)
+        budget * part / costs.of(kind)
+    });
+    // What one kind has no patches for is left to the other.
+    [(PLAIN, DOUBTFUL), (DOUBTFUL, PLAIN)].map(|(kind, other)| {
+        let left = (paid[other] - most[other]).max(0.0) * costs.of(other) / costs.of(kind);
+        (paid[kind] + left).max(FEWEST).min(most[kind])
     })
 }
 
