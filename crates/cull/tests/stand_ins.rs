@@ -117,7 +117,11 @@ fn leaping(scene: &GpuScene, text: &str) -> (Vec<Drawn>, Vec<LeftOut>) {
     let strategy = Registry::built_in().parse(text).unwrap();
     let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
     let options = StageOptions {
-        audit: Some(AuditOptions::default()),
+        audit: Some(AuditOptions {
+            // What the GPU leaves out is told of frames that are looked at.
+            often: 1.0,
+            ..AuditOptions::default()
+        }),
         ..StageOptions::default()
     };
     let mut stage = Stage::new(scene, strategy, specs, options).unwrap();
