@@ -26,7 +26,8 @@ pub const AUDIT: &str = "audit";
 /// How a stage audits itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AuditOptions {
-    /// The part of the triangles a view draws that the audit may draw again, on average over frames; above 0, at most 1.
+    /// The part of the triangles a view draws that the audit may draw again, on average over frames; above 0, at most 1. A frame that is
+    /// looked at looks at a patch of each kind whatever that pays for.
     pub share: f64,
     /// The part of the frames that are looked at, by lot; 0.001 to 1. What an audit takes however little it looks at, two passes and their
     /// turns, is paid that seldom, and the frames that are looked at get as much more of `share`.

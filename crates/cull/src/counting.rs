@@ -11,7 +11,9 @@ use std::sync::Arc;
 
 use antumbra_draw::passes::{self, Submitted};
 use antumbra_draw::{Detail, Gpu, IDENTITY_FORMAT, PassKind, SceneTable, ViewFrame};
-use antumbra_graph::{Bind, Buffer, BufferDesc, Clear, Host, Texture, TextureDesc};
+use antumbra_graph::{
+    Bind, BodyError, Buffer, BufferDesc, Clear, ComputeContext, Host, Texture, TextureDesc,
+};
 
 use crate::candidates::{Asked, Candidates};
 use crate::frame_graph::{CULL, FrameGraph};
@@ -385,16 +387,8 @@ impl FrameGraph<'_> {
         // As the shader has it: a thread a run of sixteen pixels, sixty-four threads a group.
         let groups = (width.div_ceil(16) * height).div_ceil(64);
         node.run(move |ctx| {
-            let group = ctx.bind_group(
-                0,
-                &pipeline.layout,
-                &[Bind::Texture(0, ids), Bind::Buffer(1, counts)],
-            )?;
-            let pass = ctx.pass();
-            pass.set_pipeline(&pipeline.pipeline);
-            pass.set_bind_group(0, &group, &[]);
-            pass.dispatch_workgroups(groups, 1, 1);
-            Ok(())
+            let binds = [Bind::Texture(0, ids), Bind::Buffer(1, counts)];
+            pipeline.dispatch(ctx, &binds, [groups, 1])
         });
         counts
     }
@@ -403,8 +397,8 @@ impl FrameGraph<'_> {
 /// A compute pipeline of one bind group.
 #[derive(Debug, Clone)]
 pub(crate) struct ComputePipeline {
-    pub pipeline: wgpu::ComputePipeline,
-    pub layout: wgpu::BindGroupLayout,
+    pipeline: wgpu::ComputePipeline,
+    layout: wgpu::BindGroupLayout,
 }
 
 impl ComputePipeline {
@@ -433,5 +427,20 @@ impl ComputePipeline {
                 cache: None,
             });
         Self { pipeline, layout }
+    }
+
+    /// Runs so many workgroups in so many rows with these bindings.
+    pub fn dispatch(
+        &self,
+        ctx: &mut ComputeContext<'_>,
+        binds: &[Bind],
+        [wide, rows]: [u32; 2],
+    ) -> Result<(), BodyError> {
+        let group = ctx.bind_group(0, &self.layout, binds)?;
+        let pass = ctx.pass();
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &group, &[]);
+        pass.dispatch_workgroups(wide, rows, 1);
+        Ok(())
     }
 }

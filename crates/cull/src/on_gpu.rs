@@ -328,14 +328,9 @@ impl FrameGraph<'_> {
                 Bind::Buffer(5, draws),
                 Bind::Buffer(6, turned),
             ];
-            let group = ctx.bind_group(0, &pipeline.layout, &binds)?;
-            let pass = ctx.pass();
-            pass.set_pipeline(&pipeline.pipeline);
-            pass.set_bind_group(0, &group, &[]);
             // A workgroup a run, in rows of at most what a dimension may have.
             let wide = runs.min(65_535);
-            pass.dispatch_workgroups(wide, runs.div_ceil(wide), 1);
-            Ok(())
+            pipeline.dispatch(ctx, &binds, [wide, runs.div_ceil(wide)])
         });
         Indirect {
             layout: layout.list,
@@ -421,12 +416,7 @@ impl FrameGraph<'_> {
                 Bind::Buffer(2, counts.buffer),
                 Bind::Buffer(3, by_slot),
             ];
-            let group = ctx.bind_group(0, &pipeline.layout, &binds)?;
-            let pass = ctx.pass();
-            pass.set_pipeline(&pipeline.pipeline);
-            pass.set_bind_group(0, &group, &[]);
-            pass.dispatch_workgroups(groups, 1, 1);
-            Ok(())
+            pipeline.dispatch(ctx, &binds, [groups, 1])
         });
         by_slot
     }

@@ -32,7 +32,7 @@ pub(crate) struct Allowed {
 pub(crate) struct GpuTurned {
     padding_a: u32,
     pub threshold: u32,
-    pub left_out: u32,
+    left_out: u32,
     padding_b: u32,
 }
 
@@ -104,12 +104,7 @@ impl FrameGraph<'_> {
                 Bind::Buffer(2, counts),
                 Bind::Buffer(3, turned),
             ];
-            let group = ctx.bind_group(0, &pipeline.layout, &binds)?;
-            let pass = ctx.pass();
-            pass.set_pipeline(&pipeline.pipeline);
-            pass.set_bind_group(0, &group, &[]);
-            pass.dispatch_workgroups(1, 1, 1);
-            Ok(())
+            pipeline.dispatch(ctx, &binds, [1, 1])
         });
         Turned {
             buffer: turned,

@@ -22,6 +22,17 @@ fn camera(eye: DVec3) -> Camera {
     Camera::look_at(eye, eye + DVec3::NEG_Z, DVec3::Y, projection).unwrap()
 }
 
+/// Spheres with proxies, 7 along a side.
+fn balls(gpu: &Gpu) -> GpuScene {
+    let options = GridOptions {
+        per_side: 7,
+        ..GridOptions::default()
+    };
+    let mut scene = grid(options).unwrap();
+    scene.ensure_proxies(&Default::default());
+    GpuScene::new(gpu, &mut scene).unwrap()
+}
+
 /// A few frames of a still scene: the last one's verdicts.
 fn settled(scene: &GpuScene, text: &str, camera: Camera) -> Verdicts {
     let strategy = Registry::built_in().parse(text).unwrap();
@@ -87,13 +98,7 @@ fn no_stand_in_hides_where_its_deviation_shows() {
 #[test]
 fn in_every_latency_as_much_is_left_out_as_is_allowed() {
     let gpu = gpu("vulkan");
-    let options = GridOptions {
-        per_side: 7,
-        ..GridOptions::default()
-    };
-    let mut scene = grid(options).unwrap();
-    scene.ensure_proxies(&Default::default());
-    let scene = GpuScene::new(&gpu, &mut scene).unwrap();
+    let scene = balls(&gpu);
     let camera = camera(DVec3::new(0.4, 0.3, 9.0));
     let all = |allow: &str| {
         let texts = ["same-frame", "frame-late", "on-gpu"]
@@ -142,13 +147,7 @@ fn leaping(scene: &GpuScene, text: &str) -> (Vec<Drawn>, Vec<LeftOut>) {
 fn the_gpu_turns_each_frames_threshold_as_the_host_does() {
     for adapter in ["vulkan", "gl"] {
         let gpu = gpu(adapter);
-        let options = GridOptions {
-            per_side: 7,
-            ..GridOptions::default()
-        };
-        let mut scene = grid(options).unwrap();
-        scene.ensure_proxies(&Default::default());
-        let scene = GpuScene::new(&gpu, &mut scene).unwrap();
+        let scene = balls(&gpu);
         let mut fewest = usize::MAX;
         for settings in [
             "threshold=0:allow=0.000000001",

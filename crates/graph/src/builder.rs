@@ -111,6 +111,17 @@ macro_rules! shader_builder {
                 self
             }
 
+            /// Leaves the pass out of the frames, and of the turns of a loop, in which `condition` is false: an empty draw list, say.
+            /// What it would have written keeps what it holds; where the pass is the first to write what is cleared or zeroed each frame, that is
+            /// done all the same. The function may read the host values this node declares.
+            pub fn only_if(
+                &mut self,
+                condition: impl Fn(&crate::host::HostReader<'_>) -> bool + Send + 'static,
+            ) -> &mut Self {
+                self.declared().condition = Some(Box::new(condition));
+                self
+            }
+
             /// Draws or dispatches with arguments from the buffer.
             pub fn indirect(&mut self, buffer: crate::Buffer) -> &mut Self {
                 self.graph

@@ -93,17 +93,6 @@ impl RasterBuilder<'_> {
         self.graph.write(self.pass, buffer, Access::Queries)
     }
 
-    /// Leaves the pass out of the frames, and of the turns of a loop, in which `condition` is false: an empty draw list, say.
-    /// Its targets keep what they hold; where the pass is the one that clears them, they are cleared all the same.
-    /// The function may read the host values this node declares.
-    pub fn only_if(
-        &mut self,
-        condition: impl Fn(&HostReader<'_>) -> bool + Send + 'static,
-    ) -> &mut Self {
-        self.declared().condition = Some(Box::new(condition));
-        self
-    }
-
     fn attach(&mut self, texture: Texture, access: Access, mip: u32, layer: u32) -> Texture {
         self.graph.touch(
             self.pass,

@@ -14,7 +14,7 @@ const A_NODE: f64 = 0.25;
 /// and an entity that is held against the depth.
 const AN_ENTRY: f64 = 4.0;
 /// No kind gets less of the budget than this part of it,
-const LEAST: f64 = 0.3;
+const LEAST: f64 = 0.15;
 /// nor fewer patches than this in a frame that is looked at, whatever the budget: what is looked at too seldom bounds nothing, and a hit there drowns all
 /// others.
 const FEWEST: f64 = 1.0;
@@ -85,7 +85,7 @@ impl Lots {
         often: f64,
         random: &mut impl Rng,
     ) -> Self {
-        let there = [patches.number(), patches.doubtful().len() as u32];
+        let there = [PLAIN, DOUBTFUL].map(|kind| patches.of_kind(kind).len() as u32);
         let expected = expected(there, budget / often, costs, moments);
         let mut lots = Self {
             looked: random.random_bool(often),
@@ -106,14 +106,9 @@ impl Lots {
                 whole as u32 + u32::from(random.random_bool((expected - whole).clamp(0.0, 1.0)));
             for part in 0..count {
                 let share = (f64::from(part) + random.random::<f64>()) / f64::from(count);
-                let at = ((share * f64::from(number)) as u32).min(number - 1);
-                let patch = match kind {
-                    DOUBTFUL => patches.doubtful().get(at as usize).copied().unwrap_or(at),
-                    _ => at,
-                };
-                if kind == DOUBTFUL || !patches.is_doubtful(patch) {
-                    lots.drawn.push((patch, kind));
-                }
+                let at = ((share * f64::from(number)) as usize).min(number as usize - 1);
+                let patch = patches.of_kind(kind).get(at).copied();
+                lots.drawn.extend(patch.map(|patch| (patch, kind)));
             }
         }
         lots
@@ -171,9 +166,7 @@ mod tests {
         let mut patches = Patches::default();
         patches.reset([640, 480]);
         // Some of those that are wrong, and some that are not, in ascending order.
-        for patch in (0..patches.number()).filter(|patch| patch % 74 < 3) {
-            patches.mark(patch);
-        }
+        patches.mark((0..patches.number()).filter(|patch| patch % 74 < 3));
         let truth: f64 = (0..patches.number()).map(wrong).sum();
         let mut random = Pcg64Mcg::seed_from_u64(7);
         for (budget, often) in [

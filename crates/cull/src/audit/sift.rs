@@ -116,12 +116,7 @@ impl FrameGraph<'_> {
                 Bind::Buffer(6, shown),
                 Bind::Buffer(7, turned.unwrap_or(listed.settings)),
             ];
-            let group = ctx.bind_group(0, &pipeline.layout, &binds)?;
-            let pass = ctx.pass();
-            pass.set_pipeline(&pipeline.pipeline);
-            pass.set_bind_group(0, &group, &[]);
-            pass.dispatch_workgroups(entries.div_ceil(LANES).max(1), 1, 1);
-            Ok(())
+            pipeline.dispatch(ctx, &binds, [entries.div_ceil(LANES).max(1), 1])
         });
         let sifted = SiftedPatches {
             list: listed.list,

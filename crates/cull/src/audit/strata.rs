@@ -9,7 +9,7 @@ use super::cover::Covers;
 
 /// Kinds of patches.
 pub(super) const STRATA: usize = 2;
-/// Any patch; what lands on a doubtful one is left to its own kind.
+/// Any other patch.
 pub(super) const PLAIN: usize = 0;
 /// A patch with an entity below the threshold.
 pub(super) const DOUBTFUL: usize = 1;
@@ -20,8 +20,8 @@ pub(super) struct Patches {
     pub columns: u32,
     pub rows: u32,
     is_doubtful: Vec<bool>,
-    /// Ascending.
-    doubtful: Vec<u32>,
+    /// The patches of each kind, ascending.
+    kinds: [Vec<u32>; STRATA],
 }
 
 impl Patches {
@@ -31,7 +31,7 @@ impl Patches {
         self.rows = height.div_ceil(PATCH_SIDE);
         self.is_doubtful.clear();
         self.is_doubtful.resize(self.number() as usize, false);
-        self.doubtful.clear();
+        self.part();
     }
 
     pub fn number(&self) -> u32 {
@@ -43,23 +43,28 @@ impl Patches {
         [patch % columns, patch / columns]
     }
 
-    pub fn is_doubtful(&self, patch: u32) -> bool {
-        self.is_doubtful
-            .get(patch as usize)
-            .is_some_and(|marked| *marked)
+    /// The patches of a kind, ascending.
+    pub fn of_kind(&self, kind: usize) -> &[u32] {
+        self.kinds.get(kind).map_or(&[], Vec::as_slice)
     }
 
-    pub fn doubtful(&self) -> &[u32] {
-        &self.doubtful
+    /// Marks patches as doubtful.
+    pub fn mark(&mut self, patches: impl Iterator<Item = u32>) {
+        for patch in patches {
+            if let Some(marked) = self.is_doubtful.get_mut(patch as usize) {
+                *marked = true;
+            }
+        }
+        self.part();
     }
 
-    /// Marks a patch; they are to be sorted afterwards.
-    pub(super) fn mark(&mut self, patch: u32) {
-        if let Some(marked) = self.is_doubtful.get_mut(patch as usize)
-            && !*marked
-        {
-            *marked = true;
-            self.doubtful.push(patch);
+    /// Parts them by kind.
+    fn part(&mut self) {
+        for kind in &mut self.kinds {
+            kind.clear();
+        }
+        for (doubtful, patch) in self.is_doubtful.iter().zip(0..) {
+            self.kinds[if *doubtful { DOUBTFUL } else { PLAIN }].push(patch);
         }
     }
 
@@ -70,21 +75,16 @@ impl Patches {
         covers: &Covers,
         left_out: impl Iterator<Item = u32>,
     ) {
-        for slot in left_out {
-            let shadow = covers.shadow(table, slot);
-            // What is seen anywhere says nothing about where to look.
-            if shadow.is_everywhere() {
-                continue;
-            }
-            if let Some([columns, rows]) = covers.patches(&shadow) {
-                for row in rows[0]..=rows[1] {
-                    for column in columns[0]..=columns[1] {
-                        self.mark(row * self.columns + column);
-                    }
-                }
-            }
-        }
-        self.doubtful.sort_unstable();
+        let columns_a_row = self.columns;
+        let shadows = left_out.map(|slot| covers.shadow(table, slot));
+        // What is seen anywhere says nothing about where to look.
+        let somewhere = shadows.filter(|shadow| !shadow.is_everywhere());
+        let places = somewhere.filter_map(|shadow| covers.patches(&shadow));
+        self.mark(places.flat_map(|[columns, rows]| {
+            (rows[0]..=rows[1]).flat_map(move |row| {
+                (columns[0]..=columns[1]).map(move |column| row * columns_a_row + column)
+            })
+        }));
     }
 }
 

@@ -242,14 +242,9 @@ fn join(g: &mut FrameGraph<'_>, view: &ViewNodes, one: Buffer, other: Buffer) ->
             Bind::Buffer(1, other),
             Bind::Buffer(2, joined),
         ];
-        let group = ctx.bind_group(0, &pipeline.layout, &binds)?;
-        let pass = ctx.pass();
-        pass.set_pipeline(&pipeline.pipeline);
-        pass.set_bind_group(0, &group, &[]);
         // In rows of at most what a dimension may have.
         let wide = groups.min(65_535);
-        pass.dispatch_workgroups(wide, groups.div_ceil(wide), 1);
-        Ok(())
+        pipeline.dispatch(ctx, &binds, [wide, groups.div_ceil(wide)])
     });
     joined
 }
