@@ -33,7 +33,11 @@ impl Edges {
                 (a.truncate() + b.truncate()) / 2.0
             })
             .collect();
-        let packed = order(&middles);
+        let mut packed = order(&middles);
+        // Leaves are full: the last edge stands in for those that are missing.
+        if let Some(&last) = packed.last() {
+            packed.resize(packed.len().next_multiple_of(LEAF), last);
+        }
         let halves: Vec<u32> = packed
             .iter()
             .map(|&edge| field.edges()[edge as usize])
@@ -88,6 +92,10 @@ struct FourBoxes {
     top: Vec4,
 }
 
+/// How many times four edges stand together at the end of the tree: looking at all of them costs less than telling which are worth it.
+const FOURS: usize = 4;
+const LEAF: usize = FOURS * WIDTH;
+
 /// Below every slope.
 const LOWEST: f32 = f32::MIN;
 
@@ -95,24 +103,36 @@ const LOWEST: f32 = f32::MIN;
 const OPEN: usize = (WIDTH - 1) * 16 + WIDTH + 1;
 
 impl FourEdges {
+    /// Crossed by no line.
     const NONE: Self = Self {
-        along: [Vec4::NAN; 2],
-        across: [Vec4::NAN; 2],
-        up: [Vec4::NAN; 2],
+        along: [Vec4::ZERO; 2],
+        across: [Vec4::ZERO; 2],
+        up: [Vec4::ZERO; 2],
     };
 
-    /// How steeply the line from a vertex to each edge rises, where the vertex's line crosses it between two distances.
+    /// How steeply the line from a vertex to each edge rises, where the vertex's line crosses it between two distances and it rises more than `best`;
+    /// nothing where there is none.
     #[inline(always)]
-    fn slopes(&self, [along, across, up]: [Vec4; 3], [close, reach]: [Vec4; 2]) -> Vec4 {
+    fn steeper(
+        &self,
+        [along, across, up]: [Vec4; 3],
+        [close, reach]: [Vec4; 2],
+        best: f32,
+    ) -> Option<Vec4> {
         let [left, right] = [across - self.across[0], self.across[1] - across];
         let same = (left * right).cmpge(Vec4::ZERO);
         let [left, right] = [left.abs(), right.abs()];
-        // Both times the width of the edge, to divide once.
+        // All times the width of the edge, to divide only by what is steeper.
         let far = (self.along[0] - along) * right + (self.along[1] - along) * left;
         let rise = (self.up[0] - up) * right + (self.up[1] - up) * left;
         let width = left + right;
-        let crosses = same & far.cmpgt(close * width) & far.cmple(reach * width);
-        Vec4::select(crosses, rise / far, Vec4::splat(LOWEST))
+        let crosses = same
+            & far.cmpgt(close * width)
+            & far.cmple(reach * width)
+            & rise.cmpgt(far * best);
+        crosses
+            .any()
+            .then(|| Vec4::select(crosses, rise / far, Vec4::splat(LOWEST)))
     }
 }
 
@@ -137,18 +157,19 @@ impl FourBoxes {
         Vec4::select(beside & within, above, Vec4::splat(LOWEST))
     }
 
-    /// Fits box `k` around four edges.
-    fn fit_edges(&mut self, k: usize, edges: &FourEdges) {
-        // Where there are fewer than four, the rest is no number, and no number is never smaller or larger.
-        for i in 0..WIDTH {
+    /// Fits box `k` around the edges of a leaf.
+    fn fit_edges(&mut self, k: usize, leaf: &[FourEdges]) {
+        let mut around = Self::NONE;
+        for four in leaf {
             for end in 0..2 {
-                self.along[0][k] = self.along[0][k].min(edges.along[end][i]);
-                self.along[1][k] = self.along[1][k].max(edges.along[end][i]);
-                self.across[0][k] = self.across[0][k].min(edges.across[end][i]);
-                self.across[1][k] = self.across[1][k].max(edges.across[end][i]);
-                self.top[k] = self.top[k].max(edges.up[end][i]);
+                around.along[0] = around.along[0].min(four.along[end]);
+                around.along[1] = around.along[1].max(four.along[end]);
+                around.across[0] = around.across[0].min(four.across[end]);
+                around.across[1] = around.across[1].max(four.across[end]);
+                around.top = around.top.max(four.up[end]);
             }
         }
+        self.fit_boxes(k, &around);
     }
 
     /// Fits box `k` around four boxes.
@@ -169,9 +190,9 @@ pub(super) struct Bearing<'a> {
     vertices: Vec<[f32; 3]>,
     fours: Vec<FourEdges>,
     /// A tree with four children a node: those of `node` are `WIDTH * node + 1` and its neighbours, and what would come behind the last
-    /// row of boxes are the edges. Rows begin where full ones would, and end where there is no more.
+    /// row of boxes are the leaves. Rows begin where full ones would, and end where there is no more.
     boxes: Vec<FourBoxes>,
-    /// The first node that stands for four edges.
+    /// The first node that stands for edges.
     leaves: u32,
     /// Nodes that may hold something higher.
     open: Vec<u32>,
@@ -179,17 +200,17 @@ pub(super) struct Bearing<'a> {
 
 impl<'a> Bearing<'a> {
     pub fn new(edges: &'a Edges) -> Self {
-        let fours = edges.ends.len().div_ceil(WIDTH);
+        let there = (edges.ends.len() / LEAF).max(1);
         let (mut leaves, mut row) = (0, 1);
-        while row < fours || leaves == 0 {
+        while row < there || leaves == 0 {
             leaves += row;
             row *= WIDTH;
         }
-        let parent = (leaves + fours.saturating_sub(1) - 1) / WIDTH;
+        let parent = (leaves + there - 2) / WIDTH;
         Self {
             edges,
             vertices: Vec::new(),
-            fours: vec![FourEdges::NONE; fours],
+            fours: vec![FourEdges::NONE; there * FOURS],
             boxes: vec![FourBoxes::NONE; parent + 1],
             leaves: leaves as u32,
             open: vec![0; OPEN],
@@ -216,9 +237,9 @@ impl<'a> Bearing<'a> {
         }
         self.boxes.fill(FourBoxes::NONE);
         let parent = |node: usize| ((node - 1) / WIDTH, (node - 1) % WIDTH);
-        for (at, four) in self.fours.iter().enumerate() {
+        for (at, leaf) in self.fours.chunks_exact(FOURS).enumerate() {
             let (node, k) = parent(self.leaves as usize + at);
-            self.boxes[node].fit_edges(k, four);
+            self.boxes[node].fit_edges(k, leaf);
         }
         for node in (1..self.boxes.len()).rev() {
             let (above, k) = parent(node);
@@ -240,7 +261,9 @@ impl<'a> Bearing<'a> {
         let place = self.edges.places[half as usize] as usize;
         let eye = self.vertices[vertex as usize].map(Vec4::splat);
         let between = [self.edges.close(), reach].map(Vec4::splat);
-        self.fours[place / WIDTH].slopes(eye, between)[place % WIDTH] > LOWEST
+        self.fours[place / WIDTH]
+            .steeper(eye, between, LOWEST)
+            .is_some_and(|slopes| slopes[place % WIDTH] > LOWEST)
     }
 
     /// The same as [`Self::highest`] from any place, of what lies farther along the direction, which this one was turned to, than `beyond` metres and
@@ -256,18 +279,23 @@ impl<'a> Bearing<'a> {
         let eye = eye.map(Vec4::splat);
         let between = between.map(Vec4::splat);
         let (mut best, mut found) = (LOWEST, NONE);
-        let mut look = |four: u32, best: &mut f32| {
-            let slopes = self.fours[four as usize].slopes(eye, between);
-            let highest = slopes.max_element();
-            if highest > *best {
-                *best = highest;
-                found = four * WIDTH as u32 + slopes.max_position() as u32;
+        let mut look = |leaf: u32, best: &mut f32| {
+            let first = leaf as usize * FOURS;
+            for (four, edges) in (first..).zip(&self.fours[first..first + FOURS]) {
+                let Some(slopes) = edges.steeper(eye, between, *best) else {
+                    continue;
+                };
+                let highest = slopes.max_element();
+                if highest > *best {
+                    *best = highest;
+                    found = (four * WIDTH + slopes.max_position()) as u32;
+                }
             }
         };
         for half in likely {
             let place = self.edges.places.get(half as usize).copied();
             if let Some(place) = place.filter(|place| *place != NONE) {
-                look(place / WIDTH as u32, &mut best);
+                look(place / LEAF as u32, &mut best);
             }
         }
         let open = self.open.as_mut_slice();
