@@ -1,5 +1,5 @@
-//! Where a threshold may have left out what was seen, as far as the host can tell of a frame that was chosen on the GPU: by the counts of an earlier one. It
-//! decides where the audit looks more often, and nothing else.
+//! Where a threshold may have left out what was seen, and how much is drawn, as far as the host can tell of a frame that was chosen on the GPU: by the counts
+//! of an earlier one. It decides where the audit looks more often and how much at all, and nothing else.
 
 use antumbra_graph::Host;
 
@@ -18,18 +18,24 @@ pub(super) struct Doubts {
 }
 
 impl Doubts {
-    /// Who of some is drawn by an earlier frame's counts; `None` before there are any.
-    pub fn drawn<'a>(
-        &'a self,
-        candidates: &'a Candidates,
-    ) -> Option<impl Iterator<Item = u32> + 'a> {
-        self.samples.asked()?;
-        let inside = candidates.inside().iter().copied();
-        let enough = |slot: &u32| {
-            let count = self.samples.get(*slot);
-            count.is_none_or(|count| count > self.threshold)
-        };
-        Some(inside.filter(move |slot| candidates.is_exempt(*slot) || enough(slot)))
+    /// How much is drawn by an earlier frame's counts, if each entity is as much as `size` says. Of those that were not counted then, as large a part is as of
+    /// those that were. `None` where none was.
+    pub fn drawn(&self, candidates: &Candidates, size: impl Fn(u32) -> f64) -> Option<f64> {
+        let (mut sure, mut counted, mut enough, mut new) = (0.0, 0.0, 0.0, 0.0);
+        for &slot in candidates.inside() {
+            let size = size(slot);
+            match self.samples.get(slot) {
+                _ if candidates.is_exempt(slot) => sure += size,
+                None => new += size,
+                Some(count) => {
+                    counted += size;
+                    if count > self.threshold {
+                        enough += size;
+                    }
+                }
+            }
+        }
+        (counted > 0.0).then(|| sure + enough + new * enough / counted)
     }
 
     /// Entities that had visible samples, and too few of them.
@@ -46,7 +52,7 @@ impl Doubts {
 }
 
 impl FrameGraph<'_> {
-    /// What was left out by an earlier frame's counts; `None` where the host knows this one's, or nothing is left out by any.
+    /// What an earlier frame's counts say; `None` where the host knows this one's.
     pub(super) fn doubts(
         &mut self,
         view: &ViewNodes,
@@ -63,9 +69,6 @@ impl FrameGraph<'_> {
         else {
             return None;
         };
-        if turned.is_none() && rule.threshold == 0 {
-            return None;
-        }
         let doubts = self.graph().host::<Doubts>(view.named("audit: doubts"));
         let mut node = self.graph().host_node(view.named("audit: doubt"));
         node.group(AUDIT).read(candidates);

@@ -335,14 +335,13 @@ impl<'a> Culled<'a> {
             Self::Gpu {
                 candidates, doubts, ..
             } => {
-                let known = doubts.as_ref().and_then(|doubts| doubts.drawn(candidates));
-                match known {
-                    Some(drawn) => drawn.map(|slot| of(slot, 0)).sum(),
-                    None => {
-                        let all = candidates.inside().iter();
-                        all.map(|slot| of(*slot, 0)).sum::<f64>() * DRAWN_ON_GPU
-                    }
-                }
+                let known = doubts
+                    .as_ref()
+                    .and_then(|doubts| doubts.drawn(candidates, |slot| of(slot, 0)));
+                known.unwrap_or_else(|| {
+                    let all = candidates.inside().iter();
+                    all.map(|slot| of(*slot, 0)).sum::<f64>() * DRAWN_ON_GPU
+                })
             }
         }
     }

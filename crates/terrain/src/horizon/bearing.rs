@@ -126,10 +126,8 @@ impl FourEdges {
         let far = (self.along[0] - along) * right + (self.along[1] - along) * left;
         let rise = (self.up[0] - up) * right + (self.up[1] - up) * left;
         let width = left + right;
-        let crosses = same
-            & far.cmpgt(close * width)
-            & far.cmple(reach * width)
-            & rise.cmpgt(far * best);
+        let crosses =
+            same & far.cmpgt(close * width) & far.cmple(reach * width) & rise.cmpgt(far * best);
         crosses
             .any()
             .then(|| Vec4::select(crosses, rise / far, Vec4::splat(LOWEST)))
@@ -279,33 +277,32 @@ impl<'a> Bearing<'a> {
         let eye = eye.map(Vec4::splat);
         let between = between.map(Vec4::splat);
         let (mut best, mut found) = (LOWEST, NONE);
-        let mut look = |leaf: u32, best: &mut f32| {
-            let first = leaf as usize * FOURS;
-            for (four, edges) in (first..).zip(&self.fours[first..first + FOURS]) {
-                let Some(slopes) = edges.steeper(eye, between, *best) else {
-                    continue;
-                };
-                let highest = slopes.max_element();
-                if highest > *best {
-                    *best = highest;
-                    found = (four * WIDTH + slopes.max_position()) as u32;
-                }
-            }
-        };
-        for half in likely {
-            let place = self.edges.places.get(half as usize).copied();
-            if let Some(place) = place.filter(|place| *place != NONE) {
-                look(place / LEAF as u32, &mut best);
-            }
-        }
         let open = self.open.as_mut_slice();
         open[0] = 0;
         let mut count = 1;
+        // What is opened last is looked at first.
+        for half in likely {
+            let place = self.edges.places.get(half as usize).copied();
+            if let Some(place) = place.filter(|place| *place != NONE) {
+                open[count] = self.leaves + place / LEAF as u32;
+                count += 1;
+            }
+        }
         while count > 0 {
             count -= 1;
             let node = open[count];
             if node >= self.leaves {
-                look(node - self.leaves, &mut best);
+                let first = (node - self.leaves) as usize * FOURS;
+                for (four, edges) in (first..).zip(&self.fours[first..first + FOURS]) {
+                    let Some(slopes) = edges.steeper(eye, between, best) else {
+                        continue;
+                    };
+                    let highest = slopes.max_element();
+                    if highest > best {
+                        best = highest;
+                        found = (four * WIDTH + slopes.max_position()) as u32;
+                    }
+                }
                 continue;
             }
             let above = self.boxes[node as usize].above(eye, between, best);
