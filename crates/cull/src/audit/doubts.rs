@@ -21,21 +21,14 @@ impl Doubts {
     /// How much is drawn by an earlier frame's counts, if each entity is as much as `size` says. Of those that were not counted then, as large a part is as of
     /// those that were. `None` where none was.
     pub fn drawn(&self, candidates: &Candidates, size: impl Fn(u32) -> f64) -> Option<f64> {
-        let (mut sure, mut counted, mut enough, mut new) = (0.0, 0.0, 0.0, 0.0);
-        for &slot in candidates.inside() {
-            let size = size(slot);
-            match self.samples.get(slot) {
-                _ if candidates.is_exempt(slot) => sure += size,
-                None => new += size,
-                Some(count) => {
-                    counted += size;
-                    if count > self.threshold {
-                        enough += size;
-                    }
-                }
-            }
-        }
-        (counted > 0.0).then(|| sure + enough + new * enough / counted)
+        let inside = candidates.inside().iter().copied();
+        let (sure, judged): (Vec<u32>, Vec<u32>) =
+            inside.partition(|slot| candidates.is_exempt(*slot));
+        let judged = judged.into_iter().map(|slot| {
+            let count = self.samples.get(slot);
+            (size(slot), count.map(|count| count > self.threshold))
+        });
+        Some(sure.into_iter().map(&size).sum::<f64>() + reckon(judged)?)
     }
 
     /// Entities that had visible samples, and too few of them.
@@ -49,6 +42,19 @@ impl Doubts {
             known && count > 0 && count <= self.threshold
         })
     }
+}
+
+/// How much of some is drawn, by size and whether each was, where that is known: of the others as large a part. `None` where it is known of none.
+fn reckon(judged: impl Iterator<Item = (f64, Option<bool>)>) -> Option<f64> {
+    let (mut all, mut counted, mut drawn) = (0.0, 0.0, 0.0);
+    for (size, known) in judged {
+        all += size;
+        if let Some(draws) = known {
+            counted += size;
+            drawn += if draws { size } else { 0.0 };
+        }
+    }
+    (counted > 0.0).then(|| all * drawn / counted)
 }
 
 impl FrameGraph<'_> {
@@ -92,5 +98,18 @@ impl FrameGraph<'_> {
             Ok(())
         });
         Some(doubts)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_what_was_not_counted_as_large_a_part_is_drawn_as_of_what_was() {
+        let judged = [(6.0, Some(true)), (18.0, Some(false)), (40.0, None)];
+        assert_eq!(reckon(judged.into_iter()), Some(16.0));
+        assert_eq!(reckon(judged.into_iter().skip(2)), None);
+        assert_eq!(reckon(judged.into_iter().take(2)), Some(6.0));
     }
 }
