@@ -58,20 +58,21 @@ impl<'a> Eye<'a> {
     /// and whose lines of sight leave the surface nowhere: see [`Self::past`].
     #[must_use]
     pub fn new(groups: &'a Groups, at: DVec3, sight: Arc) -> Self {
-        let sectors = groups.sectors();
-        let each = || 0..sectors.count();
+        let middles = groups.compass().middles();
         // What is seen in a direction sees the eye in the opposite one: a sector counts if it has any such.
-        let faced = |sector| {
-            let turn = sectors.central(sector).angle_to(-sight.middle).abs();
-            turn <= sectors.half() + sight.half + ROUNDING
-        };
+        let reach = groups.sectors().half() + sight.half + ROUNDING;
+        let faced = |middle: &DVec2| middle.angle_to(-sight.middle).abs() <= reach;
         Self {
             groups,
             at,
-            along: each()
-                .map(|sector| sectors.central(sector).dot(at.truncate()))
+            along: middles
+                .iter()
+                .map(|middle| middle.dot(at.truncate()))
                 .collect(),
-            faced: each().map(faced).collect(),
+            faced: middles
+                .iter()
+                .map(|middle| reach >= PI || faced(middle))
+                .collect(),
             rim: None,
         }
     }
@@ -99,29 +100,38 @@ impl<'a> Eye<'a> {
     /// `low`, pass above the rim.
     pub(crate) fn is_behind(&self, circle: &Circle, low: f64, regions: &[Region]) -> bool {
         let way = self.at.truncate() - circle.middle;
-        let far = way.length();
-        if far <= circle.radius {
+        let square = way.length_squared() - circle.radius * circle.radius;
+        if square <= 0.0 {
             return false;
         }
-        let sectors = self.groups.sectors();
-        let reaches = sectors.reaches() as usize;
+        let reaches = self.groups.sectors().reaches() as usize;
         let hides = |sector: usize| {
             let mut regions = regions[sector * reaches..][..reaches].iter();
             let inside = |region: &Region| region.hides(self.along[sector], self.at.z);
             !self.faced[sector] || regions.any(inside)
         };
         // Most groups are seen, and most of those are in the middle's sector.
-        if !hides(sectors.about(way) as usize) {
+        let compass = self.groups.compass();
+        if !hides(compass.sector(way)) {
             return false;
         }
         // The directions from the circle to the eye, between the lines along its sides.
-        let sine = circle.radius / far;
-        let cosine = (1.0 - sine * sine).sqrt();
-        let side = |sine: f64| DVec2::new(cosine, sine).rotate(way);
-        let [first, last] = [side(-sine), side(sine)].map(|way| sectors.about(way) as usize);
-        let count = sectors.count() as usize;
-        let span = (last + count - first) % count;
-        let hidden = (0..=span).all(|step| hides((first + step) % count));
+        let [along, aside] = [square.sqrt(), circle.radius];
+        let side = |aside: f64| compass.sector(DVec2::new(along, aside).rotate(way));
+        let (mut sector, last) = (side(-aside), side(aside));
+        let hidden = loop {
+            if !hides(sector) {
+                break false;
+            }
+            if sector == last {
+                break true;
+            }
+            sector = if sector + 1 == self.along.len() {
+                0
+            } else {
+                sector + 1
+            };
+        };
         let passed = |(rim, from): (&Rim, DVec3)| {
             let circle = Circle {
                 middle: circle.middle + from.truncate(),
@@ -134,7 +144,7 @@ impl<'a> Eye<'a> {
 
     /// Calls for every crystal that may be seen.
     pub fn each_seen(&self, mut seen: impl FnMut(u32)) {
-        let mut open: Vec<u32> = self.groups.tops().iter().rev().copied().collect();
+        let mut open: Vec<u32> = self.groups.begin().iter().rev().copied().collect();
         while let Some(group) = open.pop() {
             if self.is_hidden(group) {
                 continue;

@@ -16,6 +16,7 @@ use crate::circle::Circle;
 use crate::crystal::{Crystals, GroupOptions};
 use crate::error::TerrainError;
 use crate::field::{Field, NONE};
+use crate::horizon::compass::Compass;
 use crate::horizon::{Horizons, Sectors};
 use crate::region::Region;
 
@@ -50,6 +51,9 @@ pub struct Groups {
     tops: Vec<u32>,
     order: Vec<u32>,
     always: Range<u32>,
+    compass: Compass,
+    /// Where a walk begins: the tops, and in place of a group that nothing hides from anywhere its parts.
+    begin: Vec<u32>,
 }
 
 impl Groups {
@@ -152,6 +156,8 @@ impl Groups {
         always: Range<u32>,
     ) -> Self {
         Self {
+            compass: Compass::new(&sectors),
+            begin: begin(&groups, &regions, sectors.rows(), &tops),
             sectors,
             groups,
             regions,
@@ -161,6 +167,16 @@ impl Groups {
         }
     }
 
+    /// The sectors by direction.
+    pub(crate) fn compass(&self) -> &Compass {
+        &self.compass
+    }
+
+    /// The groups that a walk from the top begins with, in order: those above them are hidden from nowhere.
+    pub(crate) fn begin(&self) -> &[u32] {
+        &self.begin
+    }
+
     /// What hides a group, sector by sector, and in each reach by reach: whoever is in any of a sector's regions is hidden in that sector.
     #[must_use]
     pub fn regions(&self, group: u32) -> &[Region] {
@@ -168,6 +184,32 @@ impl Groups {
         let first = group as usize * rows;
         self.regions.get(first..first + rows).unwrap_or_default()
     }
+}
+
+/// Where a walk over groups, each before its children, has to begin.
+fn begin(groups: &[Group], regions: &[Region], rows: usize, tops: &[u32]) -> Vec<u32> {
+    let mut reached = vec![false; groups.len()];
+    let reach = |reached: &mut [bool], group: u32| {
+        if let Some(reached) = reached.get_mut(group as usize) {
+            *reached = true;
+        }
+    };
+    tops.iter().for_each(|top| reach(&mut reached, *top));
+    let mut found = Vec::new();
+    for ((number, group), row) in groups.iter().enumerate().zip(regions.chunks(rows)) {
+        if !reached[number] {
+            continue;
+        }
+        if group.is_leaf() || row.iter().any(|region| !region.is_open()) {
+            found.push(number as u32);
+        } else {
+            group
+                .children
+                .iter()
+                .for_each(|child| reach(&mut reached, *child));
+        }
+    }
+    found
 }
 
 /// The corners of some triangles, each once, in order.
@@ -353,13 +395,7 @@ impl<'a> Tree<'a> {
             .enumerate()
             .filter(|(_, group)| **group == NONE);
         order.extend(free.map(|(triangle, _)| triangle as u32));
-        Groups {
-            sectors,
-            groups,
-            regions: flat,
-            tops,
-            always: first..order.len() as u32,
-            order,
-        }
+        let always = first..order.len() as u32;
+        Groups::from_parts(sectors, groups, flat, tops, order, always)
     }
 }

@@ -6,6 +6,7 @@
 
 mod bearing;
 mod bundle;
+pub(crate) mod compass;
 mod crossing;
 mod rays;
 mod sectors;
