@@ -8,6 +8,7 @@ use glam::{DVec2, DVec3};
 use crate::circle::Circle;
 use crate::field::NONE;
 use crate::groups::{Group, Groups};
+use crate::lid::Lid;
 use crate::region::Region;
 use crate::rim::Rim;
 
@@ -93,12 +94,21 @@ impl<'a> Eye<'a> {
         let Group {
             circle, heights, ..
         } = &self.groups.groups()[group as usize];
-        self.is_behind(circle, heights[0], self.groups.regions(group))
+        self.is_behind(
+            circle,
+            heights[0],
+            (self.groups.lids(group), self.groups.regions(group)),
+        )
     }
 
     /// Whether they are in a region of each of the sectors that the directions to them from places of a circle lie in, and lines from there, no lower than
     /// `low`, pass above the rim.
-    pub(crate) fn is_behind(&self, circle: &Circle, low: f64, regions: &[Region]) -> bool {
+    pub(crate) fn is_behind(
+        &self,
+        circle: &Circle,
+        low: f64,
+        (lids, regions): (&[Lid], &[Region]),
+    ) -> bool {
         let way = self.at.truncate() - circle.middle;
         let square = way.length_squared() - circle.radius * circle.radius;
         if square <= 0.0 {
@@ -106,9 +116,12 @@ impl<'a> Eye<'a> {
         }
         let reaches = self.groups.sectors().reaches() as usize;
         let hides = |sector: usize| {
-            let mut regions = regions[sector * reaches..][..reaches].iter();
-            let inside = |region: &Region| region.hides(self.along[sector], self.at.z);
-            !self.faced[sector] || regions.any(inside)
+            let (along, up) = (self.along[sector], self.at.z);
+            let inside = || {
+                let mut regions = regions[sector * reaches..][..reaches].iter();
+                regions.any(|region| region.hides(along, up))
+            };
+            !self.faced[sector] || (lids[sector].covers(along, up) && inside())
         };
         // Most groups are seen, and most of those are in the middle's sector.
         let compass = self.groups.compass();

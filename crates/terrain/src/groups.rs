@@ -18,6 +18,7 @@ use crate::error::TerrainError;
 use crate::field::{Field, NONE};
 use crate::horizon::compass::Compass;
 use crate::horizon::{Horizons, Sectors};
+use crate::lid::Lid;
 use crate::region::Region;
 
 /// A group of triangles.
@@ -52,6 +53,8 @@ pub struct Groups {
     order: Vec<u32>,
     always: Range<u32>,
     compass: Compass,
+    /// A row of sectors for each group.
+    lids: Vec<Lid>,
     /// Where a walk begins: the tops, and in place of a group that nothing hides from anywhere its parts.
     begin: Vec<u32>,
 }
@@ -157,6 +160,7 @@ impl Groups {
     ) -> Self {
         Self {
             compass: Compass::new(&sectors),
+            lids: Lid::each(&regions, sectors.reaches()),
             begin: begin(&groups, &regions, sectors.rows(), &tops),
             sectors,
             groups,
@@ -170,6 +174,13 @@ impl Groups {
     /// The sectors by direction.
     pub(crate) fn compass(&self) -> &Compass {
         &self.compass
+    }
+
+    /// What lies on the regions of a group, sector by sector.
+    pub(crate) fn lids(&self, group: u32) -> &[Lid] {
+        let count = self.sectors.count() as usize;
+        let first = group as usize * count;
+        self.lids.get(first..first + count).unwrap_or_default()
     }
 
     /// The groups that a walk from the top begins with, in order: those above them are hidden from nowhere.

@@ -22,6 +22,7 @@ mod from_scene;
 mod ground;
 mod groups;
 pub mod horizon;
+mod lid;
 mod packed;
 mod region;
 mod rim;

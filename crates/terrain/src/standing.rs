@@ -9,6 +9,7 @@ use crate::circle::Circle;
 use crate::cull::Eye;
 use crate::horizon::Horizon;
 use crate::horizon::standing::{find, top_of};
+use crate::lid::Lid;
 use crate::region::Region;
 use crate::terrain::Terrain;
 
@@ -20,6 +21,8 @@ pub struct Stand {
     low: f64,
     /// One for each reach of each sector.
     regions: Vec<Region>,
+    /// One for each sector.
+    lids: Vec<Lid>,
 }
 
 impl Terrain {
@@ -40,10 +43,12 @@ impl Terrain {
                 let sector = row / sectors.reaches();
                 Region::around(top.map(|corner| (corner, *horizon)), &sectors, sector)
             };
+            let regions: Vec<Region> = (0..).zip(rows).map(region).collect();
             Stand {
                 low: boxes[at][0].z,
                 circle: Circle::around(&top.map(DVec3::truncate)),
-                regions: (0..).zip(rows).map(region).collect(),
+                lids: Lid::each(&regions, sectors.reaches()),
+                regions,
             }
         };
         tops.iter().enumerate().map(stand).collect()
@@ -54,6 +59,6 @@ impl Eye<'_> {
     /// Whether all of a box is hidden by the terrain that it was prepared for.
     #[must_use]
     pub fn misses(&self, stand: &Stand) -> bool {
-        self.is_behind(&stand.circle, stand.low, &stand.regions)
+        self.is_behind(&stand.circle, stand.low, (&stand.lids, &stand.regions))
     }
 }
