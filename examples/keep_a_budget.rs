@@ -121,7 +121,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (wide, high) = size.split_once('x').ok_or("write the size as 320x240")?;
     let size = [wide.parse()?, high.parse()?];
     let per_side = next("18").parse()?;
-    let share = next("0.09").parse()?;
+    let share = next(&AuditOptions::default().share.to_string()).parse()?;
     let out = PathBuf::from(next("out/budget"));
 
     let gpu = Gpu::open(&AdapterChoice::Auto)?;

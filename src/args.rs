@@ -100,8 +100,8 @@ pub struct CompareArgs {
     pub latency: Option<Latency>,
     /// Each strategy once more, auditing itself: its own estimate of its wrong pixels, beside the truth, and what that costs. It may draw this
     /// part of its triangles again
-    #[arg(long, value_name = "SHARE", num_args = 0..=1, require_equals = true, default_missing_value = "0.09", value_parser = share)]
-    pub audit: Option<f64>,
+    #[arg(long, value_name = "SHARE", num_args = 0..=1, require_equals = true, value_parser = share)]
+    pub audit: Option<Option<f64>>,
     /// Each strategy that can trade once more, with a budget in place of settings: wrong_pixels=0.02% or frame_time=16ms
     #[arg(long, value_name = "WHAT=MOST")]
     pub budget: Vec<antumbra::cull::Budget>,

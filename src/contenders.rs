@@ -144,9 +144,10 @@ pub fn contenders(
         if YARDSTICKS.contains(&name.as_str()) {
             continue;
         }
+        let usual = AuditOptions::default();
         let audit = args.audit.map(|share| AuditOptions {
-            share,
-            ..AuditOptions::default()
+            share: share.unwrap_or(usual.share),
+            ..usual
         });
         if let Some(audit) = audit {
             list.push(made(&format!("{title} audited"))?.audited(audit));

@@ -62,7 +62,7 @@ impl<'a> Eye<'a> {
         let middles = groups.compass().middles();
         // What is seen in a direction sees the eye in the opposite one: a sector counts if it has any such.
         let reach = groups.sectors().half() + sight.half + ROUNDING;
-        let faced = |middle: &DVec2| middle.angle_to(-sight.middle).abs() <= reach;
+        let faced = |middle: &DVec2| reach >= PI || middle.angle_to(-sight.middle).abs() <= reach;
         Self {
             groups,
             at,
@@ -70,10 +70,7 @@ impl<'a> Eye<'a> {
                 .iter()
                 .map(|middle| middle.dot(at.truncate()))
                 .collect(),
-            faced: middles
-                .iter()
-                .map(|middle| reach >= PI || faced(middle))
-                .collect(),
+            faced: middles.iter().map(faced).collect(),
             rim: None,
         }
     }
@@ -111,7 +108,7 @@ impl<'a> Eye<'a> {
     ) -> bool {
         let way = self.at.truncate() - circle.middle;
         let square = way.length_squared() - circle.radius * circle.radius;
-        if square <= 0.0 {
+        if !square.is_finite() || square <= 0.0 {
             return false;
         }
         let reaches = self.groups.sectors().reaches() as usize;

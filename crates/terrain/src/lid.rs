@@ -20,16 +20,7 @@ impl Lid {
         let closed = || regions.iter().filter(|region| !region.is_open());
         let begin = closed().map(|region| region.corners()[0][0]);
         let begin = begin.fold(f32::INFINITY, f32::min);
-        let slopes = closed().flat_map(|region| {
-            let each = region.corners().windows(2).map(|pair| {
-                let [[x, z], [next, higher]] = [pair[0], pair[1]].map(|at| at.map(f64::from));
-                match next > x {
-                    true => (higher - z) / (next - x),
-                    false => f64::NEG_INFINITY,
-                }
-            });
-            each.chain([f64::from(region.slope())])
-        });
+        let slopes = closed().flat_map(|region| region.lines().map(|line| line.slope));
         let slope = (slopes.fold(f64::NEG_INFINITY, f64::max) as f32).next_up();
         // No region rises more steeply than that from where it begins.
         let up = closed().map(|region| {
@@ -42,7 +33,7 @@ impl Lid {
 
     /// Over those of each sector, which have so many reaches.
     pub fn each(regions: &[Region], reaches: u32) -> Vec<Self> {
-        let sectors = regions.chunks(reaches.max(1) as usize);
+        let sectors = regions.chunks(reaches as usize);
         sectors.map(Self::over).collect()
     }
 

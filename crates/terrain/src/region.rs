@@ -66,18 +66,8 @@ impl Region {
             if region.is_open() {
                 return Self::OPEN;
             }
-            let corners = region.corners.map(|corner| corner.map(f64::from));
-            begin = begin.max(corners[0][0]);
-            for pair in corners.windows(2) {
-                let [[along, up], [next, higher]] = [pair[0], pair[1]];
-                if next > along {
-                    let slope = (higher - up) / (next - along);
-                    lines.push(Line { along, up, slope });
-                }
-            }
-            let [along, up] = corners[CORNERS - 1];
-            let slope = f64::from(region.slope);
-            lines.push(Line { along, up, slope });
+            begin = begin.max(f64::from(region.corners[0][0]));
+            lines.extend(region.lines());
         }
         Self::below(begin, lines)
     }
@@ -179,6 +169,19 @@ impl Region {
         &self.corners
     }
 
+    /// The lines that its upper border is made of, from where it begins.
+    pub(crate) fn lines(&self) -> impl Iterator<Item = Line> {
+        let corners = self.corners.map(|corner| corner.map(f64::from));
+        let between = (1..CORNERS).filter_map(move |at| {
+            let [[along, up], [next, higher]] = [corners[at - 1], corners[at]];
+            let slope = (higher - up) / (next - along);
+            (next > along).then_some(Line { along, up, slope })
+        });
+        let [along, up] = corners[CORNERS - 1];
+        let slope = f64::from(self.slope);
+        between.chain([Line { along, up, slope }])
+    }
+
     /// How steeply the border goes on after the last corner.
     #[must_use]
     pub fn slope(&self) -> f32 {
@@ -188,10 +191,10 @@ impl Region {
 
 /// A line over a sector's middle direction.
 #[derive(Debug, Clone, Copy)]
-struct Line {
+pub(crate) struct Line {
     along: f64,
     up: f64,
-    slope: f64,
+    pub slope: f64,
 }
 
 impl Line {

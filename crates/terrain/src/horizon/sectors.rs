@@ -135,8 +135,7 @@ impl Sectors {
     }
 
     /// The sector that a direction lies in; at an end one of the two, give or take what rounding does to an angle.
-    #[must_use]
-    pub fn about(&self, way: DVec2) -> u32 {
+    fn about(&self, way: DVec2) -> u32 {
         let turn = way.to_angle().rem_euclid(TAU) / TAU;
         (turn * f64::from(self.count)) as u32 % self.count
     }
