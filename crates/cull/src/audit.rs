@@ -56,7 +56,7 @@ const LEAST_OFTEN: f64 = 1e-3;
 impl Default for AuditOptions {
     fn default() -> Self {
         Self {
-            share: 0.09,
+            share: 0.08,
             often: 0.25,
             seed: 0,
             census: false,

@@ -1,6 +1,7 @@
 //! What strategies said of their own wrong pixels, and how well budgets were kept, in words: for the terminal and the page.
 
-use crate::report::{AuditReport, BudgetReport, Report, StrategyReport};
+use crate::report::{AuditReport, BudgetReport, Over, Report, StrategyReport};
+use crate::trade::Budget;
 use crate::{stats, words};
 
 /// Of one strategy.
@@ -26,10 +27,18 @@ pub fn kept(report: &Report) -> Vec<Kept<'_>> {
 
 fn lines(report: &Report, strategy: &StrategyReport) -> Vec<String> {
     let StrategyReport { audit, budget, .. } = strategy;
+    let speed = budget
+        .as_ref()
+        .and_then(|budget| of_the_best(report, strategy, budget));
     let budget = budget.as_ref().map(|budget| of_budget(strategy, budget));
     let audit = audit.as_ref().map(|audit| of_audit(strategy, audit));
     let cost = cost(report, strategy);
-    budget.into_iter().chain(audit).chain(cost).collect()
+    budget
+        .into_iter()
+        .chain(speed)
+        .chain(audit)
+        .chain(cost)
+        .collect()
 }
 
 fn of_audit(strategy: &StrategyReport, audit: &AuditReport) -> String {
@@ -70,6 +79,35 @@ fn of_budget(strategy: &StrategyReport, budget: &BudgetReport) -> String {
         budget.asked,
         stood.join(", ")
     )
+}
+
+/// How fast it was beside the best that fixed settings could do within the same budget, which is known only afterwards: of those of the same strategy and latency
+/// in this run. By the sums of all frames.
+fn of_the_best(
+    report: &Report,
+    strategy: &StrategyReport,
+    budget: &BudgetReport,
+) -> Option<String> {
+    let limit: Budget = budget.asked.parse().ok()?;
+    let fits = |one: &&StrategyReport| {
+        let fixed = one.budget.is_none() && one.audit.is_none();
+        let alike = one.name == strategy.name && one.latency == strategy.latency;
+        let error = limit.measure().of(&one.error, Over::Mean);
+        fixed && alike && error.is_some_and(|error| error <= limit.limit())
+    };
+    let time = |one: &StrategyReport| stats::mean(&one.frames.frame_ms).ok();
+    let timed = report.strategies.iter().filter(fits);
+    let timed = timed.filter_map(|one| Some((one, time(one)?)));
+    let (best, _) = timed.min_by(|(_, a), (_, b)| a.total_cmp(b))?;
+    let (own, other) = (&strategy.frames.frame_ms, &best.frames.frame_ms);
+    let block = report.noise.block_frames.unwrap_or(1) as usize;
+    let (ratio, error) = stats::ratio_of_sums(other, own, block).ok()?;
+    Some(format!(
+        "{:.0} % of the speed of {}, the fastest of the fixed settings that were within it (+- {:.0}, one standard error over blocks)",
+        ratio * 100.0,
+        best.title(),
+        error * 100.0
+    ))
 }
 
 /// What an audit costs: the time beside that of the same strategy without, where that was measured in the same run.

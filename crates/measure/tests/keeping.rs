@@ -64,11 +64,30 @@ fn a_budget_says_whether_it_was_kept_and_where_frames_stood() {
         });
         strategy
     };
-    report.strategies = vec![within(0.015, true), within(0.03, false)];
+    let fixed = |label: &str, mean: f64, frame_ms: f64| {
+        let mut strategy = strategy(label, frame_ms);
+        strategy.error.wrong_pixels_percent.mean = mean;
+        strategy
+    };
+    let mut waits = fixed("waits", 0.0, 5.0);
+    waits.latency = "same-frame".to_owned();
+    report.strategies = vec![
+        within(0.015, true),
+        within(0.03, false),
+        fixed("exact", 0.0, 12.0),
+        fixed("good", 0.02, 9.0),
+        fixed("fast", 0.021, 8.0),
+        waits,
+    ];
     let all = kept(&report);
+    assert_eq!(all.len(), 2, "{all:?}");
     let texts: Vec<String> = all.iter().map(|kept| kept.lines.join("; ")).collect();
     assert!(
         texts[0].contains("kept with 0.015 %") && texts[0].contains("3, 0, 21"),
+        "{texts:?}"
+    );
+    assert!(
+        texts[0].contains("90 % of the speed of good") && texts[0].contains("(+- 0,"),
         "{texts:?}"
     );
     assert!(texts[1].contains("overdrawn with 0.030 %"), "{texts:?}");

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_measure::stats::{
-    block_ratios, longest_run, mean, median, noise_p95, percentile, sign_test,
+    block_ratios, longest_run, mean, median, noise_p95, percentile, ratio_of_sums, sign_test,
 };
 use proptest::prelude::*;
 
@@ -51,6 +51,13 @@ proptest! {
         for ratio in ratios {
             prop_assert!((ratio / k - 1.0).abs() < 1e-9);
         }
+    }
+
+    #[test]
+    fn sums_have_the_ratio_k_too_and_no_error_where_every_block_has_it(base in values(), k in 0.1..10.0f64, block in 1usize..20) {
+        let times: Vec<f64> = base.iter().map(|t| t * k).collect();
+        let (ratio, error) = ratio_of_sums(&times, &base, block).unwrap();
+        prop_assert!((ratio / k - 1.0).abs() < 1e-9 && error < 1e-9);
     }
 
     #[test]
@@ -107,6 +114,8 @@ fn what_has_no_answer_is_refused_with_the_place() {
         "2 times against 1",
     );
     says(block_ratios(&[1.0], &[1.0], 0).unwrap_err(), "block");
+    says(ratio_of_sums(&[1.0], &[1.0], 0).unwrap_err(), "block");
+    says(ratio_of_sums(&[1.0], &[0.0], 1).unwrap_err(), "sums to 0");
     says(
         block_ratios(&[1.0, 1.0], &[1.0, 0.0], 1).unwrap_err(),
         "block 1",

@@ -15,7 +15,13 @@ use crate::view_nodes::ViewNodes;
 pub(super) struct Doubts {
     samples: Samples,
     threshold: u32,
+    /// As high as the threshold may be if counts are somewhat others now.
+    highest: u32,
 }
+
+/// Counts of an earlier frame are this frame's within so many times: whom a turned threshold may leave out with so much allowed is doubtful. One who is left out on a patch
+/// that is not doubtful is seldom looked at, and weighs all the more when it is.
+const UNSURE: u64 = 2;
 
 impl Doubts {
     /// How much is drawn by an earlier frame's counts, if each entity is as much as `size` says. Of those that were not counted then, as large a part is as of
@@ -31,7 +37,7 @@ impl Doubts {
         Some(sure.into_iter().map(&size).sum::<f64>() + reckon(judged)?)
     }
 
-    /// Entities that had visible samples, and too few of them.
+    /// Entities that had visible samples, and too few of them or hardly enough.
     pub fn left_out<'a>(&'a self, candidates: &'a Candidates) -> impl Iterator<Item = u32> + 'a {
         // What was seen before a cut says nothing about what is seen after it.
         let cuts = candidates.stamp().cuts;
@@ -39,7 +45,7 @@ impl Doubts {
         let inside = candidates.inside().iter().copied();
         inside.filter(move |slot| {
             let count = self.samples.get(*slot).unwrap_or(0);
-            known && count > 0 && count <= self.threshold
+            known && count > 0 && count <= self.highest
         })
     }
 }
@@ -94,7 +100,8 @@ impl FrameGraph<'_> {
                 Some(allowed) => ctx.get(allowed)?.samples,
                 None => 0,
             };
-            known.threshold = known.samples.highest_within(&candidates, rule, allowed);
+            let within = |allowed| known.samples.highest_within(&candidates, rule, allowed);
+            (known.threshold, known.highest) = (within(allowed), within(allowed * UNSURE));
             Ok(())
         });
         Some(doubts)

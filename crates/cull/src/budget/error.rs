@@ -15,10 +15,15 @@ pub(super) struct ErrorKeeper {
     since: u64,
     /// Frames in a row in which another step looked better.
     patience: u32,
-    /// Percent that was not used up, added up over frames; below 0: overdrawn.
+    /// Percent that was not used up, added up over frames; below 0: overdrawn. By the audit, and so of this variance.
     saved: f64,
+    variance: f64,
     /// What was found of what was meant to be left out, and what was meant.
     doubtful: [f64; 2],
+    /// What a frame may leave out by its own count on average, in percent.
+    share: f64,
+    /// What frames did not leave out of their shares, for want of anything small, added up; below 0: what they left out beyond them.
+    unspent: f64,
     /// What a patch stands for that is wrong all over, in percent of the image, and how much of one a hit mostly is.
     patch: f64,
     taint: f64,
@@ -47,16 +52,20 @@ const MEANT: f64 = 0.85;
 const PATIENCE: u32 = 8;
 /// How much of a patch a hit is believed to be before there was any.
 const TAINT: f64 = 0.05;
-/// So many hits' worth may come any moment.
+/// So many hits' worth may come any moment; what is saved or overdrawn counts from there on, and from a standard deviation.
 const SURELY: f64 = 2.0;
 /// Frames over which what was saved or overdrawn is made good.
 const HORIZON: f64 = 200.0;
 /// Frames until answers are about a new step.
 const SETTLES: u64 = 4;
-/// Frames that are remembered of what was meant to be left out and what it came to.
+/// Frames that are remembered of what was meant to be left out and what it came to, and of how much what is found varies.
 const REMEMBERS: f64 = 1_000.0;
 /// Hits' worth that are believed to be wrong as counted.
 const BELIEF: f64 = 3.0;
+/// What was not left out is made up for over about so many frames, and none may leave out more than so many times its share. An entity costs a frame as much wherever it
+/// is seen, so the same count should be too small everywhere: frames with much to leave out pay with what those with little have over.
+const SPREAD: f64 = 16.0;
+const BURST: f64 = 3.0;
 
 impl ErrorKeeper {
     /// For these steps, of which there is one at least.
@@ -72,12 +81,15 @@ impl ErrorKeeper {
             since: 0,
             patience: 0,
             saved: 0.0,
+            variance: 0.0,
             doubtful: [0.0; 2],
+            share: 0.0,
+            unspent: 0.0,
             patch: 100.0,
             taint: TAINT,
             frames: 0,
         };
-        keeper.at = keeper.best().0;
+        keeper.stand(keeper.best().0);
         keeper
     }
 
@@ -93,6 +105,9 @@ impl ErrorKeeper {
         // More than a horizon's worth of frugality is not handed down, nor of debts.
         let most = self.budget * HORIZON;
         self.saved = self.saved.clamp(-4.0 * most, most);
+        // What is found rarely, each by itself, varies by the sum of the squares (Poisson).
+        self.variance =
+            self.variance * (1.0 - 1.0 / REMEMBERS) + (plain.percent + doubtful.percent).powi(2);
         let hits = plain.hits + doubtful.hits;
         let patch = found.heaviest_percent();
         self.patch = match self.frames {
@@ -115,26 +130,41 @@ impl ErrorKeeper {
                 *sum = *sum * (1.0 - 1.0 / REMEMBERS) + more;
             }
         }
+        if current && let Some(left_out) = found.left_out_percent() {
+            self.unspent += self.share - left_out;
+        }
         self.frames += 1;
         let (best, urgent) = self.best();
         if best.step == self.at.step {
             self.patience = 0;
-            self.at = best;
+            self.stand(best);
         } else {
             self.patience += 1;
             if urgent || self.patience >= PATIENCE {
                 self.patience = 0;
-                self.at = best;
+                self.unspent = 0.0;
+                self.stand(best);
                 self.since = now + SETTLES;
             }
         }
         self.at
     }
 
+    /// Goes there, with what earlier frames did not spend.
+    fn stand(&mut self, at: Standing) {
+        self.share = at.allow;
+        let most = SPREAD * self.share;
+        self.unspent = self.unspent.clamp(-most, (BURST - 1.0) * most);
+        self.at = Standing {
+            allow: self.share + self.unspent / SPREAD,
+            ..at
+        };
+    }
+
     /// What a frame may have wrong now.
     fn allowed(&self) -> f64 {
-        // Where hits are rare and heavy, a row of frames without one has saved nothing yet.
-        let chance = SURELY * self.a_hit();
+        // Where hits are rare and heavy, a row of frames without one has saved nothing yet, nor has one of them overdrawn anything.
+        let chance = (SURELY * self.a_hit()).max(self.variance.sqrt());
         let surely = self.saved - self.saved.clamp(-chance, chance);
         self.budget * MEANT + (surely / HORIZON).clamp(-self.budget, 0.1 * self.budget)
     }
@@ -250,6 +280,30 @@ mod tests {
     fn a_budget_of_nothing_never_leaves_the_first_step() {
         let (wrong, stood) = live(0.0, &[0.0, 0.0], (true, 1.0), 0.4, 9, 6_000);
         assert_eq!((wrong, stood), (0.0, vec![6_000, 0]));
+    }
+
+    #[test]
+    fn what_frames_do_not_leave_out_later_ones_may() {
+        let steps = [Step::default(), Step::default().with_dial("allow")];
+        let mut keeper = ErrorKeeper::new(0.1, &steps);
+        let (mut meant, mut most, mut shares) = (0.0, 0.0f64, 0.0);
+        let frames = 4_000;
+        for frame in 0..frames {
+            // Twenty frames with hardly anything that is small, and twenty with much.
+            let room = if frame / 20 % 2 == 0 { 0.001 } else { 1.0 };
+            let left_out = keeper.standing().allow.min(room);
+            meant += left_out;
+            shares += keeper.share;
+            most = most.max(left_out / keeper.share.max(1e-9));
+            let found =
+                FrameAudit::made_up(frame, 0.4, [(left_out, true)].into_iter(), Some(left_out));
+            keeper.note(&found, frame + 1);
+        }
+        assert!(meant > 0.8 * shares, "{meant} of {shares}");
+        assert!(
+            meant < 0.1 * frames as f64 && most <= BURST,
+            "{meant}, {most}"
+        );
     }
 
     #[test]

@@ -61,7 +61,7 @@ impl Measure {
     }
 
     /// An error block's number; `None` for one that the measure does not have.
-    pub(super) fn of(self, error: &ErrorReport, over: Over) -> Option<f64> {
+    pub(crate) fn of(self, error: &ErrorReport, over: Over) -> Option<f64> {
         let number = match (self, over) {
             (Self::WrongPixelsPercent, Over::Mean) => error.wrong_pixels_percent.mean,
             (Self::WrongPixelsPercent, Over::Max) => error.wrong_pixels_percent.max,
