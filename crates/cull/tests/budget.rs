@@ -163,6 +163,21 @@ fn the_mean_stays_under_the_budget_and_most_of_it_is_used() {
 }
 
 #[test]
+fn three_pass_has_a_step_between_full_size_and_a_much_smaller_one() {
+    let registry = Registry::built_in();
+    for (scale, between) in [("0.25", Some("0.5")), ("0.9", None), ("1", None)] {
+        let strategy = registry.parse(&format!("three-pass:latency=on-gpu:scale={scale}"));
+        let steps = strategy.unwrap().steps();
+        let own = |step: &antumbra_cull::Step| {
+            let own = step.settings.iter().rfind(|(key, _)| *key == "scale");
+            own.map(|(_, value)| value.clone())
+        };
+        let found = steps.get(2).and_then(own);
+        assert_eq!(found.as_deref(), between, "{steps:?}");
+    }
+}
+
+#[test]
 fn a_strategy_without_steps_that_errs_cannot_keep_a_budget() {
     let gpu = gpu();
     let scene = GpuScene::new(&gpu, &mut balls()).unwrap();

@@ -5,6 +5,8 @@ use antumbra_measure::stats::{
     block_ratios, longest_run, mean, median, noise_p95, percentile, ratio_of_sums, sign_test,
 };
 use proptest::prelude::*;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
 
 fn values() -> impl Strategy<Value = Vec<f64>> {
     prop::collection::vec(1e-3..1e6f64, 1..60)
@@ -146,4 +148,27 @@ fn the_sign_test_counts_coins() {
     let tested = sign_test(5_100, 10_000);
     assert!((0.02..0.025).contains(&tested), "{tested}");
     assert_eq!(sign_test(10_000, 10_000), 0.0);
+}
+
+#[test]
+fn the_error_of_a_ratio_of_sums_is_how_much_it_varies_from_run_to_run() {
+    let mut random = Pcg64Mcg::seed_from_u64(3);
+    let mut run = || {
+        let (mut times, mut baseline) = (Vec::new(), Vec::new());
+        for _ in 0..60 {
+            let block: f64 = random.random_range(5.0..50.0);
+            times.extend([0.9 * block * random.random_range(0.7..1.3); 5]);
+            baseline.extend([block * random.random_range(0.7..1.3); 5]);
+        }
+        ratio_of_sums(&times, &baseline, 5).unwrap()
+    };
+    let (ratios, errors): (Vec<f64>, Vec<f64>) = (0..500).map(|_| run()).unzip();
+    let middle = mean(&ratios).unwrap();
+    let squares: Vec<f64> = ratios
+        .iter()
+        .map(|ratio| (ratio - middle).powi(2))
+        .collect();
+    let (spread, error) = (mean(&squares).unwrap().sqrt(), mean(&errors).unwrap());
+    assert!((middle - 0.9).abs() < 0.01, "{middle}");
+    assert!((error / spread - 1.0).abs() < 0.15, "{error} of {spread}");
 }

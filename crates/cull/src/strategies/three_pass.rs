@@ -107,6 +107,8 @@ const OCCLUDERS_RANGE: &str = "proxy or full";
 const OCCLUDEES_RANGE: &str = "proxy, full or box";
 const DEVIATION_RANGE: &str = "a number of pixels from 0, or any";
 const SCALE_RANGE: &str = "a number from 0.05 to 1";
+/// Below this scale a budget has a step between it and full size, of as many times fewer pixels than the one as it has more than the other.
+const BETWEEN: f64 = 0.75;
 
 impl ThreePass {
     fn way(&self, g: &FrameGraph<'_>) -> Result<Counting, DeclareError> {
@@ -330,6 +332,10 @@ impl Strategy for ThreePass {
             step(&[("occluders", "full"), ("occludees", "full"), ("scale", "1")]),
             step(&[("scale", "1")]).with_dial("allow"),
         ];
+        if self.scale < BETWEEN {
+            let between = self.scale.sqrt().to_string();
+            steps.push(step(&[("scale", &between)]).with_dial("allow"));
+        }
         if self.scale < 1.0 {
             steps.push(step(&[]).with_dial("allow"));
         }
