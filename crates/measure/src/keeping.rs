@@ -116,7 +116,7 @@ fn cost(report: &Report, audited: &StrategyReport) -> Option<String> {
     let plain = report.strategies.iter().find(|one| one.title() == title)?;
     // Of all frames: a median would not notice what few of them pay.
     let (own, other) = (&audited.frames.frame_ms, &plain.frames.frame_ms);
-    let ratio = stats::mean(own).ok()? / stats::mean(other).ok().filter(|mean| *mean > 0.0)?;
+    let (ratio, _) = stats::ratio_of_sums(own, other, 1).ok()?;
     Some(format!(
         "the audit takes {} % of a frame's time ({} ms in its passes), where differences below {} % show nothing",
         words::percent((ratio - 1.0) * 100.0),

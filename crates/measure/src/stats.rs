@@ -93,11 +93,10 @@ pub fn ratio_of_sums(
     }
     let ratio = times.iter().sum::<f64>() / below;
     let blocks = times.chunks(block).zip(baseline.chunks(block));
-    let residues = blocks
-        .map(|(times, baseline)| times.iter().sum::<f64>() - ratio * baseline.iter().sum::<f64>());
-    let (count, squares) = residues.fold((0.0, 0.0), |(count, squares), residue| {
-        (count + 1.0, squares + residue * residue)
+    let squares = blocks.map(|(times, baseline)| {
+        (times.iter().sum::<f64>() - ratio * baseline.iter().sum::<f64>()).powi(2)
     });
+    let (squares, count): (f64, f64) = (squares.sum(), times.len().div_ceil(block) as f64);
     let error = match count > 1.0 {
         true => (squares * count / (count - 1.0)).sqrt() / below,
         false => 0.0,

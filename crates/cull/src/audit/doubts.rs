@@ -19,8 +19,8 @@ pub(super) struct Doubts {
     highest: u32,
 }
 
-/// Counts of an earlier frame are this frame's within so many times: whom a turned threshold may leave out with so much allowed is doubtful. One who is left out on a patch
-/// that is not doubtful is seldom looked at, and weighs all the more when it is.
+/// An earlier frame's counts are not this one's: whom a turned threshold would have left out then with so many times as much allowed is doubtful now. One who is left out on a
+/// patch that is not doubtful is seldom looked at, and weighs all the more when it is.
 const UNSURE: u64 = 2;
 
 impl Doubts {
@@ -38,7 +38,10 @@ impl Doubts {
     }
 
     /// Entities that had visible samples, and too few of them or hardly enough.
-    pub fn left_out<'a>(&'a self, candidates: &'a Candidates) -> impl Iterator<Item = u32> + 'a {
+    pub fn may_be_left_out<'a>(
+        &'a self,
+        candidates: &'a Candidates,
+    ) -> impl Iterator<Item = u32> + 'a {
         // What was seen before a cut says nothing about what is seen after it.
         let cuts = candidates.stamp().cuts;
         let known = self.samples.asked().is_some_and(|asked| asked.cuts == cuts);

@@ -318,7 +318,9 @@ impl<'a> Culled<'a> {
             Self::Gpu {
                 candidates, doubts, ..
             } => {
-                let left_out = doubts.iter().flat_map(|doubts| doubts.left_out(candidates));
+                let left_out = doubts
+                    .iter()
+                    .flat_map(|doubts| doubts.may_be_left_out(candidates));
                 left_out.collect()
             }
         }

@@ -58,8 +58,8 @@ const SURELY: f64 = 2.0;
 const HORIZON: f64 = 200.0;
 /// Frames until answers are about a new step.
 const SETTLES: u64 = 4;
-/// Frames that are remembered of what was meant to be left out and what it came to, and of how much what is found varies.
-const REMEMBERS: f64 = 1_000.0;
+/// Frames that are remembered of what was meant to be left out and what it came to, and of how much what is found varies: what is left of an older frame's weight.
+const FADES: f64 = 1.0 - 1.0 / 1_000.0;
 /// Hits' worth that are believed to be wrong as counted.
 const BELIEF: f64 = 3.0;
 /// What was not left out is made up for over about so many frames, and none may leave out more than so many times its share. An entity costs a frame as much wherever it
@@ -106,8 +106,7 @@ impl ErrorKeeper {
         let most = self.budget * HORIZON;
         self.saved = self.saved.clamp(-4.0 * most, most);
         // What is found rarely, each by itself, varies by the sum of the squares (Poisson).
-        self.variance =
-            self.variance * (1.0 - 1.0 / REMEMBERS) + (plain.percent + doubtful.percent).powi(2);
+        self.variance = self.variance * FADES + (plain.percent + doubtful.percent).powi(2);
         let hits = plain.hits + doubtful.hits;
         let patch = found.heaviest_percent();
         self.patch = match self.frames {
@@ -127,7 +126,7 @@ impl ErrorKeeper {
         }
         if current && let Some(both) = found.meant() {
             for (sum, more) in self.doubtful.iter_mut().zip(both) {
-                *sum = *sum * (1.0 - 1.0 / REMEMBERS) + more;
+                *sum = *sum * FADES + more;
             }
         }
         if current && let Some(left_out) = found.left_out_percent() {
@@ -280,6 +279,26 @@ mod tests {
     fn a_budget_of_nothing_never_leaves_the_first_step() {
         let (wrong, stood) = live(0.0, &[0.0, 0.0], (true, 1.0), 0.4, 9, 6_000);
         assert_eq!((wrong, stood), (0.0, vec![6_000, 0]));
+    }
+
+    #[test]
+    fn one_heavy_hit_does_not_drive_it_to_the_exact_step() {
+        let mut keeper = ErrorKeeper::new(0.1, &vec![Step::default(); 3]);
+        let mut heavy = 0;
+        for frame in 0..600 {
+            // Two hundredths on average on the second step; on the third nothing, and once a quarter of the image.
+            let percent = match keeper.standing().step {
+                2 if frame > 100 && heavy == 0 => 26.0,
+                1 if frame % 12 == 6 => 0.25,
+                _ => 0.0,
+            };
+            heavy += u32::from(percent > 1.0);
+            let hits = (percent > 0.0).then_some((percent, false)).into_iter();
+            keeper.note(&FrameAudit::made_up(frame, 10.0, hits, None), frame + 1);
+            let step = keeper.standing().step;
+            assert!(frame < 20 || step > 0, "{frame}: {keeper:?}");
+        }
+        assert_eq!(heavy, 1);
     }
 
     #[test]

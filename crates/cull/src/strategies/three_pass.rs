@@ -107,7 +107,7 @@ const OCCLUDERS_RANGE: &str = "proxy or full";
 const OCCLUDEES_RANGE: &str = "proxy, full or box";
 const DEVIATION_RANGE: &str = "a number of pixels from 0, or any";
 const SCALE_RANGE: &str = "a number from 0.05 to 1";
-/// Below this scale a budget has a step between it and full size, of as many times fewer pixels than the one as it has more than the other.
+/// Below this scale a budget has a step between it and full size, at their geometric mean; above, the two are too close for one more.
 const BETWEEN: f64 = 0.75;
 
 impl ThreePass {
