@@ -1,10 +1,11 @@
 //! A strategy from outside: the depth of the occluders that look largest (their choice after Coorg and Teller, *Real-Time Occlusion
 //! Culling for Models with Large Occluders*, 1997), and a hardware query an occludee against it, answered on the GPU.
 
-use antumbra::cull::{Counting, DeclareError, FrameGraph, Latency, Registry, Stage, StageOptions};
+use antumbra::cull::{Counting, DeclareError, FrameGraph, Latency, Stage, StageOptions};
 use antumbra::cull::{Strategy, ViewInput, ViewNodes, ViewSpec, VisibleSet};
 use antumbra::draw::{AdapterChoice, Detail, Gpu, GpuScene};
 use antumbra::measure::{compare::camera, path::Path};
+use antumbra::strategies::registry;
 
 /// How many occluders it draws, and what stands in for the occludees: `Level(0)`, their meshes, or, much faster, `Box`.
 pub struct LargestOccluders(pub usize, pub Detail);
@@ -43,9 +44,9 @@ impl Strategy for LargestOccluders {
 
 /// Draws the built-in grid under three strategies, one of them ours.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let mut registry = Registry::built_in();
+    let mut registry = registry();
     registry.register(|| Box::new(LargestOccluders(800, Detail::Box)));
-    let mut grid = antumbra::scene::builtin::by_name("grid", Some(12))?;
+    let mut grid = antumbra::demo_scenes::by_name("grid", Some(12))?;
     let scene = GpuScene::new(&Gpu::open(&AdapterChoice::Auto)?, &mut grid)?;
     let path = Path::orbit_around(&grid.bounds().ok_or("an empty scene")?, 4.0 / 3.0, 8)?;
     for name in ["none", "frustum", "largest-occluders"] {

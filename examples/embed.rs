@@ -4,11 +4,13 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use antumbra::cull::{ImportedTargets, Registry, Stage, StageOptions, ViewInput, ViewSpec};
+use antumbra::cull::{ImportedTargets, Stage, StageOptions, ViewInput, ViewSpec};
+use antumbra::demo_scenes;
 use antumbra::draw::{DEPTH_FORMAT, Gpu, GpuScene, WANTED_FEATURES, read_back};
 use antumbra::graph::Mode;
 use antumbra::measure::image_error::save_png;
-use antumbra::scene::{Camera, Projection, builtin};
+use antumbra::scene::{Camera, Projection};
+use antumbra::strategies::registry;
 use glam::DVec3;
 
 const COLOUR: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8UnormSrgb;
@@ -55,7 +57,7 @@ pub fn run(size: [u32; 2], frames: u32, output: &Path) -> Result<String, Box<dyn
         ..StageOptions::default()
     };
     let stage = |strategy: &str| -> Result<Stage, Box<dyn Error>> {
-        let strategy = Registry::built_in().parse(strategy)?;
+        let strategy = registry().parse(strategy)?;
         let views = vec![ViewSpec::main(size[0], size[1])];
         Ok(Stage::new(&scene, strategy, views, options.clone())?)
     };
@@ -136,7 +138,7 @@ async fn open() -> Result<(Gpu, GpuScene), Box<dyn Error>> {
         adapter.get_info(),
         adapter.get_downlevel_capabilities(),
     );
-    let mut grid = builtin::by_name("grid", Some(6))?;
+    let mut grid = demo_scenes::by_name("grid", Some(6))?;
     grid.ensure_proxies(&Default::default());
     let scene = GpuScene::new(&gpu, &mut grid)?;
     Ok((gpu, scene))

@@ -4,11 +4,13 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use antumbra::cull::{Registry, Stage, StageOptions, ViewInput, ViewSpec};
+use antumbra::cull::{Stage, StageOptions, ViewInput, ViewSpec};
+use antumbra::demo_scenes::subsurface::{BuiltIn, BuiltInOptions};
 use antumbra::draw::{AdapterChoice, Gpu, GpuScene, read_back};
 use antumbra::measure::image_error::save_png;
 use antumbra::scene::{Camera, EntityKey, Projection, Scene};
-use antumbra::subsurface::{BuiltIn, BuiltInOptions, ShownSurface, SurfaceKind};
+use antumbra::strategies::registry;
+use antumbra::subsurface::{ShownSurface, SurfaceKind};
 use glam::{DAffine3, DVec3};
 
 /// What came of the flight.
@@ -61,7 +63,7 @@ pub fn run(
         ..
     } = BuiltIn::new(&options, &|_, _| ())?;
     let mut on_gpu = GpuScene::new(&gpu, &mut scene)?;
-    let strategy = Registry::built_in().parse("three-pass:latency=frame-late")?;
+    let strategy = registry().parse("three-pass:latency=frame-late")?;
     let views = vec![ViewSpec::main(size[0], size[1])];
     let mut stage = Stage::new(&on_gpu, strategy, views, StageOptions::default())?;
     let mut drawn = 0;

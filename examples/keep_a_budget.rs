@@ -11,14 +11,15 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use antumbra::cull::{AuditOptions, Budget, Registry};
+use antumbra::cull::{AuditOptions, Budget};
+use antumbra::demo_scenes::{GridOptions, grid};
 use antumbra::draw::{AdapterChoice, Gpu};
 use antumbra::measure::compare::{CompareOptions, Contender, Script, compare_scripted};
 use antumbra::measure::keeping::kept;
 use antumbra::measure::path::Path;
 use antumbra::measure::table::{Table, facts};
-use antumbra::scene::builtin::{GridOptions, grid};
 use antumbra::scene::{Camera, EntityKey, Scene};
+use antumbra::strategies::registry;
 use glam::{DAffine3, DVec3};
 
 /// Frames between two cuts.
@@ -90,7 +91,7 @@ fn flights(scene: &Scene, frames: usize, first_seed: u64) -> Result<Path, Box<dy
 }
 
 fn contenders(share: f64) -> Result<Vec<Contender>, Box<dyn Error>> {
-    let registry = Arc::new(Registry::built_in());
+    let registry = Arc::new(registry());
     let mut list = Vec::new();
     for name in ["frustum", "ideal"] {
         list.push(Contender::of("", &registry, name)?);

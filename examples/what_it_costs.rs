@@ -10,12 +10,13 @@
 use std::error::Error;
 use std::time::Instant;
 
-use antumbra::cull::{Registry, Stage, StageOptions, ViewInput, ViewSpec};
+use antumbra::cull::{Stage, StageOptions, ViewInput, ViewSpec};
+use antumbra::demo_scenes::{GridOptions, grid};
 use antumbra::draw::{AdapterChoice, Gpu, GpuScene};
-use antumbra::scene::builtin::{GridOptions, grid};
 use antumbra::scene::{
     AlphaMode, Camera, Drawable, Environment, Image, Light, Material, Projection, Sampler, Scene,
 };
+use antumbra::strategies::registry;
 use antumbra::subsurface::{Axis, Slice, SliceOptions, VolumeLayout};
 use glam::{DAffine3, DQuat, DVec3};
 
@@ -174,7 +175,7 @@ impl Run {
             part.add_to(&mut scene)?;
         }
         let scene = GpuScene::new(gpu, &mut scene)?;
-        let strategy = Registry::built_in().parse(part.strategies()[usize::from(there)])?;
+        let strategy = registry().parse(part.strategies()[usize::from(there)])?;
         let views = part.views(there);
         let spec = |name: &&str| ViewSpec {
             name: (*name).to_owned(),

@@ -1,6 +1,6 @@
 //! Writes the small files that the fuzzers start from into `corpus/loaders` and `corpus/surfaces`.
 
-#[path = "../crates/scene/tests/common/mod.rs"]
+#[path = "../crates/formats/tests/common/mod.rs"]
 mod common;
 #[path = "../crates/subsurface/tests/read_support/files.rs"]
 #[allow(dead_code)]

@@ -3,33 +3,43 @@
 //! A culling strategy is a plug-in: it adds its passes to the graph and says what the shaded pass shall draw. Several published
 //! strategies come with it, an oracle says what each of them got wrong, and a harness says what each of them cost.
 //!
-//! | room | what is in it |
-//! |---|---|
-//! | [`graph`] | passes and resources, compiled into a checked plan and run as wgpu commands; read-back; timing |
-//! | [`scene`] | entities in arenas, transforms, bounds, cameras, scene files; knows no GPU |
-//! | [`shaders`] | WGSL, checked and reflected |
-//! | [`draw`] | meshes on the GPU, draw lists, pipelines, passes |
-//! | [`cull`] | strategies, visible sets, sample counts, the conformance kit |
-//! | [`measure`] | camera paths, comparisons, image errors, the report |
-//! | [`subsurface`] | horizons, faults, seismic slices and lenses made into a scene |
-//! | [`terrain`] | height fields, their horizons, groups of triangles that hide together |
+//! | module | what is in it | feature |
+//! |---|---|---|
+//! | [`graph`] | passes and resources, compiled into a checked plan and run as wgpu commands; read-back; timing | |
+//! | [`scene`] | entities in arenas, transforms, bounds, cameras, meshes in memory; knows no GPU and no file | |
+//! | [`shaders`] | WGSL, checked and reflected | |
+//! | [`cull`] | the contract: strategy, visible set, stage, audit, budget | |
+//! | `strategies` | the built-in strategies and their registry | `strategies`, on by default |
+//! | `draw` | the built-in renderer: meshes on the GPU, draw lists, pipelines | `draw`, on by default |
+//! | `formats` | scene files in and out: glTF, OBJ, PLY, STL, CityJSON, rasters | `formats` |
+//! | `verify` | the oracle and the conformance kit | `verify` |
+//! | `measure` | camera paths, comparisons, image errors, the report | `measure` |
+//! | `subsurface` | horizons, faults, seismic slices and lenses made into a scene | `subsurface` |
+//! | `terrain` | height fields, their horizons, groups of triangles that hide together | `terrain` |
+//! | `demo_scenes` | the scenes that are built in to measure with | `demo-scenes` |
+//!
+//! The feature `simplify` adds proxies made by mesh simplification; it needs a C++ compiler, as `measure`, `subsurface` and `demo-scenes` do.
 //!
 //! Drawing a scene under a strategy:
 //!
 //! ```no_run
-//! use antumbra::cull::{Registry, Stage, StageOptions, ViewInput, ViewSpec};
-//! use antumbra::draw::{AdapterChoice, Gpu, GpuScene};
-//! use antumbra::scene::{Camera, Projection, builtin};
-//! use glam::DVec3;
+//! use antumbra::prelude::*;
+//! use antumbra::glam::{DAffine3, DVec3};
+//! use antumbra::scene::{Drawable, Material, Mesh, icosphere};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let gpu = Gpu::open(&AdapterChoice::Auto)?;
-//! let mut scene = builtin::by_name("grid", Some(8))?;
-//! scene.ensure_proxies(&Default::default());
+//! let mut scene = Scene::new();
+//! let mesh = scene.add_mesh(Mesh::new("ball", icosphere(2, 0.5)))?;
+//! let material = scene.add_material(Material::default());
+//! for x in 0..100 {
+//!     let ball = scene.spawn(None, DAffine3::from_translation(DVec3::X * f64::from(x)))?;
+//!     scene.set_drawable(ball, Drawable { mesh, material })?;
+//! }
 //! let mut on_gpu = GpuScene::new(&gpu, &mut scene)?;
 //!
-//! let strategy = Registry::built_in().parse("three-pass:latency=frame-late")?;
-//! let mut stage = Stage::new(&on_gpu, strategy, vec![ViewSpec::main(1280, 1024)], StageOptions::default())?;
+//! let views = vec![ViewSpec::main(1280, 1024)];
+//! let mut stage = Stage::new(&on_gpu, Box::new(Frustum), views, StageOptions::default())?;
 //! let projection = Projection::Perspective { fov_y: 0.8, near: 0.1 };
 //! for frame in 0..60 {
 //!     let eye = DVec3::new(20.0, 5.0, 20.0 - f64::from(frame) * 0.1);
@@ -40,12 +50,37 @@
 //! # Ok(())
 //! # }
 //! ```
+//!
+//! With the feature `strategies`, `antumbra::strategies::registry().parse("three-pass:latency=frame-late")` makes a strategy by name.
 
 pub use antumbra_cull as cull;
+#[cfg(feature = "demo-scenes")]
+pub use antumbra_demo_scenes as demo_scenes;
+#[cfg(feature = "draw")]
 pub use antumbra_draw as draw;
+#[cfg(feature = "formats")]
+pub use antumbra_formats as formats;
 pub use antumbra_graph as graph;
+#[cfg(feature = "measure")]
 pub use antumbra_measure as measure;
 pub use antumbra_scene as scene;
 pub use antumbra_shaders as shaders;
+#[cfg(feature = "strategies")]
+pub use antumbra_strategies as strategies;
+#[cfg(feature = "subsurface")]
 pub use antumbra_subsurface as subsurface;
+#[cfg(feature = "terrain")]
 pub use antumbra_terrain as terrain;
+#[cfg(feature = "verify")]
+pub use antumbra_verify as verify;
+pub use {glam, wgpu};
+
+/// What a program that culls names most.
+pub mod prelude {
+    pub use antumbra_cull::{
+        AdapterChoice, Frustum, Gpu, GpuScene, ImportedTargets, Latency, Registry, Stage,
+        StageError, StageOptions, Strategy, Verdict, ViewInput, ViewSpec,
+    };
+    pub use antumbra_graph::Mode;
+    pub use antumbra_scene::{Camera, Projection, Scene};
+}

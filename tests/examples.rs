@@ -12,13 +12,12 @@ mod embed;
 #[allow(dead_code, reason = "its main is run by hand")]
 mod explore_subsurface;
 
-use antumbra::cull::Strategy;
-use antumbra::cull::kit::{self, Kit};
-use antumbra::cull::strategies::Frustum;
+use antumbra::cull::{Frustum, Strategy};
+use antumbra::demo_scenes;
 use antumbra::draw::{AdapterChoice, Detail, Gpu};
 use antumbra::measure::compare::{CompareOptions, Contender, compare};
 use antumbra::measure::path::Path;
-use antumbra::scene::builtin;
+use antumbra::verify::kit::{self, Kit};
 use custom_strategy::LargestOccluders;
 
 #[test]
@@ -35,7 +34,7 @@ fn the_strategy_from_outside_conforms() {
 #[test]
 fn the_strategy_from_outside_is_compared() {
     let gpu = Gpu::open(&AdapterChoice::Auto).unwrap();
-    let mut scene = builtin::by_name("grid", Some(8)).unwrap();
+    let mut scene = demo_scenes::by_name("grid", Some(8)).unwrap();
     scene.update();
     let path = Path::orbit_around(&scene.bounds().unwrap(), 4.0 / 3.0, 6).unwrap();
     let contenders = [
@@ -95,7 +94,7 @@ fn a_stage_may_live_on_another_thread() {
 fn a_flight_reads_only_what_is_seen_and_goes_on_while_surfaces_come_and_go() {
     let dir = tempfile::tempdir().unwrap();
     let image = dir.path().join("subsurface.png");
-    let mut options = antumbra::subsurface::BuiltInOptions::default();
+    let mut options = antumbra::demo_scenes::subsurface::BuiltInOptions::default();
     options.model.nodes_per_side = 64;
     options.prepare.tiles = 5;
     let explored = || explore_subsurface::run(options, [320, 256], 16, &image).unwrap();

@@ -2,9 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra::cull::{
-    Counting, DeclareError, FrameGraph, Latency, Strategy, ViewNodes, VisibleSet, kit,
+    Counting, DeclareError, FrameGraph, Latency, Strategy, ViewNodes, VisibleSet,
 };
 use antumbra::draw::Detail;
+use antumbra::verify::kit;
 
 struct Sampled;
 

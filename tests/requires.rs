@@ -12,12 +12,12 @@ use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex};
 
 use antumbra::cull::{
-    DeclareError, FrameGraph, Registry, Stage, StageOptions, Strategy, ViewNodes, ViewSpec,
-    VisibleSet,
+    DeclareError, FrameGraph, Stage, StageOptions, Strategy, ViewNodes, ViewSpec, VisibleSet,
 };
 use antumbra::draw::{AdapterChoice, Class, Gpu, GpuScene, PassKind};
 use antumbra::graph::Picture;
 use antumbra::scene::Scene;
+use antumbra::strategies::registry;
 use what_it_costs::Part;
 
 /// What every plan of this page is of.
@@ -72,7 +72,7 @@ fn stage(scene: &GpuScene, strategy: Box<dyn Strategy>, views: &[&str]) -> Stage
 
 fn plan(scene: &mut Scene, text: &str, views: &[&str]) -> Plan {
     let scene = GpuScene::new(&gpu(), scene).unwrap();
-    let stage = stage(&scene, Registry::built_in().parse(text).unwrap(), views);
+    let stage = stage(&scene, registry().parse(text).unwrap(), views);
     let picture = stage.plan().picture(Picture::Json);
     let picture: serde_json::Value = serde_json::from_str(&picture).unwrap();
     let names = |of: &str, is: &dyn Fn(&serde_json::Value) -> bool| {
@@ -118,7 +118,7 @@ fn shading(scene: &mut Scene) -> [bool; 2] {
     let scene = GpuScene::new(&gpu(), scene).unwrap();
     let kinds = Arc::new(Mutex::new(Vec::new()));
     let probe = Probe {
-        inner: Registry::built_in().make("frustum").unwrap(),
+        inner: registry().make("frustum").unwrap(),
         kinds: Arc::clone(&kinds),
     };
     let _stage = stage(&scene, Box::new(probe), &["main"]);

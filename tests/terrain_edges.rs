@@ -3,12 +3,12 @@
 
 use std::sync::Arc;
 
-use antumbra::cull::Registry;
 use antumbra::draw::{AdapterChoice, Gpu};
 use antumbra::measure::compare::{CompareOptions, Contender, compare};
 use antumbra::measure::path::{Path, Pose};
 use antumbra::measure::report::StrategyReport;
 use antumbra::scene::{Material, Projection, Scene};
+use antumbra::strategies::registry;
 use antumbra::terrain::{
     Field, GroupOptions, HorizonStrategy, Part, Sectors, ShownTerrain, Terrain, TerrainOptions,
 };
@@ -84,7 +84,7 @@ fn compared(
         .map(|&[eye, target]| Pose::look_at(world(eye), world(target), None).unwrap());
     let path = Path::new("looks", projection, poses.collect()).unwrap();
     let contenders = [
-        Contender::of("", &Arc::new(Registry::built_in()), "frustum").unwrap(),
+        Contender::of("", &Arc::new(registry()), "frustum").unwrap(),
         Contender::new("", move || Box::new(horizon.clone())),
     ];
     let options = CompareOptions {

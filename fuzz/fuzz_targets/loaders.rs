@@ -2,7 +2,8 @@
 //! byte picks the format, the rest is the file.
 #![no_main]
 
-use antumbra_scene::{Format, LoadOptions, ProxyOptions, load_slice};
+use antumbra_formats::{Format, LoadOptions, load_slice};
+use antumbra_scene::ProxyOptions;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {

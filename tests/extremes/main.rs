@@ -4,8 +4,6 @@
 //! `docs/accuracy.md`, "At the extremes", lists them. What the kit plays to every strategy is not played again here: `crates/cull/src/kit/stories`.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-#[path = "../common/mod.rs"]
-mod common;
 mod counts;
 mod covers;
 mod images;

@@ -2,10 +2,12 @@
 
 use std::sync::OnceLock;
 
-use antumbra::cull::kit::Kit;
-use antumbra::cull::{IdImage, Members, Oracle, Registry, Strategy, Verdicts};
+use antumbra::cull::{Strategy, Verdicts};
 use antumbra::draw::{AdapterChoice, Gpu, GpuScene};
 use antumbra::scene::{Camera, EntityKey, Scene};
+use antumbra::strategies::registry;
+use antumbra::verify::kit::Kit;
+use antumbra::verify::{IdImage, Members, Oracle};
 
 use crate::twin::Twin;
 
@@ -27,7 +29,7 @@ pub fn gpus() -> [&'static Gpu; 2] {
 /// Every registered strategy in settings that promise no wrong pixel. One that is registered anew must be given its own here.
 pub fn strategies() -> Vec<String> {
     let exact = "threshold=0:scale=1:coarser=0:occluders=full:occludees=full";
-    let registry = Registry::built_in();
+    let registry = registry();
     let all: Vec<String> = registry
         .names()
         .flat_map(|name| {
@@ -56,7 +58,7 @@ pub fn strategies() -> Vec<String> {
 }
 
 pub fn made(text: &str) -> Box<dyn Strategy> {
-    Registry::built_in().parse(text).unwrap()
+    registry().parse(text).unwrap()
 }
 
 /// A scene and how it is looked at.

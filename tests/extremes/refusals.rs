@@ -1,14 +1,12 @@
 //! Where the answer is an error: it names the entity, the pose or the view, and the number.
 
-use std::io::Write;
-
-use antumbra::cull::{Registry, Stage, StageOptions, ViewInput, ViewSpec};
+use antumbra::cull::{Stage, StageOptions, ViewInput, ViewSpec};
 use antumbra::draw::GpuScene;
 use antumbra::measure::path::{Path, Pose};
 use antumbra::scene::{Camera, Geometry, Mesh, Projection, Scene};
+use antumbra::strategies::registry;
 use glam::{DAffine3, DQuat, DVec3};
 
-use crate::common::refuses;
 use crate::play::gpus;
 use crate::set::{Set, look, perspective};
 
@@ -92,7 +90,7 @@ fn a_camera_that_cannot_see_names_the_view_and_the_number() {
     let (mut set, ball) = named();
     let [gpu, _] = gpus();
     let scene = GpuScene::new(gpu, &mut set.scene).unwrap();
-    let strategy = Registry::built_in().make("frustum").unwrap();
+    let strategy = registry().make("frustum").unwrap();
     let views = vec![ViewSpec::main(64, 48)];
     let mut stage = Stage::new(&scene, strategy, views, StageOptions::default()).unwrap();
     let good = look(DVec3::Z, DVec3::ZERO, perspective(60.0, 0.1));
@@ -141,7 +139,7 @@ fn an_image_too_wide_or_of_no_pixels_names_the_view_and_the_limit() {
         let most = gpu.device.limits().max_texture_dimension_2d;
         for size in [[most + 1, 1], [1, most + 1], [0, 1], [u32::MAX, u32::MAX]] {
             let views = vec![ViewSpec::main(size[0], size[1])];
-            let strategy = Registry::built_in().make("frustum").unwrap();
+            let strategy = registry().make("frustum").unwrap();
             let error = Stage::new(&scene, strategy, views, StageOptions::default()).unwrap_err();
             let pixels = format!("{} x {} pixels", size[0], size[1]);
             says(error, &["view 'main'", &pixels, &format!("1 to {most}")]);
@@ -180,19 +178,4 @@ fn a_path_with_nan_names_the_pose_and_the_number() {
     }
     let error = Path::new("flat", perspective(60.0, 0.0), vec![good]).unwrap_err();
     says(error, &["flat", "near", "0 m"]);
-}
-
-/// What a file can say of it, on the command line; every way a file can be wrong is read in `crates/measure/tests/path.rs`.
-#[test]
-fn a_path_file_with_a_number_beyond_all_names_the_pose() {
-    let mut file = tempfile::NamedTempFile::with_suffix(".json").unwrap();
-    let text = r#"{"projection": {"perspective": {"fov_y_degrees": 45, "near": 0.1}},
-        "poses": [{"eye": [0, 0, 9], "target": [0, 0, 0]}, {"eye": [0, 0, 1e999], "target": [0, 0, 0]}]}"#;
-    file.write_all(text.as_bytes()).unwrap();
-    let path = file.path().to_str().unwrap();
-    refuses(
-        &["compare", "grid:2", "--path", path, "--size", "32x24"],
-        1,
-        &["pose 1", "out of range"],
-    );
 }

@@ -1,9 +1,8 @@
 //! What the scenes are made of: boxes and balls in plain colours, under one light.
 
-use antumbra::scene::builtin::icosphere;
 use antumbra::scene::{
     Aabb, Camera, Drawable, EntityKey, Geometry, Light, Material, MaterialKey, Mesh, MeshKey,
-    Projection, Scene,
+    Projection, Scene, icosphere,
 };
 use glam::{DAffine3, DQuat, DVec3};
 

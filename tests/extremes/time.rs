@@ -2,9 +2,10 @@
 //!
 //! That an older frame's answer never follows a newer one's is the graph's to keep: `crates/graph/tests/gpu/late.rs`.
 
-use antumbra::cull::{Members, Oracle, Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
+use antumbra::cull::{Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
 use antumbra::draw::{Gpu, GpuScene};
 use antumbra::scene::Camera;
+use antumbra::verify::{Members, Oracle};
 use glam::DVec3;
 
 use crate::play::{Play, gpus, made, strategies};

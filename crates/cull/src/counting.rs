@@ -11,11 +11,10 @@ use std::sync::Arc;
 
 use antumbra_draw::passes::{self, Submitted};
 use antumbra_draw::{Detail, Gpu, IDENTITY_FORMAT, PassKind, SceneTable, ViewFrame};
-use antumbra_graph::{
-    Bind, BodyError, Buffer, BufferDesc, Clear, ComputeContext, Host, Texture, TextureDesc,
-};
+use antumbra_graph::{Bind, Buffer, BufferDesc, Clear, Host, Texture, TextureDesc};
 
 use crate::candidates::{Asked, Candidates};
+use crate::compute_pipeline::ComputePipeline;
 use crate::frame_graph::{CULL, FrameGraph};
 use crate::order::front_to_back;
 use crate::samples::CountLayout;
@@ -391,56 +390,5 @@ impl FrameGraph<'_> {
             pipeline.dispatch(ctx, &binds, [groups, 1])
         });
         counts
-    }
-}
-
-/// A compute pipeline of one bind group.
-#[derive(Debug, Clone)]
-pub(crate) struct ComputePipeline {
-    pipeline: wgpu::ComputePipeline,
-    layout: wgpu::BindGroupLayout,
-}
-
-impl ComputePipeline {
-    pub fn new(gpu: &Gpu, job: &antumbra_shaders::Job, entry: &'static str) -> Self {
-        let layout = gpu
-            .device
-            .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-                label: Some(job.name.as_ref()),
-                entries: &job.layout_entries(0),
-            });
-        let pipeline_layout = gpu
-            .device
-            .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-                label: Some(job.name.as_ref()),
-                bind_group_layouts: &[Some(&layout)],
-                immediate_size: 0,
-            });
-        let pipeline = gpu
-            .device
-            .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-                label: Some(job.name.as_ref()),
-                layout: Some(&pipeline_layout),
-                module: &antumbra_shaders::module(&gpu.device, job),
-                entry_point: Some(entry),
-                compilation_options: Default::default(),
-                cache: None,
-            });
-        Self { pipeline, layout }
-    }
-
-    /// Runs so many workgroups in so many rows with these bindings.
-    pub fn dispatch(
-        &self,
-        ctx: &mut ComputeContext<'_>,
-        binds: &[Bind],
-        [wide, rows]: [u32; 2],
-    ) -> Result<(), BodyError> {
-        let group = ctx.bind_group(0, &self.layout, binds)?;
-        let pass = ctx.pass();
-        pass.set_pipeline(&self.pipeline);
-        pass.set_bind_group(0, &group, &[]);
-        pass.dispatch_workgroups(wide, rows, 1);
-        Ok(())
     }
 }

@@ -1,5 +1,6 @@
 //! The graph as a strategy sees it: the raw graph, and the steps that culling is made of.
 
+use std::any::Any;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -35,6 +36,13 @@ pub struct FrameGraph<'g> {
     shared: &'g mut Shared,
 }
 
+/// A host value that [`Stage::shown`](crate::Stage::shown) finds: of which view, by which name, its handle.
+pub(crate) struct Shown {
+    pub view: usize,
+    pub name: &'static str,
+    pub value: Box<dyn Any + Send + Sync>,
+}
+
 /// What all views of a stage share while they are declared.
 pub(crate) struct Shared {
     pub gpu: Gpu,
@@ -44,6 +52,8 @@ pub(crate) struct Shared {
     pub boxes: Option<Arc<BoxPipeline>>,
     /// The trees that are kept, one a shape, for all views.
     pub trees: HashMap<Shape, Host<Tree>>,
+    /// What strategies show of how they chose.
+    pub shown: Vec<Shown>,
 }
 
 /// Verdicts and the lists that follow from them.
@@ -75,6 +85,16 @@ impl<'g> FrameGraph<'g> {
     /// What the scene asks of the plan: sizes, classes, transparency.
     pub fn topology(&self) -> &Topology {
         &self.shared.topology
+    }
+
+    /// Keeps a host value of a view readable after each frame, by name ([`Stage::shown`](crate::Stage::shown)): for whoever wants to see how the visible set was found.
+    pub fn show<T: 'static>(&mut self, view: &ViewNodes, name: &'static str, value: Host<T>) {
+        self.graph.output(value);
+        self.shared.shown.push(Shown {
+            view: view.index,
+            name,
+            value: Box::new(value),
+        });
     }
 
     /// Declares a sub-graph that runs until its host value is true. A loop of more turns than eight an entity fails the frame: a walk has less than two
@@ -125,7 +145,7 @@ impl<'g> FrameGraph<'g> {
     }
 
     /// A draw list of up to every slot, and the buffer its slots go to.
-    pub(crate) fn unsubmitted(&mut self, name: &str) -> Submitted {
+    pub fn unsubmitted(&mut self, name: &str) -> Submitted {
         let list = self.graph.host::<DrawList>(name);
         let ids = self
             .graph
@@ -140,7 +160,7 @@ impl<'g> FrameGraph<'g> {
     }
 
     /// A list of up to so many boxes, and the buffer they go to.
-    pub(crate) fn unsubmitted_boxes(&mut self, name: &str, most: u64) -> SubmittedBoxes {
+    pub fn unsubmitted_boxes(&mut self, name: &str, most: u64) -> SubmittedBoxes {
         let bytes = BufferDesc::new(most * BoxPipeline::BYTES_A_BOX);
         SubmittedBoxes {
             list: self.graph.host(name),
@@ -183,7 +203,7 @@ impl<'g> FrameGraph<'g> {
     }
 
     /// Four bytes a slot.
-    pub(crate) fn slot_bytes(&self) -> u64 {
+    pub fn slot_bytes(&self) -> u64 {
         u64::from(self.shared.topology.slots.max(1)) * 4
     }
 

@@ -4,8 +4,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::registry::Registry;
 use crate::setting::{Setting, SettingError};
-use crate::strategies::Frustum;
 use crate::strategy::Strategy;
+use crate::yardsticks::Frustum;
 
 /// The strategy that another one [hands](crate::FrameGraph::hand_on) what it leaves on to; at first `frustum`, which draws it all.
 pub struct Inner {
@@ -22,9 +22,11 @@ impl std::fmt::Debug for Inner {
 }
 
 impl Default for Inner {
-    /// Out of the strategies of this crate.
+    /// One that can only ever be `frustum`; [`Self::among`] has more to choose from.
     fn default() -> Self {
-        Self::among(Arc::new(Registry::built_in()))
+        let mut registry = Registry::new();
+        registry.register(|| Box::new(Frustum));
+        Self::among(Arc::new(registry))
     }
 }
 

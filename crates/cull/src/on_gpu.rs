@@ -9,7 +9,8 @@ use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
 
 use crate::candidates::{Asked, Candidates};
-use crate::counting::{ComputePipeline, Counts};
+use crate::compute_pipeline::ComputePipeline;
+use crate::counting::Counts;
 use crate::frame_graph::{CULL, DRAW, FrameGraph};
 use crate::order::back_to_front;
 use crate::samples::{Allowance, CountLayout, SampleRule};
@@ -62,9 +63,12 @@ impl GpuSettings {
 
 /// The visible samples that keep an entity in a run: more than `over`, at most `most`; or, where it is to be hidden, none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Bounds {
+pub struct Bounds {
+    /// More than this.
     pub over: u32,
+    /// At most this.
     pub most: u32,
+    /// None at all, whatever the other two say.
     pub hidden: bool,
 }
 
@@ -84,7 +88,7 @@ impl Bounds {
 
 /// Candidates laid out for the compaction.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Layout {
+pub struct Layout {
     list: Host<DrawList>,
     entries: Buffer,
     runs: Buffer,
@@ -96,7 +100,8 @@ pub(crate) struct Layout {
 }
 
 /// What a layout is made of: the list, its entries with their marks, its runs with their bounds.
-pub(crate) struct Laid<'a> {
+pub struct Laid<'a> {
+    /// The list to fill.
     pub list: &'a mut DrawList,
     entries: Vec<u32>,
     runs: Vec<GpuRun>,
@@ -144,12 +149,12 @@ impl FrameGraph<'_> {
             .then(|| self.turned(view, candidates, by_slot, (rule, within)));
         let among = (candidates, counts.asked);
         let solid = self.layout(view, "candidates", among, rule, false);
-        let solid = self.compact(view, "visible set", solid, (by_slot, turned));
+        let solid = self.compact_above(view, "visible set", solid, by_slot, turned);
         self.shade_indirect(view, "shaded", solid);
         if self.topology().transparent {
             let blended = self.layout(view, "transparent candidates", among, rule, true);
-            let counted = (by_slot, turned);
-            let blended = self.compact(view, "visible transparent set", blended, counted);
+            let name = "visible transparent set";
+            let blended = self.compact_above(view, name, blended, by_slot, turned);
             self.shade_indirect(view, "transparent", blended);
         }
         VerdictSource::Gpu {
@@ -220,7 +225,7 @@ impl FrameGraph<'_> {
     }
 
     /// A host node that lays a list out for the compaction: up to `most` runs, and as many entries as slots times `times`.
-    pub(crate) fn lay_out(
+    pub fn lay_out(
         &mut self,
         view: &ViewNodes,
         name: &str,
@@ -283,13 +288,25 @@ impl FrameGraph<'_> {
         layout
     }
 
-    /// Keeps of a layout what the counts, by slot, say, and a threshold beyond the runs' bounds where one is turned.
-    pub(crate) fn compact(
+    /// Keeps of a layout what its counts of visible samples, a u32 a slot, earn, and writes an indirect draw a run.
+    pub fn compact(
         &mut self,
         view: &ViewNodes,
         name: &str,
         layout: Layout,
-        (counts, turned): (Buffer, Option<Turned>),
+        counts: Buffer,
+    ) -> Indirect {
+        self.compact_above(view, name, layout, counts, None)
+    }
+
+    /// The same with a threshold that the GPU found this frame, beyond the runs' bounds.
+    fn compact_above(
+        &mut self,
+        view: &ViewNodes,
+        name: &str,
+        layout: Layout,
+        counts: Buffer,
+        turned: Option<Turned>,
     ) -> Indirect {
         let pipeline =
             ComputePipeline::new(self.gpu(), &antumbra_shaders::jobs::compact::JOB, "compact");
@@ -340,12 +357,12 @@ impl FrameGraph<'_> {
     }
 
     /// Shades what was kept.
-    pub(crate) fn shade_indirect(&mut self, view: &mut ViewNodes, name: &str, what: Indirect) {
+    pub fn shade_indirect(&mut self, view: &mut ViewNodes, name: &str, what: Indirect) {
         self.shade_kept(view, name, what, self.shaded_kind(), None);
     }
 
     /// Shades what was kept, with the entities' ids beside the colour.
-    pub(crate) fn shade_identified(
+    pub fn shade_identified(
         &mut self,
         view: &mut ViewNodes,
         name: &str,

@@ -4,7 +4,7 @@ use antumbra_draw::{Detail, DrawList, SceneTable, ViewFrame};
 
 /// Orders slots by the distance of their bounds' centres, nearest first, ties by slot. Each entry holds its slot in the low half and the
 /// distance above it, so that sorting is sorting whole numbers.
-pub(crate) fn front_to_back(
+pub fn front_to_back(
     order: &mut Vec<u64>,
     table: &SceneTable,
     view: &ViewFrame,
@@ -22,7 +22,7 @@ pub(crate) fn front_to_back(
 
 /// Orders transparent entities for blending: by the distance of their bounds' centres, farthest first, ties by slot. Each comes with its
 /// level of detail.
-pub(crate) fn back_to_front(
+pub fn back_to_front(
     list: &mut DrawList,
     table: &SceneTable,
     view: &ViewFrame,
@@ -46,7 +46,7 @@ pub(crate) fn back_to_front(
 }
 
 /// Orders slots by the distance from the eye to the nearest corner of their boxes, ties by slot.
-pub(crate) fn by_nearest_corner(order: &mut [u32], table: &SceneTable, frame: &ViewFrame) {
+pub fn by_nearest_corner(order: &mut [u32], table: &SceneTable, frame: &ViewFrame) {
     order.sort_by_cached_key(|slot| {
         let distance = frame
             .camera

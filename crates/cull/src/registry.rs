@@ -3,15 +3,12 @@
 use thiserror::Error;
 
 use crate::setting::SettingError;
-use crate::strategies::{
-    Coherent, Frustum, Ideal, None, OccupancyMapSingle, OccupancyMaps, StereoCoherent, StopAndWait,
-    ThreePass,
-};
 use crate::strategy::Strategy;
 
 type Maker = Box<dyn Fn() -> Box<dyn Strategy> + Send + Sync>;
 
 /// Makes strategies by name.
+#[derive(Default)]
 pub struct Registry {
     makers: Vec<(String, Maker)>,
 }
@@ -39,12 +36,6 @@ pub enum RegistryError {
     Setting(#[from] SettingError),
 }
 
-impl Default for Registry {
-    fn default() -> Self {
-        Self::built_in()
-    }
-}
-
 impl std::fmt::Debug for Registry {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_list().entries(self.names()).finish()
@@ -52,19 +43,9 @@ impl std::fmt::Debug for Registry {
 }
 
 impl Registry {
-    /// The strategies of this crate.
-    pub fn built_in() -> Self {
-        let mut registry = Self { makers: Vec::new() };
-        registry.register(|| Box::new(None));
-        registry.register(|| Box::new(Frustum));
-        registry.register(|| Box::new(Ideal));
-        registry.register(|| Box::new(StopAndWait::default()));
-        registry.register(|| Box::new(ThreePass::default()));
-        registry.register(|| Box::new(Coherent::default()));
-        registry.register(|| Box::new(StereoCoherent::default()));
-        registry.register(|| Box::new(OccupancyMaps::default()));
-        registry.register(|| Box::new(OccupancyMapSingle::default()));
-        registry
+    /// One that knows no strategy yet.
+    pub fn new() -> Self {
+        Self::default()
     }
 
     /// Adds a strategy under its own name; a later one of the same name takes its place.
@@ -86,7 +67,7 @@ impl Registry {
     pub fn make(&self, name: &str) -> Result<Box<dyn Strategy>, RegistryError> {
         match self.makers.iter().find(|(known, _)| known == name) {
             Some((_, make)) => Ok(make()),
-            Option::None => {
+            None => {
                 let known = self.names().map(str::to_owned).collect();
                 Err(RegistryError::Unknown {
                     name: name.to_owned(),

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use antumbra_draw::{DeviceError, DrawError, Gpu, GpuScene, ViewFrame, read_back};
-use antumbra_graph::{CompileErrors, ExecuteError, FrameReport, Mode, Plan};
+use antumbra_graph::{CompileErrors, ExecuteError, FrameReport, Host, Mode, Plan};
 use antumbra_scene::{Camera, CameraError};
 use built::{Built, build};
 use thiserror::Error;
@@ -18,7 +18,6 @@ use crate::budget::{Budget, Keeping, Standing, Step};
 use crate::candidates::Asked;
 use crate::hand_on::{HandedOn, hide};
 use crate::samples::Samples;
-use crate::sketch::Sketch;
 use crate::strategy::{DeclareError, Strategy, VerdictSource};
 use crate::turned::GpuTurned;
 use crate::verdict::Verdicts;
@@ -405,9 +404,11 @@ impl Stage {
             .texture(self.built.views.get(view)?.targets.colour)
     }
 
-    /// How a view's visible set of the last frame was found, where its strategy was told to leave a sketch.
-    pub fn sketch(&self, view: usize) -> Option<&Sketch> {
-        self.built.plan.get(self.built.views.get(view)?.sketch?)
+    /// What the strategy [shows](crate::FrameGraph::show) of how it chose in the last frame: a view's value of this name and type.
+    pub fn shown<T: 'static>(&self, view: usize, name: &str) -> Option<&T> {
+        let mut shown = self.built.shown.iter();
+        let shown = shown.find(|shown| shown.view == view && shown.name == name)?;
+        self.built.plan.get(*shown.value.downcast_ref::<Host<T>>()?)
     }
 
     /// What a view's audit has found so far, where the stage was told to audit itself.

@@ -7,7 +7,6 @@ use crate::candidates::Candidates;
 use crate::frame_graph::FrameGraph;
 use crate::hand_on::HandedOn;
 use crate::setting::{Setting, SettingError};
-use crate::sketch::Sketch;
 use crate::turned::Turned;
 use crate::verdict::Verdicts;
 use crate::view_nodes::ViewNodes;
@@ -119,7 +118,6 @@ pub enum DeclareError {
 #[derive(Debug, Clone, Copy)]
 pub struct VisibleSet {
     pub(crate) verdicts: VerdictSource,
-    pub(crate) sketch: Option<Host<Sketch>>,
     /// What was left to whoever found it, where another strategy came before.
     pub(crate) handed_on: Option<HandedOn>,
 }
@@ -145,7 +143,6 @@ impl From<VerdictSource> for VisibleSet {
     fn from(verdicts: VerdictSource) -> Self {
         Self {
             verdicts,
-            sketch: None,
             handed_on: None,
         }
     }
@@ -157,10 +154,21 @@ impl VisibleSet {
         VerdictSource::Host(verdicts).into()
     }
 
-    /// The same with a sketch of how it was found ([`Stage::sketch`](crate::Stage::sketch)).
-    #[must_use]
-    pub fn sketched(mut self, sketch: Host<Sketch>) -> Self {
-        self.sketch = Some(sketch);
-        self
+    /// A set that the GPU chose, whose passes the strategy has added itself: a candidate is drawn if its count of visible samples passes the rule, or if no
+    /// test may judge it. `counts` are by slot.
+    pub fn on_gpu(
+        candidates: Host<Candidates>,
+        counts: crate::Counts,
+        rule: impl Into<crate::SampleRule>,
+    ) -> Self {
+        VerdictSource::Gpu {
+            candidates,
+            asked: counts.asked,
+            counts: counts.buffer,
+            layout: counts.layout,
+            rule: rule.into(),
+            turned: None,
+        }
+        .into()
     }
 }

@@ -5,7 +5,7 @@ use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
 
 use crate::candidates::Candidates;
-use crate::counting::ComputePipeline;
+use crate::compute_pipeline::ComputePipeline;
 use crate::frame_graph::{CULL, FrameGraph};
 use crate::samples::{Allowance, SampleRule};
 use crate::view_nodes::ViewNodes;

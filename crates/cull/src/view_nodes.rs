@@ -64,6 +64,12 @@ impl ViewNodes {
         self.reference
     }
 
+    /// The candidates that an outer strategy has left to the one that is declared; `None` where it is the only one. A strategy that finds its entities
+    /// by other ways than [`FrameGraph::in_frustum`](crate::FrameGraph::in_frustum), as by a tree, keeps to these.
+    pub fn narrowed_to(&self) -> Option<Host<Candidates>> {
+        self.handed_on.map(|handed_on| handed_on.left)
+    }
+
     /// A node's or resource's name in this view.
     pub fn named(&self, what: &str) -> String {
         if self.count > 1 {

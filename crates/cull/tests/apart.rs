@@ -1,9 +1,9 @@
 //! Occluders and occludees need not be the same candidates: what nobody asks about is drawn, whenever the answers are used.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::kit::{Case, Kit};
 use antumbra_cull::{Counting, DeclareError, FrameGraph, Latency, Strategy, ViewNodes, VisibleSet};
 use antumbra_draw::Detail;
+use antumbra_verify::kit::{Case, Kit};
 
 /// Every third candidate hides, every second is asked about.
 struct Apart {

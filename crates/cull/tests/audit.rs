@@ -3,17 +3,18 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{
-    AUDIT, AuditOptions, DeclareError, Estimate, FrameAudit, FrameGraph, ImportedTargets, Members,
-    Oracle, Registry, Stage, StageOptions, Strategy, Verdict, ViewInput, ViewNodes, ViewSpec,
-    VisibleSet,
+    AUDIT, AuditOptions, DeclareError, Estimate, FrameAudit, FrameGraph, ImportedTargets, Stage,
+    StageOptions, Strategy, Verdict, ViewInput, ViewNodes, ViewSpec, VisibleSet,
 };
+use antumbra_demo_scenes::{GridOptions, grid};
 use antumbra_draw::{AdapterChoice, DEPTH_FORMAT, Gpu, GpuScene, read_back};
 use antumbra_graph::Mode;
-use antumbra_scene::builtin::{GridOptions, grid, icosphere};
 use antumbra_scene::{
     AlphaMode, Camera, Drawable, Geometry, Image, Material, Mesh, Projection, Sampler, Scene,
-    Topology,
+    Topology, icosphere,
 };
+use antumbra_strategies::registry;
+use antumbra_verify::{Members, Oracle};
 use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [150, 110];
@@ -45,7 +46,7 @@ fn camera(frame: u32, reach: f64) -> Camera {
 }
 
 fn named(strategy: &str) -> Box<dyn Strategy> {
-    Registry::built_in().parse(strategy).unwrap()
+    registry().parse(strategy).unwrap()
 }
 
 /// Flies along, and hands out what is known of each frame as soon as it is: the audit, and the wrong pixels, in percent, by the oracle.

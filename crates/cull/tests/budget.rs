@@ -2,13 +2,12 @@
 //! the mean of the wrong pixels stays under what was set.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{
-    AuditOptions, Budget, Members, Oracle, Registry, Stage, StageError, StageOptions, ViewInput,
-    ViewSpec,
-};
+use antumbra_cull::{AuditOptions, Budget, Stage, StageError, StageOptions, ViewInput, ViewSpec};
+use antumbra_demo_scenes::{GridOptions, grid};
 use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
-use antumbra_scene::builtin::{GridOptions, grid};
 use antumbra_scene::{Camera, Projection, Scene};
+use antumbra_strategies::registry;
+use antumbra_verify::{Members, Oracle};
 use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [160, 120];
@@ -60,7 +59,7 @@ fn fly(strategy: &str, budget: Budget, frames: u32) -> Flown {
         .map(|key| scene.local(*key).unwrap())
         .collect();
     let mut on_gpu = GpuScene::new(&gpu, &mut scene).unwrap();
-    let strategy = Registry::built_in().parse(strategy).unwrap();
+    let strategy = registry().parse(strategy).unwrap();
     let options = StageOptions {
         budget: Some(budget),
         // A small image has few triangles to spare.
@@ -111,7 +110,7 @@ fn fly(strategy: &str, budget: Budget, frames: u32) -> Flown {
 
 #[test]
 fn the_first_step_of_every_strategy_is_conservative() {
-    let registry = Registry::built_in();
+    let registry = registry();
     let mut with_steps = 0;
     for name in registry.names() {
         let latencies: &[&str] = match registry.make(name).unwrap().latency() {
@@ -164,7 +163,7 @@ fn the_mean_stays_under_the_budget_and_most_of_it_is_used() {
 
 #[test]
 fn three_pass_has_a_step_between_full_size_and_a_much_smaller_one() {
-    let registry = Registry::built_in();
+    let registry = registry();
     for (scale, between) in [("0.25", Some("0.5")), ("0.9", None), ("1", None)] {
         let strategy = registry.parse(&format!("three-pass:latency=on-gpu:scale={scale}"));
         let steps = strategy.unwrap().steps();
@@ -221,7 +220,7 @@ fn a_strategy_without_steps_that_errs_cannot_keep_a_budget() {
         ..options.clone()
     };
     let stage = |name: &str| {
-        let strategy = Registry::built_in().parse(name).unwrap();
+        let strategy = registry().parse(name).unwrap();
         Stage::new(&scene, strategy, specs.clone(), embedded.clone())
     };
     for name in [
@@ -239,6 +238,6 @@ fn a_strategy_without_steps_that_errs_cannot_keep_a_budget() {
         "{error}"
     );
     // One that never errs keeps any.
-    let frustum = Registry::built_in().make("frustum").unwrap();
+    let frustum = registry().make("frustum").unwrap();
     assert!(Stage::new(&scene, frustum, specs, options).is_ok());
 }

@@ -5,15 +5,15 @@
 use std::sync::{Arc, Mutex};
 
 use antumbra_cull::{
-    Candidates, Counting, DeclareError, FrameGraph, Latency, Members, Oracle, Samples, Stage,
-    StageOptions, Strategy, Verdict, ViewInput, ViewNodes, ViewSpec, VisibleSet,
+    Candidates, Counting, DeclareError, FrameGraph, Latency, Samples, Stage, StageOptions,
+    Strategy, Verdict, ViewInput, ViewNodes, ViewSpec, VisibleSet,
 };
 use antumbra_draw::{AdapterChoice, Detail, Gpu, GpuScene, ViewFrame};
-use antumbra_scene::builtin::icosphere;
 use antumbra_scene::{
     AlphaMode, Camera, Drawable, Geometry, Image, Material, Mesh, Projection, Sampler, Scene,
-    Topology,
+    Topology, icosphere,
 };
+use antumbra_verify::{Members, Oracle};
 use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [240, 180];

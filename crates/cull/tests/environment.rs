@@ -1,12 +1,13 @@
 //! What an environment does to a picture: a mirror shows what lies before it, rough metal shows all of it, on Vulkan and OpenGL alike.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{Registry, Stage, StageOptions, ViewInput, ViewSpec};
+use antumbra_cull::{Stage, StageOptions, ViewInput, ViewSpec};
 use antumbra_draw::{AdapterChoice, Gpu, GpuScene, read_back};
 use antumbra_scene::{
     Camera, Drawable, Environment, Geometry, Image, ImageKey, Light, Material, Mesh, Projection,
     Sampler, Scene,
 };
+use antumbra_strategies::registry;
 use glam::{DAffine3, DQuat, DVec3};
 
 const SIZE: [u32; 2] = [48, 40];
@@ -114,7 +115,7 @@ struct Viewer {
 
 impl Viewer {
     fn new(scene: &GpuScene, strategy: &str) -> Self {
-        let strategy = Registry::built_in().parse(strategy).unwrap();
+        let strategy = registry().parse(strategy).unwrap();
         let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
         let stage = Stage::new(scene, strategy, specs, StageOptions::default()).unwrap();
         Self { stage }

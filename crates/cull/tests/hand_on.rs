@@ -5,14 +5,15 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use antumbra_cull::kit::{Case, Kit};
 use antumbra_cull::{
-    DeclareError, FrameGraph, Inner, Latency, Registry, RegistryError, Setting, SettingError,
-    Stage, StageError, StageOptions, Strategy, Verdict, ViewInput, ViewNodes, ViewSpec, VisibleSet,
+    DeclareError, FrameGraph, Inner, Latency, RegistryError, Setting, SettingError, Stage,
+    StageError, StageOptions, Strategy, Verdict, ViewInput, ViewNodes, ViewSpec, VisibleSet,
 };
+use antumbra_demo_scenes::{GridOptions, grid};
 use antumbra_draw::{AdapterChoice, Gpu, GpuScene, SceneTable, ViewFrame};
-use antumbra_scene::builtin::{GridOptions, grid};
 use antumbra_scene::{Camera, Projection};
+use antumbra_strategies::registry;
+use antumbra_verify::kit::{Case, Kit};
 use glam::DVec3;
 
 /// Whom an outer strategy takes away.
@@ -112,7 +113,7 @@ impl Strategy for Outer {
 
 /// Every strategy of this crate, in every latency it has.
 fn all() -> Vec<String> {
-    let registry = Registry::built_in();
+    let registry = registry();
     let mut all = Vec::new();
     for name in registry.names() {
         // Of what is drawn small nothing is below the threshold.
@@ -239,7 +240,7 @@ fn of_three_in_a_row_the_innermost_judges_what_both_left() {
 
 #[test]
 fn what_is_wrong_is_said_of_the_strategy_it_is_wrong_of() {
-    let mut registry = Registry::built_in();
+    let mut registry = registry();
     registry.register(|| Box::new(Outer::before("frustum", Takes::None)));
     let refused = |text: &str| match registry.parse(text) {
         Err(error @ RegistryError::Setting(_)) => error.to_string(),

@@ -1,11 +1,12 @@
 //! The plans that strategies compile to: where they wait, what they look back at, and what is not there.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{Registry, Stage, StageOptions, ViewInput, ViewSpec};
+use antumbra_cull::{Stage, StageOptions, ViewInput, ViewSpec};
+use antumbra_demo_scenes::{GridOptions, grid};
 use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
 use antumbra_graph::Picture;
-use antumbra_scene::builtin::{GridOptions, grid};
 use antumbra_scene::{AlphaMode, Camera, Drawable, Material, Projection, Scene};
+use antumbra_strategies::registry;
 use glam::{DAffine3, DVec3};
 
 const LATE: &str = "three-pass:latency=frame-late";
@@ -48,7 +49,7 @@ fn stage(scene: &GpuScene, text: &str, views: &[&str]) -> Stage {
         name: (*name).to_owned(),
         size: [64, 48],
     };
-    let strategy = Registry::built_in().parse(text).unwrap();
+    let strategy = registry().parse(text).unwrap();
     let specs = views.iter().map(spec).collect();
     Stage::new(scene, strategy, specs, StageOptions::default()).unwrap()
 }

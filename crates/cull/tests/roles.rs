@@ -1,15 +1,13 @@
 //! What visible samples decide beyond being drawn: levels of detail; and what they do not: entities that are not tested.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{
-    Members, Oracle, Registry, SampleRule, Stage, StageOptions, Verdict, Verdicts, ViewInput,
-    ViewSpec,
-};
+use antumbra_cull::{SampleRule, Stage, StageOptions, Verdict, Verdicts, ViewInput, ViewSpec};
 use antumbra_draw::{AdapterChoice, Gpu, GpuScene, read_back};
-use antumbra_scene::builtin::icosphere;
 use antumbra_scene::{
-    AlphaMode, Camera, Drawable, EntityKey, Geometry, Material, Mesh, Projection, Scene,
+    AlphaMode, Camera, Drawable, EntityKey, Geometry, Material, Mesh, Projection, Scene, icosphere,
 };
+use antumbra_strategies::registry;
+use antumbra_verify::{Members, Oracle};
 use glam::{DAffine3, DVec3, Vec3};
 
 const SIZE: [u32; 2] = [160, 120];
@@ -29,7 +27,7 @@ fn camera() -> Camera {
 
 /// A few frames of a still scene: the last one's verdicts and picture.
 fn settled(scene: &GpuScene, text: &str) -> (Verdicts, Vec<u8>) {
-    let strategy = Registry::built_in().parse(text).unwrap();
+    let strategy = registry().parse(text).unwrap();
     let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
     let mut stage = Stage::new(scene, strategy, specs, StageOptions::default()).unwrap();
     for _ in 0..4 {

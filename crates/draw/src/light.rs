@@ -130,8 +130,6 @@ fn strength(light: &Light) -> (f32, u32) {
         Light::Directional { illuminance, .. } => (*illuminance, DIRECTIONAL),
         Light::Point { intensity, .. } => (*intensity, POINT),
         Light::Spot { intensity, .. } => (*intensity, SPOT),
-        // A kind added later shines from everywhere until the shader learns it.
-        _ => (1.0, DIRECTIONAL),
     }
 }
 
@@ -143,7 +141,6 @@ fn place(light: &Light, world: &DAffine3, radius: f32, sun: f32, lamp: f32) -> P
         Light::Point { colour, range, .. } | Light::Spot { colour, range, .. } => {
             (*colour, range.unwrap_or(0.0))
         }
-        _ => ([1.0; 3], 0.0),
     };
     let (inner, outer) = match light {
         Light::Spot { inner, outer, .. } => (*inner, *outer),

@@ -4,7 +4,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use antumbra_cull::{Sketch, Sketched, SketchedNode};
+use antumbra_strategies::{Sketch, Sketched, SketchedNode};
 use image::{ImageFormat, RgbaImage};
 
 use crate::MeasureError;

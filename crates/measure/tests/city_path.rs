@@ -1,8 +1,8 @@
 //! The camera paths that the city is measured along: that they are what their descriptions say, and that their eyes stay in the open.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use antumbra_demo_scenes::{CityOptions, city};
 use antumbra_measure::path::{Path, Pose};
-use antumbra_scene::builtin::{CityOptions, city};
 use antumbra_scene::{Aabb, Camera, EntityKey, Projection, Scene};
 use glam::{DMat3, DVec3};
 

@@ -2,8 +2,9 @@
 //! (`scripts/data.sh engine city` brings them), the path alone is looked at.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use antumbra_formats::{LoadOptions, load};
 use antumbra_measure::path::{Path, Pose};
-use antumbra_scene::{Aabb, LoadOptions, Projection, Scene, load};
+use antumbra_scene::{Aabb, Projection, Scene};
 use glam::DVec3;
 
 /// Width over height of the pictures they are made for: 1280 x 1024.

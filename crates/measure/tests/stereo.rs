@@ -3,13 +3,15 @@
 
 use std::sync::Arc;
 
-use antumbra_cull::{Members, Oracle, Registry};
+use antumbra_demo_scenes as demo_scenes;
 use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
 use antumbra_measure::MeasureError;
 use antumbra_measure::compare::{CompareOptions, Comparison, Contender, compare};
 use antumbra_measure::path::Path;
 use antumbra_measure::report::{ErrorReport, Report, StereoFacts};
-use antumbra_scene::{Projection, Scene, Stereo, StereoError, builtin};
+use antumbra_scene::{Projection, Scene, Stereo, StereoError};
+use antumbra_strategies::registry;
+use antumbra_verify::{Members, Oracle};
 
 const SIZE: [u32; 2] = [96, 72];
 const FRAMES: usize = 3;
@@ -23,7 +25,7 @@ fn gpu() -> Gpu {
 }
 
 fn scene() -> (Scene, Path) {
-    let mut scene = builtin::by_name("grid", Some(5)).unwrap();
+    let mut scene = demo_scenes::by_name("grid", Some(5)).unwrap();
     scene.ensure_proxies(&Default::default());
     scene.update();
     let path = Path::orbit_around(&scene.bounds().unwrap(), 4.0 / 3.0, FRAMES).unwrap();
@@ -41,7 +43,7 @@ fn compared(
     change: impl FnOnce(Path) -> Path,
 ) -> Result<Comparison, MeasureError> {
     let (mut scene, path) = scene();
-    let registry = Arc::new(Registry::built_in());
+    let registry = Arc::new(registry());
     let contenders: Vec<Contender> = specs
         .iter()
         .map(|spec| Contender::of("", &registry, spec).unwrap())

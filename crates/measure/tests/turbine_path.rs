@@ -1,8 +1,8 @@
 //! The camera path that the turbine is measured along: that it is what its description says.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use antumbra_demo_scenes::{TurbineOptions, turbine};
 use antumbra_measure::path::{Path, Pose};
-use antumbra_scene::builtin::{TurbineOptions, turbine};
 use antumbra_scene::{Aabb, Projection};
 use glam::DVec3;
 

@@ -2,8 +2,7 @@
 //! a hash map that knows no dirty flags.
 #![allow(clippy::unwrap_used, missing_docs)]
 
-use antumbra_scene::builtin::icosphere;
-use antumbra_scene::{Aabb, Drawable, EntityKey, Material, Mesh, Scene};
+use antumbra_scene::{Aabb, Drawable, EntityKey, Material, Mesh, Scene, icosphere};
 use criterion::{Criterion, criterion_group, criterion_main};
 use glam::{DAffine3, DQuat, DVec3};
 use std::collections::HashMap;

@@ -176,7 +176,7 @@ fn to_triangle(point: Vec3A, [a, b, c]: &[Vec3A; 3]) -> Vec3A {
 mod tests {
     use super::*;
     use crate::Aabb;
-    use crate::builtin::icosphere;
+    use crate::icosphere::icosphere;
     use glam::DVec3;
 
     fn deviation(full: Geometry, proxy: Geometry) -> f64 {

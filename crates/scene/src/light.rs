@@ -2,7 +2,6 @@
 
 /// A light; its place and direction are its entity's.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Light {
     /// Parallel light along -Z.
     Directional {

@@ -6,6 +6,8 @@ mod changes;
 mod components;
 mod dense;
 mod links;
+#[cfg(feature = "simplify")]
+mod proxies;
 mod update;
 
 pub use changes::Changes;

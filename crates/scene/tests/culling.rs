@@ -65,7 +65,6 @@ fn side_limit(camera: &Camera, ahead: f64) -> f64 {
             ahead * (fov_y * 0.5).tan()
         }
         Projection::Orthographic { height, .. } => height * 0.5,
-        _ => unreachable!("the crate's three"),
     }
 }
 

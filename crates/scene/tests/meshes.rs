@@ -1,10 +1,9 @@
 //! Boxes, meshes and proxies: what is widened never shrinks, what is refused is named, what stands in has fewer triangles.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_scene::builtin::icosphere;
 use antumbra_scene::{
     Aabb, Drawable, Geometry, Light, Material, Mesh, ProxyOptions, Scene, SceneError, Topology,
-    proxy,
+    icosphere, proxy,
 };
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 use proptest::prelude::*;

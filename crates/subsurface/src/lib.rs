@@ -6,7 +6,6 @@
 //! - [`read`] takes surfaces and cell properties out of files; a [`Surface`] is a horizon or a fault at full resolution, wherever it came from.
 //! - [`prepare`](prepare()) cuts horizons into tiles, each with levels of detail and a stand-in for tests; [`Prepared::show`] puts them into a scene.
 //! - [`VolumeFile`], [`Bricks`]: seismic volumes of any size under a budget; [`Slice`] and [`Lens`] show sections of them, [`Sections`] several.
-//! - [`Model`] is the built-in model, [`BuiltIn`] the scene of it.
 //!
 //! ```no_run
 //! use antumbra_subsurface::{PrepareOptions, add_lamps, prepare_all, read, surface_material};
@@ -25,13 +24,13 @@
 //! ```
 
 mod assemble;
-mod built_in;
+mod colour;
 pub mod corner_point;
 mod error;
 mod height_field;
 mod lens;
-mod model;
 mod prepare;
+#[cfg(feature = "read")]
 pub mod read;
 mod sections;
 mod show;
@@ -39,10 +38,8 @@ mod slice;
 mod surface;
 mod volume;
 
-pub use built_in::{BuiltIn, BuiltInOptions};
 pub use error::SubsurfaceError;
 pub use lens::{Facing, Lens, LensOptions};
-pub use model::{Fault, Model, ModelOptions, ModelVolume, View, Well};
 pub use prepare::{PrepareOptions, Prepared, Tile, prepare, prepare_all};
 pub use sections::{SectionPlaces, Sections};
 pub use show::{ShownSurface, add_lamps, surface_material};

@@ -26,7 +26,8 @@ mod triangles;
 use std::fs::File;
 use std::path::Path;
 
-use antumbra_scene::{Raster, RasterError, RasterFormat, whole_file};
+use antumbra_formats::{RasterError, RasterFormat, load_raster_slice, whole_file};
+use antumbra_scene::Raster;
 
 use crate::corner_point::{CellProperty, Grid};
 use crate::error::SubsurfaceError;
@@ -110,7 +111,7 @@ pub fn surfaces_in(
         surface.map(|surface| vec![surface])
     };
     let raster = |format| {
-        let mut raster = Raster::load_slice(format, bytes).map_err(|error| match error {
+        let mut raster = load_raster_slice(format, bytes).map_err(|error| match error {
             RasterError::Format { problem, .. } => problem,
             other => other.to_string(),
         })?;

@@ -3,8 +3,8 @@
 use antumbra_scene::{Drawable, EntityKey, Light, Material, MaterialKey, Scene};
 use glam::{DAffine3, DVec3};
 
+use crate::colour::colour;
 use crate::error::SubsurfaceError;
-use crate::model::colour;
 use crate::prepare::Prepared;
 use crate::surface::SurfaceKind;
 

@@ -168,12 +168,11 @@ impl VolumeLayout {
         [rank % across, rank / across % along, rank / across / along].map(|at| at as u32)
     }
 
-    /// Refuses what no [`BrickSource::read`] can do: a brick that is not there, a buffer that does not fit one. Where the brick stands among all.
-    pub(crate) fn check_read(
-        &self,
-        brick: [u32; 3],
-        samples: &[u8],
-    ) -> Result<u64, SubsurfaceError> {
+    /// For a [`BrickSource::read`]: the brick's place in the order of the file.
+    ///
+    /// # Errors
+    /// [`SubsurfaceError`] for a brick that is not there, or a buffer that is not as long as one.
+    pub fn check_read(&self, brick: [u32; 3], samples: &[u8]) -> Result<u64, SubsurfaceError> {
         let rank = self.rank(brick)?;
         let (expected, actual) = (self.brick_bytes(), samples.len());
         if expected == actual {

@@ -1,7 +1,8 @@
 //! The built-in model's shape: how large it is, that its layers never cross, and that its faults throw what they say.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_subsurface::{Model, ModelOptions, Surface, SurfaceKind};
+use antumbra_demo_scenes::subsurface::{Model, ModelOptions};
+use antumbra_subsurface::{Surface, SurfaceKind};
 use glam::{DVec2, DVec3, Vec3};
 use std::collections::HashMap;
 

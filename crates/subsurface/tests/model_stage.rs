@@ -1,8 +1,8 @@
 //! How the built-in model is shown: wells, colours, lamps, views and the flight.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use antumbra_demo_scenes::subsurface::{Model, ModelOptions};
 use antumbra_scene::{Camera, Projection, Scene};
-use antumbra_subsurface::{Model, ModelOptions};
 use glam::{DAffine3, DVec2, DVec3};
 use std::collections::HashMap;
 

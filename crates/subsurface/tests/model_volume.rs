@@ -1,7 +1,8 @@
 //! The built-in model's seismic volume: reflections lie where the horizons are.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_subsurface::{BrickSource, Model, ModelOptions, ModelVolume};
+use antumbra_demo_scenes::subsurface::{Model, ModelOptions, ModelVolume};
+use antumbra_subsurface::BrickSource;
 use glam::DVec2;
 
 fn model(nodes_per_side: u32) -> Model {

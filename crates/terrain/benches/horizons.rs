@@ -3,8 +3,9 @@
 
 use std::hint::black_box;
 
+use antumbra_demo_scenes::terrain::FractalOptions;
 use antumbra_terrain::{
-    Arc, Detail, Eye, Field, FractalOptions, GroupOptions, Groups, Horizons, Method, Scope, Sectors,
+    Arc, Detail, Eye, Field, GroupOptions, Groups, Horizons, Method, Scope, Sectors,
 };
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use glam::DVec3;

@@ -37,10 +37,10 @@ pub enum TerrainError {
     Scene(#[from] antumbra_scene::SceneError),
     /// A scene file that cannot be read.
     #[error(transparent)]
-    Load(#[from] antumbra_scene::LoadError),
+    Load(#[from] antumbra_formats::LoadError),
     /// A scene file that cannot be written.
     #[error(transparent)]
-    Save(#[from] antumbra_scene::SaveError),
+    Save(#[from] antumbra_formats::SaveError),
     /// A scene without what is known of its terrain.
     #[error(
         "it has no extension ANTUMBRA_horizons: write it with Terrain::save or `antumbra prepare`"

@@ -6,8 +6,10 @@
 //! are believed, and culling is as right as whoever wrote them.
 //!
 //! ```
-//! use antumbra_scene::{LoadOptions, Scene};
-//! use antumbra_terrain::{Detail, Field, FractalOptions, PreparedScene, Terrain, TerrainOptions};
+//! use antumbra_formats::LoadOptions;
+//! use antumbra_scene::Scene;
+//! use antumbra_terrain::{Detail, Field, PreparedScene, Terrain, TerrainOptions};
+//! use antumbra_demo_scenes::terrain::FractalOptions;
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let raster = FractalOptions { order: 4, ..FractalOptions::default() }.raster()?;
@@ -34,7 +36,8 @@ mod shown;
 use std::path::Path;
 use std::sync::Arc;
 
-use antumbra_scene::{Attachment, EntityKey, LoadOptions, Scene, load_with, save_glb_with};
+use antumbra_formats::{Attachment, LoadOptions, load_with, save_glb_with};
+use antumbra_scene::{EntityKey, Scene};
 use glam::{DVec2, DVec3};
 
 use crate::circle::Circle;
@@ -75,6 +78,21 @@ impl PreparedScene {
         let (terrain, shown) = Terrain::read(&loaded.scene, &attachment)?;
         Ok(Self {
             scene: loaded.scene,
+            terrain: Arc::new(terrain),
+            shown,
+        })
+    }
+
+    /// A scene that shows a terrain and nothing else.
+    ///
+    /// # Errors
+    /// As [`Terrain::show_lit`].
+    pub fn of(terrain: Terrain, name: &str) -> Result<Self, TerrainError> {
+        let mut scene = Scene::new();
+        scene.set_name(name);
+        let shown = terrain.show_lit(&mut scene)?;
+        Ok(Self {
+            scene,
             terrain: Arc::new(terrain),
             shown,
         })

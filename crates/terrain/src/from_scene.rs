@@ -14,7 +14,7 @@ const MOST: usize = 1 << 27;
 
 impl Field {
     /// A field of all triangles of a scene, at full detail, with Y up and Z south made metres east, north and up: what
-    /// [`load`](antumbra_scene::load) makes of a mesh's file. Lines and points are no part of it.
+    /// a loader makes of a mesh's file. Lines and points are no part of it.
     ///
     /// Corners at one place are made one, to the last bit; meshes that were moved apart and back may no longer touch.
     ///

@@ -9,15 +9,15 @@
 //! - [`mod@file`] keeps all that is known of a terrain in the glTF that shows it.
 
 mod blocks;
-mod built_in;
 mod circle;
 mod crystal;
 mod cull;
 mod cut;
 mod error;
 pub mod field;
+#[cfg(feature = "files")]
 pub mod file;
-mod fractal;
+mod flight;
 mod from_scene;
 mod ground;
 mod groups;
@@ -30,7 +30,6 @@ mod rim;
 mod seen;
 mod show;
 mod sight;
-mod spread;
 mod standing;
 #[cfg(feature = "strategy")]
 mod stood;
@@ -40,21 +39,20 @@ mod terrain;
 mod tin;
 
 pub use blocks::Blocks;
-pub use built_in::BuiltInOptions;
 pub use circle::Circle;
 pub use crystal::{Crystals, GroupOptions};
 pub use cull::{Arc, Eye};
 pub use cut::Part;
 pub use error::TerrainError;
 pub use field::{Fault, Field, NONE, Outline};
+#[cfg(feature = "files")]
 pub use file::PreparedScene;
-pub use fractal::FractalOptions;
 pub use ground::Ground;
 pub use groups::{Group, Groups};
 pub use horizon::{Horizon, Horizons, Method, Scope, Sectors};
 pub use region::Region;
 pub use rim::Rim;
-pub use show::ShownTerrain;
+pub use show::{ShownTerrain, to_world};
 pub use sight::Sights;
 pub use standing::Stand;
 #[cfg(feature = "strategy")]

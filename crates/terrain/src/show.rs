@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use antumbra_scene::{Drawable, EntityKey, Geometry, MaterialKey, Mesh, Scene};
-use glam::{DAffine3, DVec3, Vec3};
+use antumbra_scene::{Drawable, EntityKey, Geometry, Light, Material, MaterialKey, Mesh, Scene};
+use glam::{DAffine3, DQuat, DVec3, EulerRot, Vec3};
 
 use crate::blocks::bits;
 use crate::error::TerrainError;
@@ -47,7 +47,8 @@ fn always(terrain: &Terrain) -> Vec<u32> {
 }
 
 /// From metres east, north and up to the world, Y up and Z south.
-pub(crate) fn to_world(place: DVec3) -> DVec3 {
+#[must_use]
+pub fn to_world(place: DVec3) -> DVec3 {
     DVec3::new(place.x, place.z, -place.y)
 }
 
@@ -95,6 +96,31 @@ impl Terrain {
             groups: shown,
             always: rest,
         })
+    }
+}
+
+impl Terrain {
+    /// Puts the terrain into a scene in the colour of grass, with a sun in the south-west.
+    ///
+    /// # Errors
+    /// As [`Terrain::show`].
+    pub fn show_lit(&self, scene: &mut Scene) -> Result<ShownTerrain, TerrainError> {
+        let material = scene.add_material(Material {
+            name: "ground".to_owned(),
+            base_colour: [0.36, 0.42, 0.24, 1.0],
+            double_sided: true,
+            ..Material::default()
+        });
+        let shown = self.show(scene, material)?;
+        let slanting = DQuat::from_euler(EulerRot::YXZ, -0.7, -0.6, 0.0);
+        let sun = scene.spawn(None, DAffine3::from_quat(slanting))?;
+        scene.set_entity_name(sun, "sun")?;
+        let light = Light::Directional {
+            colour: [1.0, 0.97, 0.9],
+            illuminance: 3.2,
+        };
+        scene.set_light(sun, light)?;
+        Ok(shown)
     }
 }
 

@@ -6,7 +6,8 @@ mod support;
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
-use antumbra_scene::{Attachment, Drawable, Geometry, LoadOptions, Mesh, Scene, load, save_glb};
+use antumbra_formats::{Attachment, LoadOptions, load, save_glb};
+use antumbra_scene::{Drawable, Geometry, Mesh, Scene};
 use antumbra_terrain::file::EXTENSION;
 use antumbra_terrain::{
     Arc, Field, GroupOptions, Method, NONE, PreparedScene, Sectors, ShownTerrain, Terrain,
@@ -466,9 +467,9 @@ proptest! {
         } else {
             bytes[at] ^= flip;
         }
-        let format = antumbra_scene::Format::Gltf;
+        let format = antumbra_formats::Format::Gltf;
         let options = LoadOptions::default();
-        let loaded = antumbra_scene::load_slice_with(format, &bytes, None, &options, &[EXTENSION]);
+        let loaded = antumbra_formats::load_slice_with(format, &bytes, None, &options, &[EXTENSION]);
         prop_assert!(!(cut && loaded.is_ok()));
         for found in loaded.map(|loaded| (loaded.scene, loaded.attachments)).into_iter() {
             let (scene, attachments) = found;

@@ -1,8 +1,9 @@
 //! Fields over rasters, and the landscape out of nothing.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+use antumbra_demo_scenes::terrain::FractalOptions;
 use antumbra_scene::Raster;
-use antumbra_terrain::{Detail, Field, FractalOptions, Ground};
+use antumbra_terrain::{Detail, Field, Ground};
 use glam::DVec2;
 
 fn landscape(order: u32, seed: u64) -> Raster {

@@ -9,7 +9,7 @@ use bytemuck::{Pod, Zeroable};
 
 use super::AUDIT;
 use super::nodes::Looked;
-use crate::counting::ComputePipeline;
+use crate::compute_pipeline::ComputePipeline;
 use crate::frame_graph::FrameGraph;
 use crate::turned::Turned;
 use crate::view_nodes::ViewNodes;

@@ -12,9 +12,8 @@ use antumbra_graph::{BufferDesc, Clear, CompileOptions, Graph, Host, Mode, Plan,
 
 use super::{StageError, StageOptions, ViewSpec};
 use crate::audit::Audit;
-use crate::frame_graph::{CULL, FrameGraph, Shared};
+use crate::frame_graph::{CULL, FrameGraph, Shared, Shown};
 use crate::hand_on::HandedOn;
-use crate::sketch::Sketch;
 use crate::strategy::{Strategy, VerdictSource};
 use crate::view_nodes::{Targets, ViewNodes};
 
@@ -27,6 +26,7 @@ pub(super) struct Built {
     pub plan: Plan,
     pub scene: Host<SceneFrame>,
     pub views: Vec<BuiltView>,
+    pub shown: Vec<Shown>,
 }
 
 /// One view of it.
@@ -36,7 +36,6 @@ pub(super) struct BuiltView {
     pub imported: Option<Targets>,
     pub targets: Targets,
     pub verdicts: VerdictSource,
-    pub sketch: Option<Host<Sketch>>,
     pub handed_on: Option<HandedOn>,
     pub audit: Option<Host<Audit>>,
     /// Audited frames of earlier plans.
@@ -62,6 +61,7 @@ pub(super) fn build(
         pipelines,
         boxes: None,
         trees: HashMap::new(),
+        shown: Vec::new(),
     };
     let mut views = Vec::with_capacity(specs.len());
     for (index, spec) in specs.iter().enumerate() {
@@ -91,9 +91,6 @@ pub(super) fn build(
         // Writing an import keeps its writers; an output would ask more usages of its owner's texture.
         if imported.is_none() {
             graph.output(nodes.targets.colour);
-        }
-        if let Some(sketch) = set.sketch {
-            graph.output(sketch);
         }
         if let Some(HandedOn { inside, left }) = set.handed_on {
             graph.output(inside);
@@ -125,7 +122,6 @@ pub(super) fn build(
             imported,
             targets: nodes.targets,
             verdicts: set.verdicts,
-            sketch: set.sketch,
             handed_on: set.handed_on,
             audit,
             audited_before: 0,
@@ -149,6 +145,7 @@ pub(super) fn build(
         plan,
         scene: scene_handle,
         views,
+        shown: shared.shown,
     })
 }
 

@@ -7,10 +7,11 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use antumbra_cull::strategies::Frustum;
-use antumbra_cull::{IdImage, Members, Oracle, Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
+use antumbra_cull::Frustum;
+use antumbra_cull::{Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
 use antumbra_draw::{Detail, GpuScene, read_back};
 use antumbra_scene::Camera;
+use antumbra_verify::{IdImage, Members, Oracle};
 use image::RgbaImage;
 
 use super::audited::Audited;

@@ -71,18 +71,11 @@ impl Path {
     /// all.
     ///
     /// # Errors
-    /// When the file cannot be written, or the projection is one that path files have no word for.
+    /// When the file cannot be written.
     pub fn save(&self, path: impl AsRef<std::path::Path>) -> Result<(), MeasureError> {
         let path = path.as_ref();
-        let unknown = || MeasureError::Path {
-            name: self.name.clone(),
-            problem: format!(
-                "path files have no word for the projection {:?}",
-                self.projection
-            ),
-        };
         let out = FileOut {
-            projection: ProjectionFile::write(self.projection).ok_or_else(unknown)?,
+            projection: ProjectionFile::write(self.projection),
             poses: self
                 .poses
                 .iter()
@@ -166,24 +159,23 @@ impl ProjectionFile {
         }
     }
 
-    fn write(projection: Projection) -> Option<Self> {
+    fn write(projection: Projection) -> Self {
         match projection {
             // Radians: degrees and back would not give the same bits.
-            Projection::Perspective { fov_y, near } => Some(Self::Perspective {
+            Projection::Perspective { fov_y, near } => Self::Perspective {
                 fov_y_degrees: None,
                 fov_y_radians: Some(fov_y),
                 near,
-            }),
-            Projection::OffAxis { fov_y, near, shift } => Some(Self::OffAxis {
+            },
+            Projection::OffAxis { fov_y, near, shift } => Self::OffAxis {
                 fov_y_degrees: None,
                 fov_y_radians: Some(fov_y),
                 near,
                 shift: shift.to_array(),
-            }),
+            },
             Projection::Orthographic { height, near, far } => {
-                Some(Self::Orthographic { height, near, far })
+                Self::Orthographic { height, near, far }
             }
-            _ => None,
         }
     }
 }

@@ -7,7 +7,6 @@ use glam::{DVec2, Mat4};
 
 /// How depth and size on the screen are related.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Projection {
     /// Far things look small; no far plane.
     Perspective {

@@ -1,14 +1,12 @@
 //! The assets that entities share: meshes, materials, images, and the image around them all.
 
 use super::Scene;
-use super::dense::OWN_BOX;
 use crate::environment::Environment;
 use crate::error::SceneError;
-use crate::keys::{EntityKey, ImageKey, MaterialKey, MeshKey};
+use crate::keys::{ImageKey, MaterialKey, MeshKey};
 use crate::material::{Image, Material};
 use crate::mesh::Mesh;
-use crate::simplify::ProxyOptions;
-use slotmap::{Key, SecondaryMap};
+use slotmap::Key;
 
 impl Scene {
     /// Adds a mesh for entities to share.
@@ -41,31 +39,6 @@ impl Scene {
     #[must_use]
     pub fn mesh_count(&self) -> usize {
         self.meshes.len()
-    }
-
-    /// Gives every mesh that has none a proxy, in parallel. Meshes keep their keys; boxes grow where a proxy reaches out of its mesh, for an eye
-    /// inside of a proxy must count as inside of the box.
-    pub fn ensure_proxies(&mut self, options: &ProxyOptions) {
-        use rayon::prelude::*;
-        let mut meshes: Vec<&mut Mesh> = self.meshes.values_mut().collect();
-        meshes.par_iter_mut().for_each(|mesh| {
-            mesh.ensure_proxy(options);
-        });
-        let mut grown = SecondaryMap::new();
-        for (key, mesh) in &self.meshes {
-            if let Some(bounds) = mesh.bounds()
-                && self.mesh_boxes.get(key) != Some(&bounds)
-            {
-                self.mesh_boxes.insert(key, bounds);
-                grown.insert(key, ());
-            }
-        }
-        let placed = self.drawables.iter();
-        let placed = placed.filter(|(_, drawable)| grown.contains_key(drawable.mesh));
-        let placed: Vec<EntityKey> = placed.map(|(entity, _)| entity).collect();
-        for entity in placed {
-            self.ask(entity, OWN_BOX);
-        }
     }
 
     /// Adds a material for entities to share.

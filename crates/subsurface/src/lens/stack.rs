@@ -1,7 +1,8 @@
 //! A lens' sections along one axis as meshes, one for each order in which they can be drawn.
 
-use antumbra_scene::AlphaMode;
-use antumbra_scene::{Drawable, Geometry, ImageKey, Material, MaterialKey, Mesh, MeshKey, Scene};
+use antumbra_scene::{
+    AlphaMode, Drawable, Geometry, ImageKey, Material, MaterialKey, Mesh, MeshKey, Scene,
+};
 use glam::{DMat3, DVec3};
 
 use super::Facing;

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use antumbra_scene::raster::words::{number, text};
+use antumbra_formats::raster::words::{number, text};
 use glam::DVec3;
 
 use super::Positive;

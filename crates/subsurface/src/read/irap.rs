@@ -3,8 +3,8 @@
 //! Three records of header (-996, rows, box, steps; columns, rotation and its centre; seven integers), then the values, columns
 //! fastest, in as many records as the writer liked.
 
+use antumbra_formats::raster::words::nodes;
 use antumbra_scene::Raster;
-use antumbra_scene::raster::words::nodes;
 use glam::DVec2;
 
 use super::Positive;

@@ -1,7 +1,7 @@
 //! Irap ASCII surfaces: 19 numbers of header (`-996 rows step step`, the box, `columns rotation centre`, seven integers), then the values.
 
+use antumbra_formats::raster::words::{Words, text};
 use antumbra_scene::Raster;
-use antumbra_scene::raster::words::{Words, text};
 use glam::DVec2;
 
 use super::Positive;

@@ -3,7 +3,7 @@
 //! A value here is still the file's own bytes (or, in ASCII, its words), so that what is declared has been held against what is there
 //! before memory is asked for.
 
-use antumbra_scene::raster::words::{number, text};
+use antumbra_formats::raster::words::{number, text};
 
 use super::bytes::Bytes;
 

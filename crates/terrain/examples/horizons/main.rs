@@ -16,8 +16,9 @@ mod views;
 use std::error::Error;
 use std::path::Path;
 
-use antumbra_scene::Raster;
-use antumbra_terrain::{Detail, Field, FractalOptions};
+use antumbra_demo_scenes::terrain::FractalOptions;
+use antumbra_formats::load_raster;
+use antumbra_terrain::{Detail, Field};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut words = std::env::args().skip(1);
@@ -26,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let raster = match source.as_str() {
         "fractal" => FractalOptions::default().raster()?,
-        file => Raster::load(Path::new(file))?,
+        file => load_raster(Path::new(file))?,
     };
     let field = Field::over(&raster, Detail::Vertices(vertices.parse()?))?.rounded()?;
     let (points, triangles) = (field.points().len(), field.triangles().len());

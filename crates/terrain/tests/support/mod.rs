@@ -3,7 +3,8 @@
 
 pub mod truth;
 
-use antumbra_terrain::{Eye, Field, FractalOptions, Terrain};
+use antumbra_demo_scenes::terrain::FractalOptions;
+use antumbra_terrain::{Eye, Field, Terrain};
 use glam::DVec3;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::{Rng, SeedableRng};

@@ -1,0 +1,46 @@
+//! `antumbra graph`: a strategy's plan as a picture, with the times of one frame.
+
+use antumbra::cull::{Stage, StageOptions};
+use antumbra::draw::{Gpu, GpuScene};
+use antumbra::graph::Picture;
+use antumbra::verify::Oracle;
+
+use crate::args::{Format, GraphArgs};
+use crate::eyes::inputs;
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::strategies::registry;
+
+/// Prints the graph.
+///
+/// # Errors
+/// What stopped it.
+pub fn run(args: GraphArgs) -> Result<(), Failure> {
+    // Wrong words are found before anything is loaded.
+    registry(None).parse(&args.strategy)?;
+    let gpu = Gpu::open(&args.view.adapter)?;
+    let mut input = Input::open(&args.view, &gpu)?;
+    let strategy = registry(input.horizon.as_ref()).parse(&args.strategy)?;
+    let cameras = input.look(0)?;
+    let scene = GpuScene::new(&gpu, &mut input.scene)?;
+    let options = StageOptions {
+        timing: true,
+        ..StageOptions::default()
+    };
+    let mut stage = Stage::new(&scene, strategy, input.views(), options)?;
+    let needs_reference = stage.strategy().needs_reference();
+    let mut oracle = needs_reference.then(|| Oracle::new(&scene, input.size));
+    let views = inputs(oracle.as_mut(), &scene, &cameras)?;
+    // The first frame compiles pipelines, and late answers come a frame later.
+    for _ in 0..3 {
+        stage.frame(&scene, &views)?;
+        gpu.wait()?;
+    }
+    let format = match args.format {
+        Format::Dot => Picture::Dot,
+        Format::Mermaid => Picture::Mermaid,
+        Format::Json => Picture::Json,
+    };
+    println!("{}", stage.plan().picture(format));
+    Ok(())
+}

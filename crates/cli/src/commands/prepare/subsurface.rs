@@ -1,0 +1,187 @@
+//! Horizons, faults and picks made into a scene; cell properties made into a volume.
+
+use std::path::Path as FilePath;
+
+use antumbra::demo_scenes::subsurface::{BuiltInOptions, Model};
+use antumbra::formats::save_glb;
+use antumbra::scene::Scene;
+use antumbra::subsurface::read::{self, Positive, ReadOptions};
+use antumbra::subsurface::{
+    BrickSource, PrepareOptions, Prepared, Surface, SurfaceKind, add_lamps, prepare_all,
+    surface_material, write_volume,
+};
+
+use crate::args::{Kind, PrepareArgs, Way};
+use crate::failure::Failure;
+use crate::progress;
+
+/// Horizons and faults into a scene.
+///
+/// # Errors
+/// What stopped it; nothing half-written stays behind.
+pub fn scene(args: &PrepareArgs) -> Result<(), Failure> {
+    let options = PrepareOptions {
+        tiles: args.tiles,
+        decimation: args.decimation,
+        thinning: args.thinning,
+        levels: args.levels,
+    };
+    // Wrong words are found before anything is read.
+    options.check()?;
+    let mut surfaces = Vec::new();
+    for input in &args.input {
+        surfaces.extend(read_surfaces(args, input)?);
+    }
+    let bar = progress::work("preparing", args.quiet);
+    bar.set_length(surfaces.len() as u64);
+    let prepared = prepare_all(&surfaces, &options, &|_| bar.inc(1));
+    bar.finish_and_clear();
+    let prepared = prepared?;
+    drop(surfaces);
+    let triangles: usize = prepared.iter().map(Prepared::triangles).sum();
+    let proxies: usize = prepared.iter().map(Prepared::proxy_triangles).sum();
+    let tiles: usize = prepared.iter().map(|surface| surface.tiles.len()).sum();
+    let flipped: usize = prepared.iter().map(|surface| surface.flipped).sum();
+    let (horizons, faults) = count(&prepared);
+    let mut scene = Scene::new();
+    let name = args.output.file_stem().unwrap_or_default();
+    scene.set_name(name.to_string_lossy());
+    let mut numbers = [0, 0];
+    for surface in prepared {
+        let number = &mut numbers[usize::from(surface.kind == SurfaceKind::Fault)];
+        let material = scene.add_material(surface_material(&surface.name, surface.kind, *number));
+        *number += 1;
+        surface.show(&mut scene, None, material)?;
+    }
+    add_lamps(&mut scene)?;
+    save_glb(&scene, &args.output)?;
+    if !args.quiet {
+        println!(
+            "{}: {horizons} horizons and {faults} faults in {tiles} entities, {triangles} triangles; stand-ins of {proxies}",
+            args.output.display()
+        );
+        if flipped > 0 {
+            println!("{flipped} triangles of the stand-ins lie upside down in plan");
+        }
+    }
+    Ok(())
+}
+
+fn count(prepared: &[Prepared]) -> (usize, usize) {
+    let faults = prepared
+        .iter()
+        .filter(|surface| surface.kind == SurfaceKind::Fault);
+    let faults = faults.count();
+    (prepared.len() - faults, faults)
+}
+
+fn read_surfaces(args: &PrepareArgs, input: &FilePath) -> Result<Vec<Surface>, Failure> {
+    if let Some(model) = model(input)? {
+        let bar = progress::work("making", args.quiet);
+        let horizons = model.options().horizons as usize;
+        let all = 0..horizons + model.faults().len();
+        bar.set_length(all.len() as u64);
+        let surfaces = all.map(|number| {
+            bar.inc(1);
+            match number.checked_sub(horizons) {
+                None => model.horizon(number),
+                Some(fault) => model.fault(fault),
+            }
+        });
+        let surfaces = surfaces.collect::<Result<Vec<_>, _>>();
+        bar.finish_and_clear();
+        return Ok(surfaces?);
+    }
+    let bar = progress::work("reading", args.quiet);
+    let surfaces = read::surfaces(input, &read_options(args), &mut |done, total| {
+        bar.set_length(total);
+        bar.set_position(done);
+    });
+    bar.finish_and_clear();
+    Ok(surfaces?)
+}
+
+fn read_options(args: &PrepareArgs) -> ReadOptions {
+    ReadOptions {
+        positive: args.positive.map(|way| match way {
+            Way::Down => Positive::Down,
+            Way::Up => Positive::Up,
+        }),
+        kind: args.kind.map(|kind| match kind {
+            Kind::Horizon => SurfaceKind::Horizon,
+            Kind::Fault => SurfaceKind::Fault,
+        }),
+        longest_edge: args.longest_edge,
+        surface_column: args.surface_column.clone(),
+    }
+}
+
+/// The built-in model, if that is what the word names.
+fn model(input: &FilePath) -> Result<Option<Model>, Failure> {
+    let text = input.to_string_lossy();
+    let mut words = text.split(':');
+    if words.next() != Some("subsurface") || input.is_file() {
+        return Ok(None);
+    }
+    let mut options = BuiltInOptions::default();
+    for word in words {
+        let (key, value) = word.split_once('=').unwrap_or(("size", word));
+        options.set(key, value)?;
+    }
+    Ok(Some(Model::new(&options.model)?))
+}
+
+/// Cell properties into a volume.
+///
+/// # Errors
+/// What stopped it; nothing half-written stays behind.
+pub fn volume(args: &PrepareArgs) -> Result<(), Failure> {
+    let [input] = args.input.as_slice() else {
+        return Err(Failure::Usage("a volume is made of one input".to_owned()));
+    };
+    if let Some(model) = model(input)? {
+        return write(args, "subsurface", &model.volume());
+    }
+    let Some(grid) = &args.grid else {
+        return Err(Failure::Usage(format!(
+            "'{}' has values of cells: name the grid they belong to with --grid",
+            input.display()
+        )));
+    };
+    let property = read::property(input)?;
+    let grid = read::grid(grid, &read_options(args))?;
+    let [i, j, k] = grid.size();
+    let wide = 2 * i.max(j);
+    let samples = args
+        .samples
+        .map_or([wide, wide, 2 * k], |samples| samples.0);
+    let bar = progress::work("resampling", args.quiet);
+    let volume = grid.volume(&property, samples, &mut |done, total| {
+        bar.set_length(total);
+        bar.set_position(done);
+    });
+    bar.finish_and_clear();
+    let volume = volume?;
+    write(args, volume.name(), &volume)
+}
+
+fn write(args: &PrepareArgs, name: &str, source: &dyn BrickSource) -> Result<(), Failure> {
+    let bar = progress::work("writing", args.quiet);
+    let written = write_volume(&args.output, name, source, &mut |done, total| {
+        bar.set_length(total);
+        bar.set_position(done);
+    });
+    bar.finish_and_clear();
+    written?;
+    if !args.quiet {
+        let layout = source.layout();
+        let [i, c, t] = layout.size;
+        let [low, high] = layout.range;
+        println!(
+            "{}: {i} x {c} x {t} samples, {low} to {high}, in bricks of {}",
+            args.output.display(),
+            layout.brick
+        );
+    }
+    Ok(())
+}

@@ -1,0 +1,115 @@
+//! A raster, a mesh or the built-in landscape made into a terrain with its horizons.
+
+use std::path::Path;
+
+use antumbra::demo_scenes::terrain::BuiltInOptions;
+use antumbra::terrain::{Detail, GroupOptions, PreparedScene, Sectors, Terrain, TerrainOptions};
+
+use crate::args::{PrepareArgs, TerrainArgs};
+use crate::failure::Failure;
+use crate::landscape;
+
+/// Whether a word names the built-in landscape.
+pub fn is_built_in(input: &Path) -> bool {
+    let text = input.to_string_lossy();
+    text.split(':').next() == Some("terrain") && !input.is_file()
+}
+
+/// Makes the terrain and writes the scene that shows it.
+///
+/// # Errors
+/// What stopped it; nothing half-written stays behind.
+pub fn scene(args: &PrepareArgs) -> Result<(), Failure> {
+    let [input] = args.input.as_slice() else {
+        return Err(Failure::Usage("a terrain is made of one input".to_owned()));
+    };
+    let stem = args.output.file_stem().unwrap_or_default();
+    let mut made = if is_built_in(input) {
+        built_in(&input.to_string_lossy(), args)?
+    } else if landscape::is_raster(input) || landscape::is_mesh(input) {
+        PreparedScene::of(out_of(input, args)?, "terrain")?
+    } else {
+        return Err(Failure::Usage(format!(
+            "'{}' is neither a raster (.npz, .asc, .tif) nor a mesh (.glb, .gltf, .obj, .ply, .stl) by its ending",
+            input.display()
+        )));
+    };
+    made.scene.set_name(stem.to_string_lossy());
+    made.terrain.save(&made.scene, &made.shown, &args.output)?;
+    if !args.quiet {
+        say(args, &made.terrain);
+    }
+    Ok(())
+}
+
+fn say(args: &PrepareArgs, terrain: &Terrain) {
+    let (field, groups) = (terrain.field(), terrain.groups());
+    let crystals = groups.groups().iter().filter(|group| group.is_leaf());
+    let reaches = match groups.sectors().reaches() {
+        1 => String::new(),
+        reaches => format!(" with {reaches} reaches"),
+    };
+    println!(
+        "{}: {} vertices and {} triangles; {} groups that hide together, {} triangles in none; horizons in {} sectors of {}, {}{reaches}",
+        args.output.display(),
+        field.points().len(),
+        field.triangles().len(),
+        crystals.count(),
+        groups.always().len(),
+        groups.sectors().count(),
+        groups.sectors().parts(),
+        terrain.method(),
+    );
+    if !field.outline().whole {
+        println!("it has holes or dents: horizon culls what is seen over their rims alone");
+    }
+}
+
+fn out_of(input: &Path, args: &PrepareArgs) -> Result<Terrain, Failure> {
+    let TerrainArgs {
+        vertices, error, ..
+    } = args.terrain;
+    let vertices = vertices.map(Detail::Vertices);
+    let detail = vertices.or(error.map(Detail::Error));
+    let sectors = sectors(&args.terrain, Sectors::default())?;
+    let field = landscape::field(input, detail)?;
+    let options = TerrainOptions {
+        sectors,
+        method: args.terrain.method.unwrap_or_default(),
+        groups: args.terrain.seeds.map(GroupOptions::of_seeds),
+    };
+    let options = match args.terrain.seed {
+        Some(seed) => options.seeded(seed, &field),
+        None => options,
+    };
+    landscape::prepare(field, &options, args.quiet)
+}
+
+fn built_in(named: &str, args: &PrepareArgs) -> Result<PreparedScene, Failure> {
+    let wanted = &args.terrain;
+    if wanted.error.is_some() {
+        return Err(Failure::Usage(
+            "the built-in terrain has a number of vertices: --error is for rasters".to_owned(),
+        ));
+    }
+    let mut options = BuiltInOptions::default();
+    for word in named.split(':').skip(1) {
+        let (key, value) = word.split_once('=').unwrap_or(("size", word));
+        options.set(key, value)?;
+    }
+    options.vertices = wanted.vertices.unwrap_or(options.vertices);
+    options.landscape.seed = wanted.seed.unwrap_or(options.landscape.seed);
+    options.prepare.method = wanted.method.unwrap_or(options.prepare.method);
+    let groups = wanted.seeds.map(GroupOptions::of_seeds);
+    options.prepare.groups = groups.or(options.prepare.groups);
+    options.prepare.sectors = sectors(wanted, options.prepare.sectors)?;
+    landscape::built_in(&options, args.quiet)
+}
+
+/// What was asked for, and `other` where nothing was.
+fn sectors(wanted: &TerrainArgs, other: Sectors) -> Result<Sectors, Failure> {
+    let count = wanted.sectors.unwrap_or(other.count());
+    let parts = wanted.parts.unwrap_or(other.parts());
+    let reaches = wanted.reaches.unwrap_or(other.reaches());
+    Ok(Sectors::new(count, parts)?.with_reaches(reaches)?)
+}

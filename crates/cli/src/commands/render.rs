@@ -1,0 +1,156 @@
+//! `antumbra render`: one image, as a strategy draws it; in stereo, both eyes'.
+
+use std::path::{Path, PathBuf};
+
+use antumbra::cull::{Stage, StageError, StageOptions, Strategy, Verdict};
+use antumbra::draw::{Gpu, GpuScene, read_back};
+use antumbra::measure::image_error::save_png;
+use antumbra::measure::sketch_picture::save_sketch;
+use antumbra::measure::stereo_picture::{Part, join};
+use antumbra::scene::Camera;
+use antumbra::strategies::Sketch;
+use antumbra::terrain::HorizonStrategy;
+use antumbra::verify::{Members, Oracle};
+use image::{Rgba, RgbaImage};
+
+use crate::args::RenderArgs;
+use crate::eyes::inputs;
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::strategies::registry;
+
+/// Draws and writes it.
+///
+/// # Errors
+/// What stopped it; no half-written image stays behind.
+pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
+    // Where two pictures are to be laid out there are two.
+    args.view.eyes.stereo |= args.layout.is_some();
+    // Wrong words are found before anything is loaded.
+    chosen(&args, None)?;
+    let gpu = Gpu::open(&args.view.adapter)?;
+    let mut input = Input::open(&args.view, &gpu)?;
+    let strategy = chosen(&args, input.horizon.as_ref())?;
+    let cameras = input.look(args.pose as usize)?;
+    let scene = GpuScene::new(&gpu, &mut input.scene)?;
+    let mut stage = Stage::new(&scene, strategy, input.views(), StageOptions::default())?;
+    let mut oracle = Oracle::new(&scene, input.size);
+    let views = inputs(Some(&mut oracle), &scene, &cameras)?;
+    // Late answers need frames to arrive.
+    for _ in 0..3 {
+        stage.frame(&scene, &views)?;
+        gpu.wait()?;
+    }
+    let mut pictures = Vec::with_capacity(cameras.len());
+    for (view, camera) in cameras.iter().enumerate() {
+        let mut image = picture(&stage, view, &gpu, input.size)?;
+        if let Some(path) = &args.sketch {
+            let sketch = stage
+                .shown::<Sketch>(view, Sketch::NAME)
+                .ok_or_else(missing)?;
+            let suffix = match cameras.len() {
+                1 => "",
+                _ => ["-left", "-right"].get(view).copied().unwrap_or_default(),
+            };
+            save_sketch(&image, sketch, &suffixed(path, suffix))?;
+        }
+        if args.show_culled {
+            show_culled(&mut image, &stage, view, &scene, camera, &mut oracle)?;
+        }
+        pictures.push(image);
+    }
+    let mut pictures = pictures.into_iter();
+    let parts = match (pictures.next(), pictures.next()) {
+        (Some(left), Some(right)) => join(left, right, args.layout.unwrap_or_default())?,
+        (Some(picture), None) => vec![Part {
+            suffix: "",
+            picture,
+        }],
+        (None, _) => return Err(missing().into()),
+    };
+    for part in &parts {
+        save_png(&part.picture, &suffixed(&args.output, part.suffix))?;
+    }
+    Ok(())
+}
+
+fn missing() -> StageError {
+    StageError::Input("a view without an image".to_owned())
+}
+
+fn picture(
+    stage: &Stage,
+    view: usize,
+    gpu: &Gpu,
+    [width, height]: [u32; 2],
+) -> Result<RgbaImage, Failure> {
+    let texture = stage.colour(view).ok_or_else(missing)?;
+    let image = RgbaImage::from_raw(width, height, read_back::texture(gpu, texture)?);
+    Ok(image.ok_or_else(missing)?)
+}
+
+/// `NAME.png` and `-left` make `NAME-left.png`.
+fn suffixed(path: &Path, suffix: &str) -> PathBuf {
+    if suffix.is_empty() {
+        return path.to_owned();
+    }
+    let mut name = path.file_stem().unwrap_or_default().to_owned();
+    name.push(suffix);
+    if let Some(ending) = path.extension() {
+        name.push(".");
+        name.push(ending);
+    }
+    path.with_file_name(name)
+}
+
+fn show_culled(
+    image: &mut RgbaImage,
+    stage: &Stage,
+    view: usize,
+    scene: &GpuScene,
+    camera: &Camera,
+    oracle: &mut Oracle,
+) -> Result<(), Failure> {
+    let verdicts = stage.verdicts(view, scene)?;
+    let culled = |slot: &u32| {
+        matches!(
+            verdicts.get(*slot),
+            Verdict::Occluded | Verdict::BelowThreshold
+        )
+    };
+    let slots: Vec<u32> = scene.table().live_slots().filter(culled).collect();
+    let hidden = oracle.look(scene, camera, Members::Slots(&slots))?;
+    shine_through(image, &hidden.ids);
+    Ok(())
+}
+
+/// Tints the pixels that a culled entity covers; the outlines between entities are left darker, so that each can be told apart.
+fn shine_through(image: &mut RgbaImage, ids: &[u32]) {
+    let width = image.width() as usize;
+    for (at, pixel) in image.pixels_mut().enumerate() {
+        let id = ids.get(at).copied().unwrap_or(0);
+        if id == 0 {
+            continue;
+        }
+        let edge = [at + 1, at + width]
+            .iter()
+            .any(|other| ids.get(*other).is_some_and(|other| *other != id));
+        let Rgba([r, g, b, _]) = pixel;
+        let share: u32 = if edge { 85 } else { 45 };
+        let mix = |from: u8, to: u32| ((u32::from(from) * (100 - share) + to * share) / 100) as u8;
+        (*r, *g, *b) = (mix(*r, 255), mix(*g, 0), mix(*b, 200));
+    }
+}
+
+/// The strategy asked for, with a sketch if one is.
+fn chosen(
+    args: &RenderArgs,
+    horizon: Option<&HorizonStrategy>,
+) -> Result<Box<dyn Strategy>, Failure> {
+    let mut strategy = registry(horizon).parse(&args.strategy)?;
+    if args.sketch.is_some() {
+        // A strategy without such a knob says which it has.
+        strategy.set("sketch", "true")?;
+    }
+    Ok(strategy)
+}

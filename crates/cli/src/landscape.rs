@@ -1,0 +1,76 @@
+//! Terrains out of what a command line names: rasters and meshes made fields, the built-in landscape, and how long it takes.
+
+use std::path::Path;
+
+use antumbra::demo_scenes::terrain::BuiltInOptions;
+use antumbra::formats::load_raster;
+use antumbra::formats::{Format, LoadOptions, RasterFormat, load};
+use antumbra::terrain::{Detail, Field, PreparedScene, Terrain, TerrainOptions};
+
+use crate::failure::Failure;
+use crate::progress;
+
+/// Vertices of a field over a raster where nothing else is asked for; every post of a smaller one.
+pub const VERTICES: usize = 100_000;
+
+/// Whether a file's ending is a raster's.
+pub fn is_raster(file: &Path) -> bool {
+    ending(file)
+        .and_then(RasterFormat::from_extension)
+        .is_some()
+}
+
+/// Whether a file's ending is a mesh's.
+pub fn is_mesh(file: &Path) -> bool {
+    ending(file).and_then(Format::from_extension).is_some()
+}
+
+fn ending(file: &Path) -> Option<&str> {
+    file.extension().and_then(|ending| ending.to_str())
+}
+
+/// A field out of a file. A mesh is taken whole, and has no detail to choose.
+///
+/// # Errors
+/// What is wrong with the file; [`Failure::Usage`] for a detail of a mesh.
+pub fn field(file: &Path, detail: Option<Detail>) -> Result<Field, Failure> {
+    if is_raster(file) {
+        let detail = detail.unwrap_or(Detail::Vertices(VERTICES));
+        return Ok(Field::over(&load_raster(file)?, detail)?);
+    }
+    if detail.is_some() {
+        return Err(Failure::Usage(format!(
+            "'{}' is a mesh and is taken whole: --vertices and --error are for rasters",
+            file.display()
+        )));
+    }
+    let scene = load(file, &LoadOptions::default()).map_err(|error| Failure::Load {
+        path: file.to_owned(),
+        error,
+    })?;
+    Ok(Field::of_scene(&scene)?)
+}
+
+/// Prepares a field.
+///
+/// # Errors
+/// As [`Terrain::prepare`].
+pub fn prepare(field: Field, options: &TerrainOptions, quiet: bool) -> Result<Terrain, Failure> {
+    let bar = progress::work("finding horizons", quiet);
+    bar.set_length(u64::from(options.sectors.count()));
+    let terrain = Terrain::prepare(field, options, &|| bar.inc(1));
+    bar.finish_and_clear();
+    Ok(terrain?)
+}
+
+/// The built-in landscape.
+///
+/// # Errors
+/// As [`BuiltInOptions::scene`].
+pub fn built_in(options: &BuiltInOptions, quiet: bool) -> Result<PreparedScene, Failure> {
+    let bar = progress::work("finding horizons", quiet);
+    bar.set_length(u64::from(options.prepare.sectors.count()));
+    let made = options.scene(&|| bar.inc(1));
+    bar.finish_and_clear();
+    Ok(made?)
+}

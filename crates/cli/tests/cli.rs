@@ -1,0 +1,286 @@
+//! The command line as a person meets it: exit status, what is printed, what is written.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod common;
+
+use std::io::Write;
+use std::path::Path;
+
+use common::{antumbra, refuses, stderr};
+
+fn report(dir: &Path) -> serde_json::Value {
+    serde_json::from_slice(&std::fs::read(dir.join("report.json")).unwrap()).unwrap()
+}
+
+#[test]
+fn a_comparison_prints_a_table_and_writes_a_report() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("deep/out");
+    let output = antumbra(&[
+        "compare",
+        "grid:4",
+        "--frames",
+        "4",
+        "--size",
+        "160x120",
+        "--out",
+        out.to_str().unwrap(),
+    ]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    for word in [
+        "none",
+        "frustum",
+        "ideal",
+        "stop-and-wait",
+        "three-pass late",
+        "coherent same",
+        "report.html",
+    ] {
+        assert!(text.contains(word), "'{word}' is not in: {text}");
+    }
+    // In a pipe nothing moves and nothing is coloured.
+    assert!(!text.contains('\u{1b}') && !stderr(&output).contains('\u{1b}'));
+
+    let report = report(&out);
+    assert_eq!(report["scene"]["entities"], 64);
+    assert!(report["seeds"]["scene"].is_u64() && report["seeds"]["path"].is_u64());
+    assert_eq!(report["scene"]["size"], serde_json::json!([160, 120]));
+    assert!(report["noise"]["frame_time_ratio_p95"].as_f64().unwrap() >= 1.0);
+    let strategies = report["strategies"].as_array().unwrap();
+    assert_eq!(strategies.len(), 13);
+    for strategy in strategies {
+        let series = |name: &str| {
+            let series = strategy["frames"][name].as_array().unwrap();
+            series
+                .iter()
+                .map(|value| value.as_f64().unwrap())
+                .collect::<Vec<_>>()
+        };
+        let mean = |values: Vec<f64>| values.iter().sum::<f64>() / values.len() as f64;
+        let drawn = strategy["drawn"]["triangles"].as_f64().unwrap();
+        assert!((mean(series("drawn_triangles")) - drawn).abs() < 1e-6);
+        assert!((mean(series("queries")) - strategy["queries"].as_f64().unwrap()).abs() < 1e-6);
+        let most = series("sync_points").into_iter().fold(0.0, f64::max);
+        assert_eq!(Some(most), strategy["sync_points"].as_f64());
+        if strategy["conservative"] == true {
+            assert_eq!(
+                strategy["error"]["false_culls"]["entities"], 0,
+                "{}",
+                strategy["name"]
+            );
+            assert_eq!(
+                strategy["error"]["wrong_pixels_percent"]["max"], 0.0,
+                "{}",
+                strategy["name"]
+            );
+        }
+        assert_eq!(strategy["frames"]["frame_ms"].as_array().unwrap().len(), 4);
+        assert!(strategy["time_vs_frustum"].as_f64().unwrap() > 0.0);
+    }
+    let html = std::fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(html.starts_with("<!doctype html>") && html.contains("three-pass late"));
+}
+
+#[test]
+fn settings_reach_the_strategy_and_the_report() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().to_str().unwrap();
+    let arguments = [
+        "compare", "grid:3", "--frames", "2", "--size", "64x48", "--quiet", "--out", out,
+    ];
+    let set = [
+        "--strategies",
+        "three-pass",
+        "--set",
+        "three-pass.threshold=7",
+        "--latency",
+        "on-gpu",
+    ];
+    let output = antumbra(&[&arguments[..], &set[..]].concat());
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert!(output.stdout.is_empty());
+    let report = report(dir.path());
+    assert_eq!(report["strategies"].as_array().unwrap().len(), 1);
+    assert_eq!(report["strategies"][0]["settings"]["threshold"], 7);
+    assert_eq!(report["strategies"][0]["latency"], "on-gpu");
+}
+
+#[test]
+fn wrong_words_are_refused_with_what_there_is() {
+    refuses(
+        &["compare", "--strategies", "magic"],
+        2,
+        &["magic", "three-pass", "stop-and-wait"],
+    );
+    refuses(
+        &["compare", "--set", "three-pass.colour=red"],
+        2,
+        &["colour", "latency", "threshold"],
+    );
+    refuses(
+        &["compare", "--set", "three-pass.threshold=-1"],
+        2,
+        &["-1", "threshold", "0 to 1000000"],
+    );
+    refuses(
+        &["compare", "--set", "threshold=1"],
+        2,
+        &["STRATEGY.KEY=VALUE"],
+    );
+    refuses(&["compare", "gird"], 2, &["gird", "grid"]);
+    refuses(&["compare", "grid:huge"], 2, &["huge"]);
+    refuses(&["compare", "--size", "0x10"], 2, &["1280x1024"]);
+    refuses(&["compare", "--frames", "0"], 2, &["frames"]);
+    refuses(&["compare", "--latency", "tomorrow"], 2, &["frame-late"]);
+    refuses(&["dance"], 2, &["dance"]);
+    let conflict = [
+        "graph",
+        "grid:2",
+        "--size",
+        "32x32",
+        "--strategy",
+        "three-pass:counting=queries:threshold=5",
+    ];
+    refuses(&conflict, 2, &["three-pass", "threshold", "counting"]);
+}
+
+#[test]
+fn no_adapter_says_what_to_install() {
+    refuses(
+        &["compare", "grid:2", "--adapter", "no such card"],
+        1,
+        &["no such card", "mesa-vulkan-drivers"],
+    );
+}
+
+#[test]
+fn broken_files_are_named_with_what_is_wrong() {
+    let dir = tempfile::tempdir().unwrap();
+    let write = |name: &str, bytes: &[u8]| {
+        let path = dir.path().join(name);
+        std::fs::write(&path, bytes).unwrap();
+        path.to_str().unwrap().to_owned()
+    };
+    let gltf = |body: &str| format!(r#"{{"asset":{{"version":"2.0"}},{body}}}"#);
+    let missing = dir.path().join("missing.glb");
+    refuses(&["compare", missing.to_str().unwrap()], 1, &["missing.glb"]);
+    let truncated = write(
+        "truncated.glb",
+        b"glTF\x02\0\0\0\xff\xff\0\0\x10\0\0\0JSON{\"asset\":",
+    );
+    refuses(&["compare", &truncated], 1, &["truncated.glb"]);
+    let lying = write(
+        "lying.glb",
+        b"glTF\x02\0\0\0\xff\xff\xff\xff\xf0\xff\xff\xffJSON{}",
+    );
+    refuses(&["compare", &lying], 1, &["lying.glb"]);
+    let extension = write(
+        "extension.gltf",
+        gltf(r#""extensionsUsed":["EXT_dream"],"extensionsRequired":["EXT_dream"]"#).as_bytes(),
+    );
+    refuses(&["compare", &extension], 1, &["EXT_dream"]);
+    let cycle = write(
+        "cycle.gltf",
+        gltf(r#""scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"children":[0]}]"#)
+            .as_bytes(),
+    );
+    refuses(&["compare", &cycle], 1, &["cycle.gltf"]);
+    let buffer = write(
+        "buffer.gltf",
+        gltf(
+            r#""buffers":[{"uri":"gone.bin","byteLength":36}],"bufferViews":[{"buffer":0,"byteLength":36}],
+            "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,1]}],
+            "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"scene":0"#,
+        )
+        .as_bytes(),
+    );
+    refuses(&["compare", &buffer], 1, &["gone.bin"]);
+    let nan = write("nan.obj", b"v 0 0 0\nv nan 1 0\nv 0 1 0\nf 1 2 3\n");
+    refuses(&["compare", &nan], 1, &["nan.obj"]);
+    let index = write("index.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+    refuses(&["compare", &index], 1, &["index.obj"]);
+}
+
+#[test]
+fn an_image_is_drawn() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("grid.png");
+    let arguments = [
+        "render",
+        "grid:5",
+        "--size",
+        "128x96",
+        "--strategy",
+        "three-pass:latency=same-frame",
+        "--show-culled",
+        "-o",
+    ];
+    let output = antumbra(&[&arguments[..], &[file.to_str().unwrap()]].concat());
+    assert!(output.status.success(), "{}", stderr(&output));
+    let image = image::open(&file).unwrap().into_rgb8();
+    assert_eq!(image.dimensions(), (128, 96));
+    let magenta = image
+        .pixels()
+        .filter(|p| p.0[0] > p.0[1].saturating_add(40) && p.0[2] > p.0[1].saturating_add(30))
+        .count();
+    assert!(magenta > 100, "only {magenta} pixels show what was culled");
+}
+
+#[test]
+fn a_graph_shows_why_a_frame_stalls() {
+    let picture = |latency: &str, format: &str| {
+        let strategy = format!("three-pass:latency={latency}");
+        let output = antumbra(&[
+            "graph",
+            "grid:3",
+            "--size",
+            "64x48",
+            "--strategy",
+            &strategy,
+            "--format",
+            format,
+        ]);
+        assert!(output.status.success(), "{}", stderr(&output));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let json: serde_json::Value = serde_json::from_str(&picture("same-frame", "json")).unwrap();
+    assert_eq!(json["sync_points"], 1);
+    let json: serde_json::Value = serde_json::from_str(&picture("frame-late", "json")).unwrap();
+    assert_eq!(json["sync_points"], 0);
+    assert!(picture("frame-late", "dot").contains("dashed"));
+    assert!(picture("on-gpu", "mermaid").contains("compact"));
+}
+
+#[test]
+fn the_doctor_lists_adapters_and_ways_of_counting() {
+    let output = antumbra(&["doctor"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    for word in [
+        "vulkan",
+        "counting by queries: yes",
+        "counting by identity",
+        "TIMESTAMP_QUERY",
+    ] {
+        assert!(
+            text.to_lowercase().contains(&word.to_lowercase()),
+            "'{word}' is not in: {text}"
+        );
+    }
+}
+
+/// What a file can say of it, on the command line; every way a file can be wrong is read in `crates/measure/tests/path.rs`.
+#[test]
+fn a_path_file_with_a_number_beyond_all_names_the_pose() {
+    let mut file = tempfile::NamedTempFile::with_suffix(".json").unwrap();
+    let text = r#"{"projection": {"perspective": {"fov_y_degrees": 45, "near": 0.1}},
+        "poses": [{"eye": [0, 0, 9], "target": [0, 0, 0]}, {"eye": [0, 0, 1e999], "target": [0, 0, 0]}]}"#;
+    file.write_all(text.as_bytes()).unwrap();
+    let path = file.path().to_str().unwrap();
+    refuses(
+        &["compare", "grid:2", "--path", path, "--size", "32x24"],
+        1,
+        &["pose 1", "out of range"],
+    );
+}

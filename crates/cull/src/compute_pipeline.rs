@@ -1,0 +1,59 @@
+//! A compute pipeline made from one of the shaders, and how it is dispatched.
+
+use antumbra_draw::Gpu;
+use antumbra_graph::{Bind, BodyError, ComputeContext};
+
+/// A compute pipeline of one bind group.
+#[derive(Debug, Clone)]
+pub struct ComputePipeline {
+    pipeline: wgpu::ComputePipeline,
+    layout: wgpu::BindGroupLayout,
+}
+
+impl ComputePipeline {
+    /// Compiles an entry point of a shader.
+    pub fn new(gpu: &Gpu, job: &antumbra_shaders::Job, entry: &'static str) -> Self {
+        let layout = gpu
+            .device
+            .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                label: Some(job.name.as_ref()),
+                entries: &job.layout_entries(0),
+            });
+        let pipeline_layout = gpu
+            .device
+            .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some(job.name.as_ref()),
+                bind_group_layouts: &[Some(&layout)],
+                immediate_size: 0,
+            });
+        let pipeline = gpu
+            .device
+            .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label: Some(job.name.as_ref()),
+                layout: Some(&pipeline_layout),
+                module: &antumbra_shaders::module(&gpu.device, job),
+                entry_point: Some(entry),
+                compilation_options: Default::default(),
+                cache: None,
+            });
+        Self { pipeline, layout }
+    }
+
+    /// Dispatches `wide` x `rows` workgroups with these bindings.
+    ///
+    /// # Errors
+    /// [`BodyError`] for a binding that the node has not declared.
+    pub fn dispatch(
+        &self,
+        ctx: &mut ComputeContext<'_>,
+        binds: &[Bind],
+        [wide, rows]: [u32; 2],
+    ) -> Result<(), BodyError> {
+        let group = ctx.bind_group(0, &self.layout, binds)?;
+        let pass = ctx.pass();
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &group, &[]);
+        pass.dispatch_workgroups(wide, rows, 1);
+        Ok(())
+    }
+}

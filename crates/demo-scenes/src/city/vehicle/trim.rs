@@ -1,0 +1,234 @@
+//! Saloons and vans: their measures, and what is fixed to their bodies.
+
+use super::{Car, Stance, body};
+use crate::city::form::Opening;
+use crate::city::kit::{Piece, quarter_turn};
+use crate::city::look::Look;
+use crate::solid::Solid;
+use glam::{DAffine3, DVec3};
+use std::f64::consts::FRAC_PI_2;
+
+pub(super) const SALOON: Car = Car {
+    body: Piece {
+        name: "saloon body",
+        look: Look::SilverLacquer,
+        make: body::saloon,
+    },
+    trim: &[
+        Piece {
+            name: "saloon bumpers",
+            look: Look::Black,
+            make: || bumpers([2.24, -2.24], 0.42, 0.74),
+        },
+        Piece {
+            name: "saloon headlamps",
+            look: Look::White,
+            make: || lamps(2.18, 0.6, 0.52, false),
+        },
+        Piece {
+            name: "saloon rear lamps",
+            look: Look::RedLacquer,
+            make: || lamps(-2.18, 0.72, 0.54, true),
+        },
+        Piece {
+            name: "saloon grille",
+            look: Look::Steel,
+            make: || grille(2.19, [0.52, 0.67]),
+        },
+        Piece {
+            name: "saloon mirrors and handles",
+            look: Look::Black,
+            make: || mirrors(0.62, 1.0, 0.82, &[0.1, -0.75]),
+        },
+        Piece {
+            name: "saloon floor pan",
+            look: Look::Black,
+            make: || pan([-0.85, 0.92], 0.28, 0.8),
+        },
+    ],
+    stance: Stance {
+        axles: [1.38, -1.3],
+        track: 0.76,
+        radius: 0.31,
+    },
+    seats: &[[0.05, 0.3, 0.36], [-0.72, 0.32, 0.34]],
+    dashboard: [0.72, 0.86, 0.36],
+    engine: [1.55, 0.52, 0.0],
+};
+
+pub(super) const VAN: Car = Car {
+    body: Piece {
+        name: "van body",
+        look: Look::White,
+        make: body::van,
+    },
+    trim: &[
+        Piece {
+            name: "van bumpers",
+            look: Look::Black,
+            make: || bumpers([2.66, -2.64], 0.45, 0.82),
+        },
+        Piece {
+            name: "van headlamps",
+            look: Look::White,
+            make: || lamps(2.6, 0.66, 0.58, false),
+        },
+        Piece {
+            name: "van rear lamps",
+            look: Look::RedLacquer,
+            make: || lamps(-2.58, 0.95, 0.66, true),
+        },
+        Piece {
+            name: "van grille",
+            look: Look::Steel,
+            make: || grille(2.6, [0.55, 0.76]),
+        },
+        Piece {
+            name: "van mirrors and handles",
+            look: Look::Black,
+            make: || mirrors(1.35, 1.2, 0.93, &[0.5]),
+        },
+        Piece {
+            name: "van floor pan",
+            look: Look::Black,
+            make: || pan([-2.3, 1.25], 0.32, 0.86),
+        },
+    ],
+    stance: Stance {
+        axles: [1.75, -1.55],
+        track: 0.82,
+        radius: 0.31,
+    },
+    seats: &[[0.55, 0.5, 0.45]],
+    dashboard: [1.35, 1.08, 0.45],
+    engine: [1.95, 0.55, 0.0],
+};
+
+/// In front and behind.
+fn bumpers(x: [f64; 2], y: f64, half: f64) -> Solid {
+    let mut solid = Solid::default();
+    for (x, turn) in [(x[0], 0), (x[1].abs(), 2)] {
+        let mut bar = Solid::default();
+        bar.rounded(
+            [x - 0.14, y - 0.1, -half],
+            [x + 0.03, y + 0.08, half],
+            0.05,
+            2,
+        );
+        bar.rounded(
+            [x - 0.3, y - 0.16, -half],
+            [x - 0.08, y - 0.08, half],
+            0.03,
+            1,
+        );
+        // The number plate.
+        bar.rounded(
+            [x + 0.02, y - 0.06, -0.26],
+            [x + 0.038, y + 0.05, 0.26],
+            0.006,
+            1,
+        );
+        solid.add(&bar, quarter_turn(turn));
+    }
+    solid
+}
+
+/// A pair, towards the front or the rear.
+fn lamps(x: f64, y: f64, z: f64, rear: bool) -> Solid {
+    let mut solid = Solid::default();
+    for side in [-1.0, 1.0] {
+        let mut lamp = Solid::default();
+        lamp.rounded([-0.14, -0.07, -0.13], [0.04, 0.07, 0.13], 0.03, 2);
+        for (off, radius) in [(-0.055, 0.045), (0.055, 0.045)] {
+            let glass = [
+                [0.05, 0.0],
+                [0.048, 0.5 * radius],
+                [0.04, radius],
+                [0.03, radius],
+                [0.03, 0.0],
+            ];
+            let mut lens = Solid::default();
+            lens.turned(&glass, 18);
+            lamp.add(&lens, DAffine3::from_translation(DVec3::new(0.0, 0.0, off)));
+        }
+        let turn = quarter_turn(if rear { 2 } else { 0 });
+        let place = DVec3::new(x, y, side * z);
+        solid.add(&lamp, DAffine3::from_translation(place) * turn);
+    }
+    solid
+}
+
+fn grille(x: f64, y: [f64; 2]) -> Solid {
+    let mut solid = Solid::default();
+    let half = 0.36;
+    let mut frame = Solid::default();
+    let opening = Opening {
+        x: [-half, half],
+        y,
+    };
+    frame.frame(opening, 0.02, [-0.04, 0.05]);
+    solid.add(
+        &frame,
+        DAffine3::from_translation(DVec3::X * x) * DAffine3::from_rotation_y(FRAC_PI_2),
+    );
+    for rib in 0..14 {
+        let z = -half + 0.05 * (f64::from(rib) + 0.9);
+        solid.rounded(
+            [x - 0.03, y[0] + 0.005, z - 0.006],
+            [x + 0.035, y[1] - 0.005, z + 0.006],
+            0.004,
+            1,
+        );
+    }
+    solid
+}
+
+/// Outside mirrors at a place, and doors' handles behind it.
+fn mirrors(x: f64, y: f64, half: f64, handles: &[f64]) -> Solid {
+    let mut solid = Solid::default();
+    for side in [-1.0, 1.0] {
+        let z = side * (half + 0.1);
+        solid.rounded(
+            [x - 0.05, y, z - 0.08],
+            [x + 0.06, y + 0.13, z + 0.08],
+            0.035,
+            2,
+        );
+        solid.bar(
+            [x + 0.02, y + 0.04, side * (half - 0.06)],
+            [x, y + 0.06, z],
+            0.02,
+            8,
+        );
+        for handle in handles {
+            let z = side * (half + 0.05);
+            let (rear, front) = (handle - 0.1, handle + 0.1);
+            let low = y - 0.16;
+            solid.rounded(
+                [rear, low, z - 0.02],
+                [front, low + 0.03, z + 0.02],
+                0.012,
+                1,
+            );
+            for x in [rear + 0.02, front - 0.02] {
+                let inside = side * (half - 0.04);
+                solid.bar([x, low + 0.015, inside], [x, low + 0.015, z], 0.008, 6);
+            }
+        }
+    }
+    solid
+}
+
+/// The floor inside, with a tunnel along its middle.
+fn pan(x: [f64; 2], y: f64, half: f64) -> Solid {
+    let mut solid = Solid::default();
+    solid.cuboid([x[0], y - 0.02, -half], [x[1], y, half]);
+    solid.rounded(
+        [x[0] + 0.02, y - 0.01, -0.12],
+        [x[1] - 0.02, y + 0.12, 0.12],
+        0.05,
+        2,
+    );
+    solid.cuboid([x[1] - 0.02, y - 0.01, -half], [x[1], y + 0.4, half]);
+    solid
+}

@@ -1,0 +1,127 @@
+//! What a file has used of what it may.
+
+use crate::error::LoadProblem;
+use crate::load::LoadOptions;
+
+/// Tallies against [`LoadOptions`]; asked before memory is taken.
+pub(super) struct Budget {
+    pub(super) options: LoadOptions,
+    bytes: u64,
+    vertices: u64,
+    triangles: u64,
+    entities: u64,
+    pixels: u64,
+}
+
+impl Budget {
+    pub(super) fn new(options: &LoadOptions) -> Self {
+        Self {
+            options: options.clone(),
+            bytes: 0,
+            vertices: 0,
+            triangles: 0,
+            entities: 0,
+            pixels: 0,
+        }
+    }
+
+    /// Bytes of files that may still be read.
+    pub(super) fn bytes_left(&self) -> u64 {
+        self.options.max_file_bytes.saturating_sub(self.bytes)
+    }
+
+    pub(super) fn bytes(&mut self, amount: u64) -> Result<(), LoadProblem> {
+        let limit = self.options.max_file_bytes;
+        take(
+            &mut self.bytes,
+            amount,
+            limit,
+            "bytes of files",
+            "max_file_bytes",
+        )
+    }
+
+    pub(super) fn vertices(&mut self, amount: u64) -> Result<(), LoadProblem> {
+        let limit = self.options.max_vertices;
+        take(
+            &mut self.vertices,
+            amount,
+            limit,
+            "vertices",
+            "max_vertices",
+        )
+    }
+
+    pub(super) fn triangles(&mut self, amount: u64) -> Result<(), LoadProblem> {
+        let limit = self.options.max_triangles;
+        take(
+            &mut self.triangles,
+            amount,
+            limit,
+            "triangles",
+            "max_triangles",
+        )
+    }
+
+    pub(super) fn entities(&mut self, amount: u64) -> Result<(), LoadProblem> {
+        let limit = self.options.max_entities;
+        take(
+            &mut self.entities,
+            amount,
+            limit,
+            "entities",
+            "max_entities",
+        )
+    }
+
+    pub(super) fn pixels(&mut self, amount: u64) -> Result<(), LoadProblem> {
+        let limit = self.options.max_image_pixels;
+        take(
+            &mut self.pixels,
+            amount,
+            limit,
+            "pixels of images",
+            "max_image_pixels",
+        )
+    }
+
+    /// A few bytes of JSON become hundreds in memory, so what takes it is counted before it is read.
+    pub(super) fn json(&self, text: &[u8]) -> Result<(), LoadProblem> {
+        let (mut objects, mut commas) = (0_u64, 0_u64);
+        for byte in text {
+            objects += u64::from(matches!(byte, b'{' | b'['));
+            commas += u64::from(*byte == b',');
+        }
+        let amount = objects + commas / 16;
+        let limit = self.options.max_json_objects;
+        if amount > limit {
+            return Err(LoadProblem::TooLarge {
+                what: "objects in the JSON",
+                amount,
+                limit,
+                option: "max_json_objects",
+            });
+        }
+        Ok(())
+    }
+}
+
+fn take(
+    used: &mut u64,
+    amount: u64,
+    limit: u64,
+    what: &'static str,
+    option: &'static str,
+) -> Result<(), LoadProblem> {
+    let total = used.saturating_add(amount);
+    if total > limit {
+        return Err(LoadProblem::TooLarge {
+            what,
+            amount: total,
+            limit,
+            option,
+        });
+    }
+    *used = total;
+    Ok(())
+}

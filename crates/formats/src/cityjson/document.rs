@@ -1,0 +1,174 @@
+//! As much of a document's JSON as is read, borrowed from its text where that is possible. Boundaries stay text until the
+//! type of their geometry, which may come after them, says how deep they are.
+
+use super::broken;
+use crate::budget::Budget;
+use crate::error::LoadProblem;
+use serde::Deserialize;
+use serde::de::{Deserializer, MapAccess, Visitor};
+use serde_json::Value;
+use serde_json::value::RawValue;
+use std::borrow::Cow;
+use std::fmt;
+
+/// The first line of a sequence, one of its features, or a whole file.
+#[derive(Deserialize)]
+pub(super) struct Document<'a> {
+    #[serde(rename = "type", borrow, default)]
+    pub(super) kind: Cow<'a, str>,
+    #[serde(borrow)]
+    pub(super) version: Option<Cow<'a, str>>,
+    pub(super) transform: Option<Transform>,
+    #[serde(rename = "CityObjects", borrow, default)]
+    pub(super) objects: Objects<'a>,
+    /// In steps of the transform's scale, up along Z.
+    #[serde(default)]
+    pub(super) vertices: Vec<[f64; 3]>,
+}
+
+/// From vertices as they are written to metres.
+#[derive(Clone, Copy, Deserialize)]
+pub(super) struct Transform {
+    pub(super) scale: [f64; 3],
+    pub(super) translate: [f64; 3],
+}
+
+impl Default for Transform {
+    fn default() -> Self {
+        Self {
+            scale: [1.0; 3],
+            translate: [0.0; 3],
+        }
+    }
+}
+
+/// The city objects with their ids, in the file's order.
+#[derive(Default)]
+pub(super) struct Objects<'a>(pub(super) Vec<(Cow<'a, str>, CityObject<'a>)>);
+
+/// A building, a part of one, a road, a tree.
+#[derive(Deserialize)]
+pub(super) struct CityObject<'a> {
+    #[serde(rename = "type", borrow)]
+    pub(super) kind: Cow<'a, str>,
+    #[serde(borrow, default)]
+    pub(super) parents: Vec<Cow<'a, str>>,
+    #[serde(borrow, default)]
+    pub(super) children: Vec<Cow<'a, str>>,
+    #[serde(borrow, default)]
+    pub(super) geometry: Vec<Geometry<'a>>,
+}
+
+/// What an object looks like at one level of detail.
+#[derive(Deserialize)]
+pub(super) struct Geometry<'a> {
+    #[serde(rename = "type", borrow)]
+    pub(super) kind: Cow<'a, str>,
+    lod: Option<Value>,
+    #[serde(borrow)]
+    pub(super) boundaries: Option<&'a RawValue>,
+    #[serde(borrow)]
+    pub(super) semantics: Option<Semantics<'a>>,
+}
+
+/// Which surfaces are walls and which are roofs.
+#[derive(Deserialize)]
+pub(super) struct Semantics<'a> {
+    #[serde(borrow, default)]
+    pub(super) surfaces: Vec<SurfaceKind<'a>>,
+    #[serde(borrow)]
+    pub(super) values: Option<&'a RawValue>,
+}
+
+#[derive(Deserialize)]
+pub(super) struct SurfaceKind<'a> {
+    #[serde(rename = "type", borrow, default)]
+    pub(super) kind: Cow<'a, str>,
+}
+
+impl Geometry<'_> {
+    /// Greater is finer: "2.2" is more than "1.3". A text in newer versions, a number in older ones.
+    pub(super) fn lod(&self) -> f64 {
+        let number = match &self.lod {
+            Some(Value::String(text)) => text.parse().ok(),
+            Some(Value::Number(number)) => number.as_f64(),
+            _ => None,
+        };
+        number.filter(|n: &f64| n.is_finite()).unwrap_or_default()
+    }
+}
+
+/// A document that cannot be read.
+pub(super) struct Unread {
+    problem: LoadProblem,
+    /// It ends too early.
+    pub(super) is_cut_off: bool,
+}
+
+impl From<Unread> for LoadProblem {
+    fn from(unread: Unread) -> Self {
+        unread.problem
+    }
+}
+
+/// Reads the document that begins on line `number`.
+pub(super) fn parse<'a>(
+    number: usize,
+    text: &'a [u8],
+    budget: &Budget,
+) -> Result<Document<'a>, Unread> {
+    budget.json(text).map_err(|problem| Unread {
+        problem,
+        is_cut_off: false,
+    })?;
+    serde_json::from_slice(text).map_err(|error| Unread {
+        is_cut_off: error.is_eof(),
+        problem: syntax(number, &error),
+    })
+}
+
+/// An error of the JSON, with the file's line in place of the document's.
+fn syntax(number: usize, error: &serde_json::Error) -> LoadProblem {
+    let line = number + error.line().saturating_sub(1);
+    broken(
+        format!("line {line}, column {}", error.column()),
+        reason(error),
+    )
+}
+
+/// What is wrong, without where, and without the whole of what is quoted.
+pub(super) fn reason(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    let reason = text
+        .rsplit_once(" at line ")
+        .map_or(&*text, |(head, _)| head);
+    reason.chars().take(300).collect()
+}
+
+impl<'de: 'a, 'a> Deserialize<'de> for Objects<'a> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Entries;
+
+        impl<'de> Visitor<'de> for Entries {
+            type Value = Objects<'de>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("city objects by their ids")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Objects<'de>, A::Error> {
+                let mut objects = Vec::new();
+                while let Some(Id(id)) = map.next_key()? {
+                    objects.push((id, map.next_value()?));
+                }
+                Ok(Objects(objects))
+            }
+        }
+
+        deserializer.deserialize_map(Entries)
+    }
+}
+
+/// `Cow` alone would always be a copy.
+#[derive(Deserialize)]
+struct Id<'a>(#[serde(borrow)] Cow<'a, str>);

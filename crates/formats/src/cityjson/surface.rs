@@ -1,0 +1,139 @@
+//! Polygons with holes become triangles by clipping ears (David Eberly; the `earcut` crate, after Mapbox), seen along the axis that
+//! the normal is closest to. The normal is Newell's (Martin Newell, in Sutherland, Sproull and Schumacker, 1974).
+
+use antumbra_scene::Geometry;
+use earcut::Earcut;
+use glam::{DVec2, DVec3};
+
+/// Room for triangulating, used again for every surface.
+pub(super) struct Triangulator {
+    earcut: Earcut<f64>,
+    corners: Vec<DVec3>,
+    flat: Vec<[f64; 2]>,
+    holes: Vec<u32>,
+    /// Whether the outer ring encloses nothing, and so its holes are in nothing.
+    is_void: bool,
+    triangles: Vec<u32>,
+}
+
+/// The most corners a surface may have. Clipping ears takes a time that grows with their square where the rings cross each
+/// other; here it is seconds.
+pub(super) const MOST_CORNERS: usize = 1 << 13;
+
+/// A surface with a smaller area than this part of the square of its extent is a line.
+const LEAST_AREA: f64 = 1e-12;
+
+impl Triangulator {
+    pub(super) fn new() -> Self {
+        Self {
+            earcut: Earcut::new(),
+            corners: Vec::new(),
+            flat: Vec::new(),
+            holes: Vec::new(),
+            is_void: false,
+            triangles: Vec::new(),
+        }
+    }
+
+    /// Begins a surface.
+    pub(super) fn clear(&mut self) {
+        self.corners.clear();
+        self.holes.clear();
+        self.is_void = false;
+    }
+
+    /// Adds a ring to the surface, the outer one first. One that encloses nothing is left out.
+    pub(super) fn ring(&mut self, corners: impl IntoIterator<Item = DVec3>) {
+        if self.is_void {
+            return;
+        }
+        let start = self.corners.len();
+        self.corners.extend(corners);
+        if self.corners.len() - start < 3 {
+            self.corners.truncate(start);
+            self.is_void |= start == 0;
+        } else if start > 0 {
+            self.holes.push(start as u32);
+        }
+    }
+
+    /// Appends the surface's vertices, normals and triangles; says how many triangles. None for a surface without an area.
+    pub(super) fn finish(&mut self, geometry: &mut Geometry) -> u64 {
+        let outer = self
+            .holes
+            .first()
+            .map_or(self.corners.len(), |hole| *hole as usize);
+        let Some(normal) = self.corners.get(..outer).and_then(normal) else {
+            return 0;
+        };
+        self.flat.clear();
+        let flat = self
+            .corners
+            .iter()
+            .map(|corner| along(normal, *corner).to_array());
+        self.flat.extend(flat);
+        self.earcut
+            .earcut_slice(&self.flat, &self.holes, &mut self.triangles);
+        if self.triangles.is_empty() {
+            return 0;
+        }
+        let first = geometry.positions.len() as u32;
+        let positions = self
+            .corners
+            .iter()
+            .map(|corner| corner.as_vec3().to_array());
+        geometry.positions.extend(positions);
+        let normals = std::iter::repeat_n(normal.as_vec3().to_array(), self.corners.len());
+        geometry.normals.extend(normals);
+        for triangle in self.triangles.as_chunks::<3>().0 {
+            let [a, b, c] = *triangle;
+            let turned = if self.is_clockwise([a, b, c]) {
+                [a, c, b]
+            } else {
+                [a, b, c]
+            };
+            geometry.indices.extend(turned.map(|corner| first + corner));
+        }
+        (self.triangles.len() / 3) as u64
+    }
+
+    fn is_clockwise(&self, triangle: [u32; 3]) -> bool {
+        let [a, b, c] = triangle.map(|corner| {
+            let corner = self.flat.get(corner as usize).copied();
+            DVec2::from_array(corner.unwrap_or_default())
+        });
+        (b - a).perp_dot(c - a) < 0.0
+    }
+}
+
+/// The unit normal of a ring, which need be neither flat nor convex: it runs counter-clockwise about it. `None` for a ring
+/// that encloses nothing.
+fn normal(ring: &[DVec3]) -> Option<DVec3> {
+    let origin = *ring.first()?;
+    let (mut sum, mut extent) = (DVec3::ZERO, 0.0_f64);
+    let mut before = ring.last()? - origin;
+    for corner in ring {
+        let corner = corner - origin;
+        sum += before.cross(corner);
+        extent = extent.max(corner.length_squared());
+        before = corner;
+    }
+    (sum.length() > extent * LEAST_AREA).then(|| sum.normalize())
+}
+
+/// A point seen against the normal along the closest axis: what runs counter-clockwise about the normal still does.
+fn along(normal: DVec3, point: DVec3) -> DVec2 {
+    let size = normal.abs();
+    let (flat, towards) = if size.x >= size.y && size.x >= size.z {
+        (DVec2::new(point.y, point.z), normal.x)
+    } else if size.y >= size.z {
+        (DVec2::new(point.z, point.x), normal.y)
+    } else {
+        (DVec2::new(point.x, point.y), normal.z)
+    };
+    if towards < 0.0 {
+        DVec2::new(flat.y, flat.x)
+    } else {
+        flat
+    }
+}

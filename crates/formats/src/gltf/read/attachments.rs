@@ -1,0 +1,54 @@
+//! Extensions of the whole file that somebody else understands.
+
+use super::document::Document;
+use super::nodes::Entities;
+use crate::attachment::Attachment;
+use crate::error::LoadProblem;
+use crate::load::Found;
+use gltf::json::Value;
+
+/// The attachment of a name, if the file has it.
+pub(super) fn read(document: &Document<'_>, name: &str, entities: &Entities) -> Option<Found> {
+    let all = document.root.extensions.as_ref()?;
+    let found = all.others.get(name)?;
+    Some(attachment(document, name, found, entities))
+}
+
+fn attachment(document: &Document<'_>, name: &str, found: &Value, entities: &Entities) -> Found {
+    let bad = |problem: String| LoadProblem::BadAttachment {
+        attachment: name.to_owned(),
+        problem,
+    };
+    let object = found.as_object();
+    let mut facts = object
+        .cloned()
+        .ok_or_else(|| bad("it is no JSON object".to_owned()))?;
+    let index = |value: &Value| value.as_u64().and_then(|index| usize::try_from(index).ok());
+    let nodes = match facts.remove(Attachment::NODES) {
+        None => Vec::new(),
+        Some(Value::Array(nodes)) => nodes,
+        Some(_) => return Err(bad("its nodes are no array".to_owned())),
+    };
+    let entity = |(at, node): (usize, &Value)| {
+        let entity = index(node).and_then(|node| entities.get(&node).copied());
+        entity.ok_or_else(|| bad(format!("entry {at} of its nodes is no node of the scene")))
+    };
+    let bytes = match facts.remove(Attachment::BUFFER_VIEW) {
+        None => Vec::new(),
+        Some(view) => {
+            let view = index(&view).ok_or_else(|| bad("its bufferView is no index".to_owned()))?;
+            let (bytes, _) = document.view(&format!("the extension {name}"), view)?;
+            bytes.to_vec()
+        }
+    };
+    Ok(Attachment {
+        name: name.to_owned(),
+        entities: nodes
+            .iter()
+            .enumerate()
+            .map(entity)
+            .collect::<Result<_, _>>()?,
+        facts,
+        bytes,
+    })
+}

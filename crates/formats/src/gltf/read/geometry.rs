@@ -1,0 +1,271 @@
+//! A primitive's geometry: its indices as a plain list of triangles, lines or points, the vertices they use, and what the
+//! morph targets and the skin make of them at rest.
+
+use super::accessor::Accessor;
+use super::document::{Document, label};
+use super::skin::Pose;
+use crate::budget::Budget;
+use crate::error::LoadProblem;
+use antumbra_scene::{Geometry, Topology};
+use glam::Vec3;
+use gltf::json::accessor::{ComponentType, Type};
+use gltf::json::mesh::{Mode, Primitive, Semantic};
+use gltf::json::validation::Checked;
+
+/// What a primitive is to be read for.
+pub(super) struct Request<'a> {
+    pub(super) mesh: usize,
+    pub(super) primitive: usize,
+    /// The set of texture coordinates that the material looks up.
+    pub(super) uv_set: u32,
+    /// The weights of the morph targets.
+    pub(super) weights: &'a [f32],
+    /// The skin at rest.
+    pub(super) pose: Option<&'a Pose>,
+}
+
+/// Reads a primitive; `None` for one without positions, which glTF allows and nothing can be drawn of.
+pub(super) fn read(
+    document: &Document<'_>,
+    source: &Primitive,
+    request: &Request<'_>,
+    budget: &mut Budget,
+) -> Result<Option<Geometry>, LoadProblem> {
+    let mesh = document.root.meshes.get(request.mesh);
+    let mesh = label(
+        "mesh",
+        request.mesh,
+        mesh.and_then(|mesh| mesh.name.as_deref()),
+    );
+    let name = format!("{mesh}, primitive {}", request.primitive);
+    let attribute = |semantic: Semantic| -> Result<Option<Accessor<'_>>, LoadProblem> {
+        let user = format!("{} of {name}", semantic.to_string());
+        match source.attributes.get(&Checked::Valid(semantic)) {
+            Some(index) => Accessor::open(document, index.value(), &user).map(Some),
+            None => Ok(None),
+        }
+    };
+    let Some(positions) = attribute(Semantic::Positions)? else {
+        return Ok(None);
+    };
+    let fits = positions.shape == Type::Vec3 && positions.component != ComponentType::U32;
+    positions.expect(fits, "positions")?;
+    let (topology, indices) = indices(document, source, positions.count, &name, budget)?;
+    let used = used_vertices(&indices, positions.count);
+    let total = used.as_ref().map_or(positions.count, Vec::len);
+    budget.vertices(total as u64)?;
+    let mut geometry = Geometry {
+        topology,
+        indices: match &used {
+            None => indices,
+            Some(used) => {
+                let place = |index: &u32| used.binary_search(index).unwrap_or_default() as u32;
+                indices.iter().map(place).collect()
+            }
+        },
+        ..Geometry::default()
+    };
+    let vertices = || {
+        (0..total).map(|i| {
+            used.as_ref()
+                .and_then(|u| u.get(i))
+                .map_or(i, |v| *v as usize)
+        })
+    };
+    geometry.positions = vertices()
+        .map(|v| positions.finite(v))
+        .collect::<Result<_, _>>()?;
+    let optional = |semantic: Semantic, fits: fn(Type) -> bool, what: &str| {
+        let found = attribute(semantic)?;
+        if let Some(found) = &found {
+            found.expect(fits(found.shape), what)?;
+            same_count(found, positions.count)?;
+        }
+        Ok::<_, LoadProblem>(found)
+    };
+    if let Some(normals) = optional(Semantic::Normals, |t| t == Type::Vec3, "normals")? {
+        geometry.normals = vertices()
+            .map(|v| normals.finite(v))
+            .collect::<Result<_, _>>()?;
+    }
+    if let Some(uvs) = optional(
+        Semantic::TexCoords(request.uv_set),
+        |t| t == Type::Vec2,
+        "texture coordinates",
+    )? {
+        geometry.uvs = vertices()
+            .map(|v| uvs.finite(v))
+            .collect::<Result<_, _>>()?;
+    }
+    let is_colour = |t| matches!(t, Type::Vec3 | Type::Vec4);
+    if let Some(colours) = optional(Semantic::Colors(0), is_colour, "colours")? {
+        let byte = |c: f32| (c.clamp(0.0, 1.0) * 255.0).round() as u8;
+        let opaque = colours.shape == Type::Vec3;
+        let colour = |v| {
+            let [r, g, b, a] = colours.numbers::<4>(v).map(byte);
+            [r, g, b, if opaque { 255 } else { a }]
+        };
+        geometry.colours = vertices().map(colour).collect();
+    }
+    morph(
+        document,
+        source,
+        request,
+        &name,
+        positions.count,
+        vertices(),
+        &mut geometry,
+    )?;
+    if let Some(pose) = request.pose {
+        let mut sets = Vec::new();
+        for set in 0.. {
+            let joints = optional(Semantic::Joints(set), |t| t == Type::Vec4, "joints")?;
+            let weights = optional(Semantic::Weights(set), |t| t == Type::Vec4, "weights")?;
+            let (Some(joints), Some(weights)) = (joints, weights) else {
+                break;
+            };
+            sets.push((joints, weights));
+        }
+        pose.apply(&sets, vertices(), &mut geometry)?;
+    }
+    Ok(Some(geometry))
+}
+
+/// Adds the morph targets' displacements.
+fn morph(
+    document: &Document<'_>,
+    source: &Primitive,
+    request: &Request<'_>,
+    name: &str,
+    count: usize,
+    vertices: impl Iterator<Item = usize> + Clone,
+    geometry: &mut Geometry,
+) -> Result<(), LoadProblem> {
+    let targets = source.targets.iter().flatten().zip(request.weights);
+    for (i, (target, &weight)) in targets
+        .enumerate()
+        .filter(|(_, (_, weight))| **weight != 0.0)
+    {
+        let parts = [
+            (target.positions.as_ref(), &mut geometry.positions),
+            (target.normals.as_ref(), &mut geometry.normals),
+        ];
+        for (index, values) in parts {
+            let Some(index) = index else {
+                continue;
+            };
+            let user = format!("morph target {i} of {name}");
+            let deltas = Accessor::open(document, index.value(), &user)?;
+            deltas.expect(deltas.shape == Type::Vec3, "displacements")?;
+            same_count(&deltas, count)?;
+            for (value, vertex) in values.iter_mut().zip(vertices.clone()) {
+                let delta = Vec3::from(deltas.finite::<3>(vertex)?);
+                *value = (Vec3::from(*value) + delta * weight).to_array();
+            }
+        }
+    }
+    Ok(())
+}
+
+fn same_count(accessor: &Accessor<'_>, positions: usize) -> Result<(), LoadProblem> {
+    if accessor.count == positions {
+        return Ok(());
+    }
+    let problem = format!(
+        "{} elements for {positions} positions; there must be one each",
+        accessor.count
+    );
+    Err(accessor.bad(problem))
+}
+
+/// The corners of every triangle, line or point, each below `vertices`.
+fn indices(
+    document: &Document<'_>,
+    source: &Primitive,
+    vertices: usize,
+    name: &str,
+    budget: &mut Budget,
+) -> Result<(Topology, Vec<u32>), LoadProblem> {
+    let bad = |problem: String| LoadProblem::BadPrimitive {
+        primitive: name.to_owned(),
+        problem,
+    };
+    let Checked::Valid(mode) = source.mode else {
+        return Err(bad("its mode is unknown; 0 to 6 are".into()));
+    };
+    let accessor = match source.indices {
+        None => None,
+        Some(index) => {
+            let accessor =
+                Accessor::open(document, index.value(), &format!("the indices of {name}"))?;
+            let unsigned = matches!(
+                accessor.component,
+                ComponentType::U8 | ComponentType::U16 | ComponentType::U32
+            );
+            accessor.expect(accessor.shape == Type::Scalar && unsigned, "indices")?;
+            Some(accessor)
+        }
+    };
+    let length = accessor
+        .as_ref()
+        .map_or(vertices, |accessor| accessor.count);
+    let (topology, count) = match mode {
+        Mode::Points => (Topology::Points, length),
+        Mode::Lines => (Topology::Lines, length / 2),
+        Mode::LineLoop => (Topology::Lines, if length < 2 { 0 } else { length }),
+        Mode::LineStrip => (Topology::Lines, length.saturating_sub(1)),
+        Mode::Triangles => (Topology::Triangles, length / 3),
+        Mode::TriangleStrip | Mode::TriangleFan => (Topology::Triangles, length.saturating_sub(2)),
+    };
+    let whole = match mode {
+        Mode::Lines => length.is_multiple_of(2),
+        Mode::Triangles => length.is_multiple_of(3),
+        _ => true,
+    };
+    if !whole {
+        return Err(bad(format!("{length} indices do not divide into {mode:?}")));
+    }
+    budget.triangles(count as u64)?;
+    let at = |i: usize| match &accessor {
+        None => Ok(i as u32),
+        Some(accessor) => {
+            let [index] = accessor.integers(i);
+            if (index as usize) < vertices {
+                return Ok(index);
+            }
+            Err(accessor.bad(format!(
+                "element {i} is {index}, but there are only {vertices} vertices"
+            )))
+        }
+    };
+    let each = topology.indices_each();
+    let mut found = Vec::with_capacity(count * each);
+    for i in 0..count {
+        let corners = match mode {
+            Mode::Points => [i, 0, 0],
+            Mode::Lines => [i * 2, i * 2 + 1, 0],
+            Mode::LineLoop => [i, if i + 1 == length { 0 } else { i + 1 }, 0],
+            Mode::LineStrip => [i, i + 1, 0],
+            Mode::Triangles => [i * 3, i * 3 + 1, i * 3 + 2],
+            // Every other triangle of a strip runs the other way round.
+            Mode::TriangleStrip => [i, i + 1 + i % 2, i + 2 - i % 2],
+            Mode::TriangleFan => [i + 1, i + 2, 0],
+        };
+        for corner in corners.into_iter().take(each) {
+            found.push(at(corner)?);
+        }
+    }
+    Ok((topology, found))
+}
+
+/// The vertices that the indices use, ascending; `None` for all of them. Primitives often share one large set of vertices,
+/// and a copy of the whole for each would take memory out of all proportion to the file.
+fn used_vertices(indices: &[u32], count: usize) -> Option<Vec<u32>> {
+    if indices.len() >= count {
+        return None;
+    }
+    let mut used = indices.to_vec();
+    used.sort_unstable();
+    used.dedup();
+    Some(used)
+}

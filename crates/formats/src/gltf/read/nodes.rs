@@ -1,0 +1,378 @@
+//! The node tree becomes entities: one a node, one more a primitive where a mesh has several, one an instance where a mesh
+//! is repeated. Everything is walked with queues; a tree may be as deep as it has nodes.
+
+use super::document::{Document, at, item, label};
+use super::extras;
+use super::geometry::{self, Request};
+use super::material::{self, Materials};
+use super::skin::Pose;
+use super::tree::Tree;
+use crate::budget::Budget;
+use crate::error::LoadProblem;
+use crate::files::Files;
+use antumbra_scene::{
+    Camera, Drawable, EntityKey, Geometry, Light, Mesh, Projection, Scene, Topology,
+};
+use glam::{DAffine3, DQuat, DVec3, Vec3};
+use gltf::json::extensions::scene::khr_lights_punctual::Type as LightType;
+use gltf::json::scene::Node;
+use gltf::json::validation::Checked;
+use std::collections::{HashMap, VecDeque};
+
+/// Makes the file's scene; the entity of each of its nodes that is in it.
+pub(super) fn place(
+    document: &Document<'_>,
+    files: &Files<'_>,
+    budget: &mut Budget,
+) -> Result<(Scene, Entities), LoadProblem> {
+    let tree = Tree::read(document)?;
+    let mut placer = Placer {
+        document,
+        files,
+        budget,
+        scene: Scene::new(),
+        materials: Materials::default(),
+        parts: HashMap::new(),
+        locals: &tree.locals,
+        worlds: if document.root.skins.is_empty() {
+            Vec::new()
+        } else {
+            tree.worlds()
+        },
+    };
+    let mut entities = Entities::new();
+    let mut queue: VecDeque<(usize, Option<EntityKey>)> = VecDeque::new();
+    queue.extend(tree.roots.iter().map(|root| (*root, None)));
+    while let Some((index, parent)) = queue.pop_front() {
+        let node = item(&document.root.nodes, index, "node", "the scene")?;
+        let local = *item(&tree.locals, index, "node", "the scene")?;
+        let name = node.name.as_deref().unwrap_or_default();
+        let entity = placer.spawn(parent, local, name)?;
+        entities.insert(index, entity);
+        placer.equip(index, node, entity)?;
+        let children = node.children.iter().flatten().map(|child| child.value());
+        let shown = children.filter(|child| !tree.is_lod.get(*child).is_some_and(|lod| *lod));
+        queue.extend(shown.map(|child| (child, Some(entity))));
+    }
+    Ok((placer.scene, entities))
+}
+
+/// Entities by their nodes.
+pub(super) type Entities = HashMap<usize, EntityKey>;
+
+/// A primitive as it looks at some node.
+#[derive(PartialEq, Eq, Hash)]
+struct PartKey {
+    mesh: usize,
+    primitive: usize,
+    /// The meshes of its coarser levels.
+    lods: Vec<usize>,
+    /// The node, if the primitive looks like this there alone.
+    node: Option<usize>,
+}
+
+struct Placer<'a, 'b> {
+    document: &'a Document<'b>,
+    files: &'a Files<'a>,
+    budget: &'a mut Budget,
+    scene: Scene,
+    materials: Materials,
+    parts: HashMap<PartKey, Option<Drawable>>,
+    locals: &'a [DAffine3],
+    /// Empty when no skin needs them.
+    worlds: Vec<DAffine3>,
+}
+
+impl Placer<'_, '_> {
+    fn spawn(
+        &mut self,
+        parent: Option<EntityKey>,
+        local: DAffine3,
+        name: &str,
+    ) -> Result<EntityKey, LoadProblem> {
+        self.budget.entities(1)?;
+        let entity = self.scene.spawn(parent, local)?;
+        if !name.is_empty() {
+            self.scene.set_entity_name(entity, name)?;
+        }
+        Ok(entity)
+    }
+
+    /// Says that an entity is not tested, if so; others are without being told.
+    fn mark(&mut self, entity: EntityKey, tested: bool) -> Result<(), LoadProblem> {
+        if !tested {
+            self.scene.set_tested(entity, false)?;
+        }
+        Ok(())
+    }
+
+    /// Gives a node's entity its mesh, camera and light.
+    fn equip(&mut self, index: usize, node: &Node, entity: EntityKey) -> Result<(), LoadProblem> {
+        let tested = extras::tested(node);
+        // Also without a mesh, which it may be given later.
+        self.mark(entity, tested)?;
+        if let Some(mesh) = at(node.mesh.as_ref()) {
+            let parts = self.parts(index, node, mesh)?;
+            match extras::instances(self.document, index, node, self.budget)? {
+                None => self.dress(entity, &parts, tested)?,
+                Some(instances) => {
+                    for local in instances {
+                        let instance = self.scene.spawn(Some(entity), local)?;
+                        self.mark(instance, tested)?;
+                        self.dress(instance, &parts, tested)?;
+                    }
+                }
+            }
+        }
+        let user = || self.document.node_label(index);
+        if let Some(camera) = at(node.camera.as_ref()) {
+            let camera = item(&self.document.root.cameras, camera, "camera", &user())?;
+            if let Some(projection) = projection(camera) {
+                let camera = Camera {
+                    projection,
+                    position: DVec3::ZERO,
+                    rotation: DQuat::IDENTITY,
+                };
+                self.scene.set_camera(entity, camera)?;
+            }
+        }
+        let light = node
+            .extensions
+            .as_ref()
+            .and_then(|e| e.khr_lights_punctual.as_ref());
+        if let Some(light) = light {
+            let all = self.document.root.extensions.as_ref();
+            let all = all.and_then(|e| e.khr_lights_punctual.as_ref());
+            let all = all.map_or(&[][..], |lights| lights.lights.as_slice());
+            let light = punctual(item(all, light.light.value(), "light", &user())?);
+            if let Some(light) = light {
+                self.scene.set_light(entity, light)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// One part is the entity itself, several are its children.
+    fn dress(
+        &mut self,
+        entity: EntityKey,
+        parts: &[(Drawable, String)],
+        tested: bool,
+    ) -> Result<(), LoadProblem> {
+        if let [(only, _)] = parts {
+            self.scene.set_drawable(entity, *only)?;
+            return Ok(());
+        }
+        for (part, name) in parts {
+            let child = self.spawn(Some(entity), DAffine3::IDENTITY, name)?;
+            self.scene.set_drawable(child, *part)?;
+            self.mark(child, tested)?;
+        }
+        Ok(())
+    }
+
+    /// What a node's mesh consists of, each read once however often it is placed.
+    fn parts(
+        &mut self,
+        index: usize,
+        node: &Node,
+        mesh: usize,
+    ) -> Result<Vec<(Drawable, String)>, LoadProblem> {
+        let user = self.document.node_label(index);
+        let source = item(&self.document.root.meshes, mesh, "mesh", &user)?;
+        let lods = self.lods(index, node, source.primitives.len());
+        let moved = lods.iter().any(|lod| lod.relative.is_some());
+        let alone = moved || node.weights.is_some() || node.skin.is_some();
+        let mut parts = Vec::with_capacity(source.primitives.len());
+        for primitive in 0..source.primitives.len() {
+            let key = PartKey {
+                mesh,
+                primitive,
+                lods: lods.iter().map(|lod| lod.mesh).collect(),
+                node: alone.then_some(index),
+            };
+            let part = match self.parts.get(&key) {
+                Some(part) => *part,
+                None => {
+                    let part = self.part(index, node, &key, &lods)?;
+                    self.parts.insert(key, part);
+                    part
+                }
+            };
+            if let Some(part) = part {
+                let name = self.scene.mesh(part.mesh).map(|mesh| mesh.name.clone());
+                parts.push((part, name.unwrap_or_default()));
+            }
+        }
+        Ok(parts)
+    }
+
+    fn part(
+        &mut self,
+        index: usize,
+        node: &Node,
+        key: &PartKey,
+        lods: &[Lod],
+    ) -> Result<Option<Drawable>, LoadProblem> {
+        let pose = match node.skin {
+            Some(_) => Pose::of(self.document, index, &self.worlds)?,
+            None => None,
+        };
+        let weights = node.weights.as_deref();
+        let Some(full) = self.geometry(key.mesh, key.primitive, weights, pose.as_ref())? else {
+            return Ok(None);
+        };
+        let mut levels = vec![full];
+        for lod in lods {
+            let level = self.geometry(lod.mesh, key.primitive, None, pose.as_ref())?;
+            levels.extend(level.map(|level| match &lod.relative {
+                None => level,
+                Some(relative) => transformed(level, relative),
+            }));
+        }
+        let is_proxy = levels.len() > 1
+            && levels
+                .last()
+                .is_some_and(|l| l.topology == Topology::Triangles);
+        let proxy = if is_proxy { levels.pop() } else { None };
+        let source = item(&self.document.root.meshes, key.mesh, "mesh", "a node")?;
+        let primitive = item(&source.primitives, key.primitive, "primitive", "a node")?;
+        let mut name = match source.name.as_deref() {
+            Some(name) if !name.is_empty() => name.to_owned(),
+            _ => label("mesh", key.mesh, None),
+        };
+        if source.primitives.len() > 1 {
+            name = format!("{name}, primitive {}", key.primitive);
+        }
+        let mesh = self.scene.add_mesh(Mesh {
+            name,
+            levels,
+            proxy,
+        })?;
+        let material = at(primitive.material.as_ref());
+        let material = (self.materials).get(
+            material,
+            self.document,
+            &mut self.scene,
+            self.files,
+            self.budget,
+        )?;
+        Ok(Some(Drawable { mesh, material }))
+    }
+
+    fn geometry(
+        &mut self,
+        mesh: usize,
+        primitive: usize,
+        weights: Option<&[f32]>,
+        pose: Option<&Pose>,
+    ) -> Result<Option<Geometry>, LoadProblem> {
+        let source = item(&self.document.root.meshes, mesh, "mesh", "a node")?;
+        let weights = weights.or(source.weights.as_deref()).unwrap_or_default();
+        let source = item(&source.primitives, primitive, "primitive", "a node")?;
+        let request = Request {
+            mesh,
+            primitive,
+            uv_set: material::uv_set(self.document, at(source.material.as_ref())),
+            weights,
+            pose,
+        };
+        geometry::read(self.document, source, &request, self.budget)
+    }
+
+    /// The coarser versions of a node's mesh. One whose primitives do not correspond is left out.
+    fn lods(&self, index: usize, node: &Node, primitives: usize) -> Vec<Lod> {
+        let mut lods = Vec::new();
+        for id in extras::lods(node) {
+            let nodes = &self.document.root.nodes;
+            let mesh = nodes.get(id).and_then(|node| at(node.mesh.as_ref()));
+            let source = mesh.and_then(|mesh| self.document.root.meshes.get(mesh));
+            let (Some(mesh), Some(source)) = (mesh, source) else {
+                continue;
+            };
+            let (own, other) = (self.locals.get(index), self.locals.get(id));
+            let relative = if own == other {
+                None
+            } else {
+                own.zip(other).map(|(own, other)| own.inverse() * *other)
+            };
+            let undone = relative.is_none_or(|relative| relative.is_finite());
+            if source.primitives.len() == primitives && undone {
+                lods.push(Lod { mesh, relative });
+            } else {
+                let node = self.document.node_label(index);
+                tracing::warn!(
+                    node,
+                    lod = id,
+                    "this level of detail does not correspond to its node; left out"
+                );
+            }
+        }
+        lods
+    }
+}
+
+/// A coarser version of a mesh.
+struct Lod {
+    mesh: usize,
+    /// From its node to the one it stands for, if that is not the same place.
+    relative: Option<DAffine3>,
+}
+
+fn transformed(mut geometry: Geometry, transform: &DAffine3) -> Geometry {
+    for position in &mut geometry.positions {
+        let moved = transform.transform_point3(Vec3::from(*position).as_dvec3());
+        *position = moved.as_vec3().to_array();
+    }
+    for normal in &mut geometry.normals {
+        let turned = transform.transform_vector3(Vec3::from(*normal).as_dvec3());
+        *normal = turned.normalize_or_zero().as_vec3().to_array();
+    }
+    geometry
+}
+
+fn projection(camera: &gltf::json::Camera) -> Option<Projection> {
+    if let Some(perspective) = &camera.perspective {
+        return Some(Projection::Perspective {
+            fov_y: f64::from(perspective.yfov),
+            near: f64::from(perspective.znear),
+        });
+    }
+    camera
+        .orthographic
+        .as_ref()
+        .map(|orthographic| Projection::Orthographic {
+            height: f64::from(orthographic.ymag.abs()) * 2.0,
+            near: f64::from(orthographic.znear),
+            far: f64::from(orthographic.zfar),
+        })
+}
+
+fn punctual(source: &gltf::json::extensions::scene::khr_lights_punctual::Light) -> Option<Light> {
+    let (colour, intensity, range) = (source.color, source.intensity, source.range);
+    let Checked::Valid(kind) = source.type_ else {
+        return None;
+    };
+    Some(match kind {
+        LightType::Directional => Light::Directional {
+            colour,
+            illuminance: intensity,
+        },
+        LightType::Point => Light::Point {
+            colour,
+            intensity,
+            range,
+        },
+        LightType::Spot => Light::Spot {
+            colour,
+            intensity,
+            range,
+            inner: source
+                .spot
+                .as_ref()
+                .map_or(0.0, |spot| spot.inner_cone_angle),
+            outer: (source.spot.as_ref())
+                .map_or(std::f32::consts::FRAC_PI_4, |s| s.outer_cone_angle),
+        },
+    })
+}

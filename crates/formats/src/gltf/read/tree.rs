@@ -1,0 +1,128 @@
+//! Whether the nodes form a tree, where each stands, and which of them only stand in for others.
+
+use super::document::{Document, item};
+use super::extras;
+use super::transform::local;
+use crate::error::LoadProblem;
+use glam::DAffine3;
+
+/// The checked tree.
+pub(super) struct Tree {
+    /// The scene's own nodes.
+    pub(super) roots: Vec<usize>,
+    /// A transform a node, relative to its parent.
+    pub(super) locals: Vec<DAffine3>,
+    /// Whether a node is only a level of detail of another.
+    pub(super) is_lod: Vec<bool>,
+    parents: Vec<Option<usize>>,
+    /// Every node, parents first.
+    order: Vec<usize>,
+}
+
+impl Tree {
+    pub(super) fn read(document: &Document<'_>) -> Result<Self, LoadProblem> {
+        let nodes = &document.root.nodes;
+        let name = |index: usize| document.node_label(index);
+        let mut parents = vec![None; nodes.len()];
+        let mut is_lod = vec![false; nodes.len()];
+        let mut locals = Vec::with_capacity(nodes.len());
+        for (index, node) in nodes.iter().enumerate() {
+            let json = item(&document.nodes, index, "node", "the file")?;
+            locals.push(local(node, json).map_err(|problem| LoadProblem::BadNode {
+                node: name(index),
+                problem,
+            })?);
+            for child in node.children.iter().flatten().map(|child| child.value()) {
+                item(nodes, child, "node", &name(index))?;
+                if let Some(parent) = parents.get_mut(child)
+                    && let Some(first) = parent.replace(index)
+                {
+                    return Err(LoadProblem::TwoParents {
+                        node: name(child),
+                        first: name(first),
+                        second: name(index),
+                    });
+                }
+            }
+            for id in extras::lods(node) {
+                item(nodes, id, "node", &format!("MSFT_lod of {}", name(index)))?;
+                if let Some(is_lod) = is_lod.get_mut(id) {
+                    *is_lod = id != index;
+                }
+            }
+        }
+        let mut order: Vec<usize> = Vec::with_capacity(nodes.len());
+        order.extend((0..nodes.len()).filter(|node| parents.get(*node) == Some(&None)));
+        let mut next = 0;
+        while let Some(node) = order.get(next).and_then(|index| nodes.get(*index)) {
+            next += 1;
+            order.extend(node.children.iter().flatten().map(|child| child.value()));
+        }
+        if order.len() < nodes.len() {
+            let mut reached = vec![false; nodes.len()];
+            for index in order {
+                if let Some(reached) = reached.get_mut(index) {
+                    *reached = true;
+                }
+            }
+            let lost = reached
+                .iter()
+                .position(|reached| !reached)
+                .unwrap_or_default();
+            return Err(LoadProblem::NodeCycle { node: name(lost) });
+        }
+        let mut roots = roots(document, &parents)?;
+        roots.retain(|root| is_lod.get(*root) == Some(&false));
+        Ok(Self {
+            roots,
+            locals,
+            is_lod,
+            parents,
+            order,
+        })
+    }
+
+    /// Every node's transform in the world.
+    pub(super) fn worlds(&self) -> Vec<DAffine3> {
+        let mut worlds = self.locals.clone();
+        for &index in &self.order {
+            let parent = self.parents.get(index).copied().flatten();
+            let above = parent.and_then(|parent| worlds.get(parent)).copied();
+            if let (Some(above), Some(world)) = (above, worlds.get_mut(index)) {
+                *world = above * *world;
+            }
+        }
+        worlds
+    }
+}
+
+/// The nodes of the file's scene; of the first where none is chosen; every node without a parent where there is no scene.
+fn roots(document: &Document<'_>, parents: &[Option<usize>]) -> Result<Vec<usize>, LoadProblem> {
+    let root = &document.root;
+    let scene = match root.scene {
+        Some(index) => Some(item(&root.scenes, index.value(), "scene", "the file")?),
+        None => root.scenes.first(),
+    };
+    let Some(scene) = scene else {
+        return Ok((0..parents.len())
+            .filter(|node| parents.get(*node) == Some(&None))
+            .collect());
+    };
+    let mut roots: Vec<usize> = Vec::with_capacity(scene.nodes.len());
+    let mut listed = vec![false; parents.len()];
+    for index in scene.nodes.iter().map(|node| node.value()) {
+        let parent = *item(parents, index, "node", "the scene")?;
+        let twice = listed
+            .get_mut(index)
+            .is_some_and(|listed| std::mem::replace(listed, true));
+        if parent.is_some() || twice {
+            return Err(LoadProblem::TwoParents {
+                node: document.node_label(index),
+                first: parent.map_or("the scene".into(), |parent| document.node_label(parent)),
+                second: "the scene".into(),
+            });
+        }
+        roots.push(index);
+    }
+    Ok(roots)
+}

@@ -1,0 +1,166 @@
+//! Wavefront OBJ and MTL through `tobj`: an entity an object or group, polygons as fans of triangles.
+
+mod check;
+
+use crate::budget::Budget;
+use crate::error::LoadProblem;
+use crate::files::{self, Files};
+use antumbra_scene::{
+    AlphaMode, Drawable, Geometry, Material, MaterialKey, Mesh, Sampler, Scene, Topology,
+};
+use glam::DAffine3;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::path::Path;
+
+pub(super) fn read(
+    bytes: &[u8],
+    files: &Files<'_>,
+    budget: &mut Budget,
+) -> Result<Scene, LoadProblem> {
+    let broken = |problem: String| LoadProblem::Syntax {
+        format: "OBJ",
+        place: "the file".into(),
+        problem,
+    };
+    if bytes.starts_with(&[0xfe, 0xff]) || bytes.starts_with(&[0xff, 0xfe]) {
+        return Err(broken("it is UTF-16 text; save it as UTF-8".into()));
+    }
+    // Names in other encodings than UTF-8 need not be legible, as long as they are equal to themselves.
+    let text = check::shapes(&String::from_utf8_lossy(bytes), budget)?;
+    let options = tobj::LoadOptions {
+        single_index: true,
+        triangulate: true,
+        ignore_points: true,
+        ignore_lines: true,
+    };
+    // A material library that is not to be had costs the colours, not the shapes.
+    let shared = RefCell::new(budget);
+    let library = |name: &Path| {
+        let read = || {
+            let name = name.to_str().ok_or(tobj::LoadError::OpenFileFailed)?;
+            let path = files
+                .resolve(name)
+                .map_err(|_| tobj::LoadError::OpenFileFailed)?;
+            let bytes = files::read(&path, &mut shared.borrow_mut());
+            bytes.map_err(|_| tobj::LoadError::OpenFileFailed)
+        };
+        let text = check::materials(&String::from_utf8_lossy(&read()?));
+        tobj::load_mtl_buf(&mut text.as_bytes())
+    };
+    let (models, materials) = tobj::load_obj_buf(&mut text.as_bytes(), &options, library)
+        .map_err(|e| broken(e.to_string()))?;
+    let budget = shared.into_inner();
+    let materials = materials.unwrap_or_else(|error| {
+        tracing::warn!(%error, "the OBJ's material library cannot be read; its surfaces are white");
+        Vec::new()
+    });
+    let mut scene = Scene::new();
+    let mut known: HashMap<Option<usize>, MaterialKey> = HashMap::new();
+    for model in models {
+        let geometry = geometry(&model.mesh);
+        if geometry.indices.is_empty() {
+            continue;
+        }
+        budget.vertices(geometry.positions.len() as u64)?;
+        budget.entities(1)?;
+        let id = model.mesh.material_id.filter(|id| *id < materials.len());
+        let material = match known.get(&id) {
+            Some(key) => *key,
+            None => {
+                let source = id.and_then(|id| materials.get(id));
+                let material = material(source, &mut scene, files, budget)?;
+                *known.entry(id).or_insert(scene.add_material(material))
+            }
+        };
+        let mesh = scene.add_mesh(Mesh::new(model.name.clone(), geometry))?;
+        let entity = scene.spawn(None, DAffine3::IDENTITY)?;
+        scene.set_entity_name(entity, model.name)?;
+        scene.set_drawable(entity, Drawable { mesh, material })?;
+    }
+    Ok(scene)
+}
+
+fn geometry(mesh: &tobj::Mesh) -> Geometry {
+    let positions = mesh.positions.as_chunks::<3>().0.to_vec();
+    let normals = mesh.normals.as_chunks::<3>().0;
+    let uvs = mesh.texcoords.as_chunks::<2>().0;
+    let colours = mesh.vertex_color.as_chunks::<3>().0;
+    // With some vertices lacking an attribute, tobj gives fewer than there are positions.
+    let complete = |count: usize| count == positions.len();
+    Geometry {
+        topology: Topology::Triangles,
+        normals: if complete(normals.len()) {
+            normals.to_vec()
+        } else {
+            Vec::new()
+        },
+        uvs: if complete(uvs.len()) {
+            // OBJ counts v from the bottom.
+            uvs.iter().map(|[u, v]| [*u, 1.0 - v]).collect()
+        } else {
+            Vec::new()
+        },
+        colours: if complete(colours.len()) {
+            let byte = |c: f32| (c.clamp(0.0, 1.0) * 255.0).round() as u8;
+            colours
+                .iter()
+                .map(|&[r, g, b]| [byte(r), byte(g), byte(b), 255])
+                .collect()
+        } else {
+            Vec::new()
+        },
+        indices: mesh.indices.clone(),
+        positions,
+    }
+}
+
+fn material(
+    source: Option<&tobj::Material>,
+    scene: &mut Scene,
+    files: &Files<'_>,
+    budget: &mut Budget,
+) -> Result<Material, LoadProblem> {
+    let mut material = Material {
+        double_sided: true,
+        ..Material::default()
+    };
+    let Some(source) = source else {
+        return Ok(material);
+    };
+    material.name.clone_from(&source.name);
+    let finite = |c: f32| if c.is_finite() { c } else { 1.0 };
+    let [r, g, b] = source.diffuse.unwrap_or([1.0; 3]).map(finite);
+    let alpha = finite(source.dissolve.unwrap_or(1.0));
+    material.base_colour = [r, g, b, alpha];
+    if alpha < 1.0 {
+        material.alpha = AlphaMode::Blend;
+    }
+    if let Some(name) = source
+        .diffuse_texture
+        .as_deref()
+        .filter(|_| !budget.options.skip_images)
+    {
+        let place = format!("the image of material \"{}\"", source.name);
+        let path = files.resolve(name).map_err(|problem| LoadProblem::BadUri {
+            place: place.clone(),
+            uri: name.to_owned(),
+            problem,
+        })?;
+        let bytes = files::read(&path, budget)?;
+        let image = files::add_image(
+            scene,
+            &place,
+            name.to_owned(),
+            &bytes,
+            Sampler::default(),
+            budget,
+        )?;
+        material.base_colour_image = Some(image);
+        // A texture replaces the colour in most exporters, which leave Kd black then.
+        if [r, g, b] == [0.0; 3] {
+            material.base_colour = [1.0, 1.0, 1.0, alpha];
+        }
+    }
+    Ok(material)
+}

@@ -1,0 +1,88 @@
+//! What `tobj` is given to read: the lines it needs, with every index held against what came before. The crate itself would
+//! overflow on wild indices and panic on colours of fewer than three numbers.
+
+use crate::budget::Budget;
+use crate::error::LoadProblem;
+use std::borrow::Cow;
+
+/// The text without lines, points and nameless materials, all of its faces' corners known to exist or at least to be sane
+/// numbers. The triangles are counted against the budget.
+pub(super) fn shapes(text: &str, budget: &mut Budget) -> Result<String, LoadProblem> {
+    let mut kept = String::with_capacity(text.len());
+    // Positions, texture coordinates and normals so far: what a corner's three numbers count in.
+    let mut counts = [0_i64; 3];
+    for (i, line) in text.lines().enumerate() {
+        let mut words = line.split_whitespace();
+        match words.next() {
+            Some("v") => counts[0] += 1,
+            Some("vt") => counts[1] += 1,
+            Some("vn") => counts[2] += 1,
+            Some("f") => {
+                let mut corners = 0_u64;
+                for corner in words {
+                    corners += 1;
+                    if !is_sane(corner, counts) {
+                        return Err(LoadProblem::Syntax {
+                            format: "OBJ",
+                            place: format!("line {}", i + 1),
+                            problem: format!(
+                                "the corner \"{}\" does not refer to one of the {} vertices, {} texture coordinates and {} normals before it",
+                                corner.chars().take(40).collect::<String>(),
+                                counts[0],
+                                counts[1],
+                                counts[2]
+                            ),
+                        });
+                    }
+                }
+                if corners < 3 {
+                    continue;
+                }
+                budget.triangles(corners - 2)?;
+            }
+            Some("usemtl" | "mtllib") if words.next().is_none() => continue,
+            Some("o" | "g" | "usemtl" | "mtllib") => {}
+            _ => continue,
+        }
+        kept.push_str(line);
+        kept.push('\n');
+    }
+    Ok(kept)
+}
+
+/// Whether a corner "v/vt/vn" has numbers that count forwards from 1 to at most 2^31, or backwards to what is there.
+/// Whether a forward one exists is known only later, and checked by the crate.
+fn is_sane(corner: &str, counts: [i64; 3]) -> bool {
+    let mut numbers = corner.split('/');
+    let sane = counts
+        .into_iter()
+        .zip(numbers.by_ref())
+        .all(|(count, number)| {
+            number.is_empty()
+                || number
+                    .parse::<i64>()
+                    .is_ok_and(|n| (1..=1 << 31).contains(&n) || (n < 0 && -count <= n))
+        });
+    let starts = corner.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '+');
+    sane && starts && numbers.next().is_none()
+}
+
+/// The lines of a material library that say a colour, an opacity or an image of it; a colour of one number is a grey.
+pub(super) fn materials(text: &str) -> String {
+    let mut kept = String::with_capacity(text.len());
+    for line in text.lines() {
+        let line = line.trim();
+        let mut words = line.split_whitespace();
+        let keep = match (words.next(), words.next()) {
+            (Some("newmtl" | "d" | "map_Kd"), Some(_)) => Cow::Borrowed(line),
+            (Some("Kd"), Some(red)) => match words.nth(1) {
+                Some(_) => Cow::Borrowed(line),
+                None => Cow::Owned(format!("Kd {red} {red} {red}")),
+            },
+            _ => continue,
+        };
+        kept.push_str(&keep);
+        kept.push('\n');
+    }
+    kept
+}

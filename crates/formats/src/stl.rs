@@ -1,0 +1,85 @@
+//! STL through `stl_io`, with the count checked against the bytes first, and binary files told from ASCII ones by their
+//! length, since many binary files begin with "solid" as well.
+
+use crate::budget::Budget;
+use crate::error::LoadProblem;
+use antumbra_scene::Geometry;
+use std::collections::HashMap;
+use std::io::Cursor;
+
+const HEADER: usize = 80;
+const TRIANGLE: u64 = 50;
+
+/// The triangles, their corners joined by position. The stored normals are left out: they are often zero.
+pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Geometry, LoadProblem> {
+    let body = binary_body(bytes);
+    if !is_ascii(bytes) {
+        let (available, count) = body.ok_or_else(|| LoadProblem::Truncated {
+            what: "a binary STL's header".into(),
+            needed: HEADER as u64 + 4,
+            available: bytes.len() as u64,
+        })?;
+        let needed = u64::from(count) * TRIANGLE;
+        if needed > available {
+            return Err(LoadProblem::Truncated {
+                what: format!("{count} triangles"),
+                needed,
+                available,
+            });
+        }
+        budget.triangles(u64::from(count))?;
+        // Any header but "solid": the crate would take the file for ASCII.
+        let disguised = bytes.starts_with(b"solid").then(|| {
+            let mut copy = bytes.to_vec();
+            copy.iter_mut().take(5).for_each(|byte| *byte = 0);
+            copy
+        });
+        return collect(disguised.as_deref().unwrap_or(bytes), budget);
+    }
+    // The crate wants a space even where there is no name.
+    let spaced = (!bytes.starts_with(b"solid ")).then(|| {
+        let rest = bytes.get(5..).unwrap_or_default();
+        [b"solid ", rest].concat()
+    });
+    collect(spaced.as_deref().unwrap_or(bytes), budget)
+}
+
+fn collect(bytes: &[u8], budget: &mut Budget) -> Result<Geometry, LoadProblem> {
+    let broken = |place: String, problem: std::io::Error| LoadProblem::Syntax {
+        format: "STL",
+        place,
+        problem: problem.to_string(),
+    };
+    let mut cursor = Cursor::new(bytes);
+    let triangles =
+        stl_io::create_stl_reader(&mut cursor).map_err(|e| broken("the header".into(), e))?;
+    let mut geometry = Geometry::default();
+    let mut known: HashMap<[u32; 3], u32> = HashMap::new();
+    for (i, triangle) in triangles.enumerate() {
+        let triangle = triangle.map_err(|e| broken(format!("triangle {i}"), e))?;
+        for corner in triangle.vertices {
+            let position: [f32; 3] = corner.into();
+            let next = known.len() as u32;
+            let index = *known.entry(position.map(f32::to_bits)).or_insert(next);
+            if index == next {
+                geometry.positions.push(position);
+            }
+            geometry.indices.push(index);
+        }
+    }
+    budget.vertices(geometry.positions.len() as u64)?;
+    Ok(geometry)
+}
+
+/// Bytes after the count, and the count.
+fn binary_body(bytes: &[u8]) -> Option<(u64, u32)> {
+    let count = bytes.get(HEADER..)?.first_chunk::<4>()?;
+    let available = bytes.len() - HEADER - 4;
+    Some((available as u64, u32::from_le_bytes(*count)))
+}
+
+fn is_ascii(bytes: &[u8]) -> bool {
+    let exact = binary_body(bytes)
+        .is_some_and(|(available, count)| available == u64::from(count) * TRIANGLE);
+    bytes.starts_with(b"solid") && !exact
+}

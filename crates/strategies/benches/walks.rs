@@ -1,0 +1,187 @@
+//! What a walk costs the host: trees of a thousand, ten thousand and a hundred thousand nodes, walked front to back with every question answered
+//! "hidden" and with every one answered "visible"; the late walk once it knows everything; the map alone; and making and refitting a tree.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+use std::hint::black_box;
+
+use antumbra_cull::{Tree, Verdicts, outside};
+use antumbra_demo_scenes::{GridOptions, grid};
+use antumbra_draw::boxes::BoxList;
+use antumbra_draw::{AdapterChoice, Gpu, GpuScene, SceneTable, ViewFrame};
+use antumbra_scene::hierarchy::Shape;
+use antumbra_scene::{Camera, EntityKey, Projection, Scene};
+use antumbra_strategies::occupancy::{BlockRect, OccupancyMap};
+use antumbra_strategies::traversal::{How, LateWalk, Sight, Walk};
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use glam::{DAffine3, DVec3};
+
+const HOW: How = How::PAPER;
+
+/// Spheres along an edge, for about a thousand, ten thousand and a hundred thousand nodes.
+const SIDES: [u32; 3] = [9, 20, 42];
+
+struct Prepared {
+    scene: Scene,
+    gpu: GpuScene,
+    tree: Tree,
+    view: ViewFrame,
+}
+
+fn prepare(gpu: &Gpu, per_side: u32) -> Prepared {
+    let mut scene = grid(GridOptions {
+        per_side,
+        ..Default::default()
+    })
+    .unwrap();
+    let gpu = GpuScene::new(gpu, &mut scene).unwrap();
+    let mut tree = Tree::default();
+    tree.follow(gpu.table(), Shape::Boxes).unwrap();
+    let projection = Projection::Perspective {
+        fov_y: 0.8,
+        near: 0.1,
+    };
+    let eye = DVec3::new(0.4, 0.5, 1.0) * f64::from(per_side) * 1.6;
+    let camera = Camera::look_at(eye, DVec3::ZERO, DVec3::Y, projection).unwrap();
+    let view = ViewFrame::new(camera, [800, 600], 0);
+    Prepared {
+        scene,
+        gpu,
+        tree,
+        view,
+    }
+}
+
+/// A whole frame's walk; how many nodes were asked about.
+fn walk(walk: &mut Walk, sight: &Sight<'_>, verdicts: &mut Verdicts, visible: bool) -> u32 {
+    let mut boxes = BoxList::default();
+    outside(sight.table, verdicts);
+    walk.begin(sight, &HOW, 0, verdicts);
+    loop {
+        walk.advance(sight, &HOW, verdicts, &mut boxes);
+        walk.found().clear();
+        let answers = std::iter::repeat_n(visible, boxes.questions() as usize);
+        walk.answer(sight, &HOW, verdicts, answers);
+        if walk.is_over() {
+            return verdicts.asked();
+        }
+    }
+}
+
+fn late(walk: &mut LateWalk, sight: &Sight<'_>, verdicts: &mut Verdicts) {
+    let mut boxes = BoxList::default();
+    outside(sight.table, verdicts);
+    walk.begin(sight, 0);
+    walk.walk(sight, &HOW, verdicts, &mut boxes);
+    let asked = walk.asked(&boxes);
+    // What lies behind the middle is hidden.
+    let hierarchy = sight.tree.hierarchy();
+    let visible = |node: &u32| {
+        let node = hierarchy.node(*node);
+        node.is_some_and(|node| node.bounds.max.z > 0.0)
+    };
+    let answers: Vec<bool> = asked.nodes.iter().map(visible).collect();
+    walk.take(sight, &HOW, &asked, answers.into_iter());
+}
+
+fn sight<'a>(tree: &'a Tree, table: &'a SceneTable, view: &ViewFrame) -> Sight<'a> {
+    Sight::new(table, tree, view, &HOW, false)
+}
+
+fn walks(c: &mut Criterion) {
+    let gpu = Gpu::open(&AdapterChoice::Cpu).unwrap();
+    let mut group = c.benchmark_group("walk");
+    for side in SIDES {
+        let prepared = prepare(&gpu, side);
+        let nodes = prepared.tree.hierarchy().nodes().len();
+        group.throughput(Throughput::Elements(nodes as u64));
+        let sight = sight(&prepared.tree, prepared.gpu.table(), &prepared.view);
+        let mut verdicts = Verdicts::default();
+        for (name, visible) in [("all hidden", false), ("all visible", true)] {
+            let mut walked = Walk::default();
+            group.bench_function(BenchmarkId::new(name, nodes), |b| {
+                b.iter(|| black_box(walk(&mut walked, &sight, &mut verdicts, visible)));
+            });
+        }
+        let mut settled = LateWalk::default();
+        for _ in 0..20 {
+            late(&mut settled, &sight, &mut verdicts);
+        }
+        group.bench_function(BenchmarkId::new("late, settled", nodes), |b| {
+            b.iter(|| late(&mut settled, &sight, &mut verdicts));
+        });
+    }
+    group.finish();
+}
+
+fn trees(c: &mut Criterion) {
+    let gpu = Gpu::open(&AdapterChoice::Cpu).unwrap();
+    let mut group = c.benchmark_group("tree");
+    for side in SIDES {
+        let mut prepared = prepare(&gpu, side);
+        let leaves = side.pow(3);
+        group.bench_function(BenchmarkId::new("make", leaves), |b| {
+            b.iter(|| {
+                let mut tree = Tree::default();
+                tree.follow(prepared.gpu.table(), Shape::Boxes).unwrap();
+                black_box(tree)
+            });
+        });
+        let entities: Vec<EntityKey> = prepared.scene.drawables().map(|(key, _)| key).collect();
+        let mut turn = 0;
+        group.bench_function(BenchmarkId::new("refit a hundredth", leaves), |b| {
+            b.iter_custom(|times| {
+                let mut spent = std::time::Duration::ZERO;
+                for _ in 0..times {
+                    turn += 1;
+                    let there =
+                        DAffine3::from_translation(DVec3::X * f64::from(turn % 2 * 2 - 1) * 0.1);
+                    for entity in entities.iter().skip(turn as usize % 100).step_by(100) {
+                        let local = prepared.scene.local(*entity).unwrap();
+                        prepared.scene.set_local(*entity, local * there).unwrap();
+                    }
+                    prepared.gpu.sync(&mut prepared.scene).unwrap();
+                    let started = std::time::Instant::now();
+                    prepared
+                        .tree
+                        .follow(prepared.gpu.table(), Shape::Boxes)
+                        .unwrap();
+                    spent += started.elapsed();
+                    // What was written waits for a submission, and takes memory meanwhile.
+                    prepared.gpu.gpu().queue.submit([]);
+                }
+                spent
+            });
+        });
+    }
+    group.finish();
+}
+
+fn maps(c: &mut Criterion) {
+    let mut group = c.benchmark_group("map of 200 x 150 blocks");
+    let mut map = OccupancyMap::new(200, 150);
+    map.take(BlockRect {
+        left: 0,
+        top: 0,
+        right: 199,
+        bottom: 148,
+    });
+    for (name, side) in [("4 x 4", 4), ("32 x 32", 32), ("148 x 148", 148)] {
+        // Taken to the last block: a test that finds nothing free looks at all of it.
+        let rect = BlockRect {
+            left: 7,
+            top: 0,
+            right: 6 + side,
+            bottom: side - 1,
+        };
+        group.bench_function(BenchmarkId::new("test", name), |b| {
+            b.iter(|| black_box(map.has_free(black_box(rect))));
+        });
+        group.bench_function(BenchmarkId::new("take", name), |b| {
+            b.iter(|| map.take(black_box(rect)));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, walks, trees, maps);
+criterion_main!(benches);

@@ -1,0 +1,274 @@
+//! The conformance kit over every strategy of this crate, in every setting that makes it another strategy, on Vulkan and on GL.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use antumbra_cull::Counting;
+use antumbra_draw::{AdapterChoice, Gpu};
+use antumbra_strategies::registry;
+use antumbra_verify::kit::{Breach, Case, Kit, KitFailure};
+
+fn gpu(name: &str) -> Gpu {
+    Gpu::open(&AdapterChoice::Named(name.to_owned()))
+        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
+}
+
+/// Checks strategies given as the registry reads them, and shows all that fail at once.
+fn conform(gpu: &Gpu, kit: &Kit, strategies: impl IntoIterator<Item = String>) {
+    let registry = registry();
+    let failures: Vec<String> = strategies
+        .into_iter()
+        .filter_map(|text| {
+            // Late answers are right once nothing moves, where nothing else makes them wrong.
+            let exact_when_still = text.contains("occluders=full:occludees=full");
+            let kit = Kit {
+                exact_when_still,
+                ..kit.clone()
+            };
+            let outcome = kit.check_on(gpu, || registry.parse(&text).unwrap());
+            Some(format!("{text}: {}", outcome.err()?))
+        })
+        .collect();
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+fn named(names: &[&str]) -> Vec<String> {
+    names.iter().map(|name| (*name).to_owned()).collect()
+}
+
+/// The three-pass strategy of one latency, in all ways of counting and stand-ins that go together on the device.
+fn three_passes(gpu: &Gpu, latency: &str) -> Vec<String> {
+    let mut all = Vec::new();
+    for way in Counting::ALL {
+        for occluders in ["full", "proxy"] {
+            for occludees in ["full", "proxy", "box"] {
+                let apart = occluders != occludees;
+                if way.lacking(gpu).is_none() && !(way == Counting::Identity && apart) {
+                    all.push(format!(
+                        "three-pass:latency={latency}:counting={way}:threshold=0:scale=1:occluders={occluders}:occludees={occludees}"
+                    ));
+                }
+            }
+        }
+    }
+    all
+}
+
+/// All cases on a small image.
+fn small() -> Kit {
+    Kit {
+        size: [96, 72],
+        scenes: 2,
+        ..Kit::default()
+    }
+}
+
+/// What tells settings of one latency from each other, for the price of a few frames.
+fn quick(latency: &str) -> Kit {
+    let cases = match latency {
+        "frame-late" => vec![Case::RandomScenes, Case::Cut, Case::SlotReuse],
+        _ => vec![Case::RandomScenes, Case::NearPlane],
+    };
+    Kit {
+        scenes: 1,
+        cases,
+        ..small()
+    }
+}
+
+fn baselines(name: &str) {
+    conform(&gpu(name), &small(), named(&["none", "frustum", "ideal"]));
+}
+
+fn stop_and_wait(name: &str) {
+    let gpu = gpu(name);
+    // One query a wait takes its time with five thousand.
+    let fewer = Kit {
+        many: 300,
+        ..small()
+    };
+    conform(&gpu, &fewer, named(&["stop-and-wait"]));
+    conform(&gpu, &small(), named(&["stop-and-wait:batch=16"]));
+}
+
+fn three_pass_in_every_case(name: &str) {
+    let notable = [
+        "three-pass",
+        "three-pass:threshold=0:scale=1:occluders=full:occludees=full",
+        "three-pass:latency=same-frame:threshold=0:scale=1:occluders=full:occludees=full",
+        "three-pass:latency=same-frame:threshold=8",
+        "three-pass:latency=on-gpu:threshold=0:scale=1:occluders=full:occludees=full:counting=queries",
+        "three-pass:latency=same-frame:coarser=100",
+        "three-pass:latency=on-gpu:coarser=100",
+        "three-pass:latency=on-gpu",
+    ];
+    conform(&gpu(name), &small(), named(&notable));
+}
+
+fn three_pass_in_every_setting(name: &str) {
+    let gpu = gpu(name);
+    for latency in ["frame-late", "same-frame", "on-gpu"] {
+        let all = three_passes(&gpu, latency);
+        // Queries and the comparing count, at the least, exist everywhere.
+        assert!(all.len() >= 12, "only {all:?} on {}", gpu.title());
+        conform(&gpu, &quick(latency), all);
+    }
+}
+
+/// Both coherent strategies, waiting and late, alone and together, and with a fraction, which takes longer to settle.
+fn coherent(name: &str) {
+    let gpu = gpu(name);
+    for strategy in ["coherent", "stereo-coherent"] {
+        let whole = [
+            format!("{strategy}:latency=same-frame"),
+            format!("{strategy}:latency=same-frame:together=1"),
+            format!("{strategy}:latency=frame-late"),
+            format!("{strategy}:latency=on-gpu"),
+        ];
+        conform(&gpu, &small(), whole);
+        let parts = [
+            format!("{strategy}:latency=same-frame:fraction=0.5"),
+            format!("{strategy}:latency=frame-late:fraction=0.25:late=2"),
+            format!("{strategy}:latency=on-gpu:fraction=0.5"),
+        ];
+        let patient = Kit {
+            settle: 16,
+            ..small()
+        };
+        conform(&gpu, &patient, parts);
+    }
+}
+
+/// Walks of the tree, in batches and one by one, waiting and late, over every kind of tree; and with memory, which takes longer to settle.
+fn walks(name: &str) {
+    let gpu = gpu(name);
+    let whole = [
+        "occupancy-map:latency=same-frame",
+        "occupancy-map:latency=same-frame:tree=boxes:grain=0:block=1:order=depth:worth=0",
+        "occupancy-map:latency=same-frame:tree=groups:worth=0",
+        "occupancy-map:latency=frame-late",
+        "occupancy-map:latency=frame-late:grain=0:visible-for=0",
+    ];
+    conform(&gpu, &small(), named(&whole));
+    let aggressive = [
+        "occupancy-map:latency=same-frame:occluded-for=3:slow=1:worth=0",
+        "occupancy-map:latency=same-frame:small=2:worth=100",
+        "occupancy-map:latency=frame-late:occluded-for=3:visible-for=3",
+    ];
+    let patient = Kit {
+        settle: 16,
+        ..small()
+    };
+    conform(&gpu, &patient, named(&aggressive));
+    let fewer = Kit {
+        many: 300,
+        ..small()
+    };
+    let single = [
+        "occupancy-map-single",
+        "stop-and-wait:tree=divided",
+        "stop-and-wait:tree=boxes",
+    ];
+    conform(&gpu, &fewer, named(&single));
+}
+
+#[test]
+fn walks_conform_on_vulkan() {
+    walks("vulkan");
+}
+
+#[test]
+fn walks_conform_on_gl() {
+    walks("gl");
+}
+
+#[test]
+fn coherent_strategies_conform_on_vulkan() {
+    coherent("vulkan");
+}
+
+#[test]
+fn coherent_strategies_conform_on_gl() {
+    coherent("gl");
+}
+
+#[test]
+fn baselines_conform_on_vulkan() {
+    baselines("vulkan");
+}
+
+#[test]
+fn baselines_conform_on_gl() {
+    baselines("gl");
+}
+
+#[test]
+fn stop_and_wait_conforms_on_vulkan() {
+    stop_and_wait("vulkan");
+}
+
+#[test]
+fn stop_and_wait_conforms_on_gl() {
+    stop_and_wait("gl");
+}
+
+#[test]
+fn three_pass_conforms_in_every_case_on_vulkan() {
+    three_pass_in_every_case("vulkan");
+}
+
+#[test]
+fn three_pass_conforms_in_every_case_on_gl() {
+    three_pass_in_every_case("gl");
+}
+
+#[test]
+fn three_pass_conforms_in_every_setting_on_vulkan() {
+    three_pass_in_every_setting("vulkan");
+}
+
+#[test]
+fn three_pass_conforms_in_every_setting_on_gl() {
+    three_pass_in_every_setting("gl");
+}
+
+#[test]
+fn claims_are_made_where_they_hold_and_nowhere_else() {
+    let conservative = |text: &str| registry().parse(text).unwrap().conservative();
+    let exact = "three-pass:latency=same-frame:threshold=0:scale=1:occluders=full:occludees=full";
+    for text in ["none", "frustum", "ideal", "stop-and-wait", exact] {
+        assert!(conservative(text), "{text}");
+    }
+    for setting in [
+        "latency=frame-late",
+        "threshold=1",
+        "coarser=1",
+        "occluders=proxy",
+        "occludees=proxy",
+        "occludees=box",
+        "scale=0.9",
+    ] {
+        let text = format!("{exact}:{setting}");
+        assert!(!conservative(&text), "{text}");
+    }
+}
+
+#[test]
+fn a_missing_adapter_is_named_with_what_is_there() {
+    let kit = Kit::on(AdapterChoice::Named("no such adapter".to_owned()));
+    let make = || registry().make("frustum").unwrap();
+    let failure = kit.check(make).unwrap_err();
+    assert!(matches!(failure, KitFailure::Device { .. }));
+    assert!(failure.to_string().contains("no such adapter"), "{failure}");
+}
+
+#[test]
+fn settings_that_do_not_go_together_fail_every_case_in_words() {
+    let text = "three-pass:counting=queries:threshold=3";
+    let make = || registry().parse(text).unwrap();
+    let kit = quick("frame-late");
+    let failure = kit.check_on(&gpu("vulkan"), make).unwrap_err();
+    assert_eq!(failure.cases(), kit.cases);
+    let KitFailure::Violations { violations, .. } = &failure else {
+        panic!("{failure}");
+    };
+    assert!(matches!(&violations[0].breach, Breach::Failed(text) if text.contains("threshold")));
+}

@@ -1,0 +1,236 @@
+//! The kit itself under test: strategies with one deliberate fault each, which it must find in the case made for that fault.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+#[path = "kit_bites/faulty.rs"]
+mod faulty;
+
+use antumbra_cull::Strategy;
+use antumbra_demo_scenes as demo_scenes;
+use antumbra_draw::{AdapterChoice, Gpu};
+use antumbra_scene::{Camera, Projection};
+use antumbra_strategies::ThreePass;
+use antumbra_verify::kit::{Breach, Case, Kit, KitFailure, Violation};
+use faulty::*;
+use glam::DVec3;
+
+fn gpu() -> Gpu {
+    Gpu::open(&AdapterChoice::Named("vulkan".to_owned()))
+        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
+}
+
+fn kit(cases: &[Case]) -> Kit {
+    Kit {
+        cases: cases.to_vec(),
+        scenes: 1,
+        ..Kit::default()
+    }
+}
+
+/// What the kit finds, by case.
+fn found<S: Strategy + Clone + 'static>(strategy: S, cases: &[Case]) -> Vec<Violation> {
+    let make = || -> Box<dyn Strategy> { Box::new(strategy.clone()) };
+    match kit(cases).check_on(&gpu(), make) {
+        Ok(_) => Vec::new(),
+        Err(KitFailure::Violations { violations, .. }) => violations,
+        Err(failure) => panic!("{failure}"),
+    }
+}
+
+/// That each case finds a breach of this kind.
+fn bites<S: Strategy + Clone + 'static>(strategy: S, cases: &[Case], kind: fn(&Breach) -> bool) {
+    let violations = found(strategy, cases);
+    let caught: Vec<Case> = violations.iter().map(|v| v.case).collect();
+    assert_eq!(caught, cases, "{violations:?}");
+    for violation in violations {
+        assert!(kind(&violation.breach), "{violation}");
+    }
+}
+
+#[test]
+fn a_late_strategy_without_fault_passes() {
+    let kit = Kit {
+        exact_when_still: true,
+        ..Kit::default()
+    };
+    let report = kit
+        .check_on(&gpu(), || Box::new(Late::default()))
+        .unwrap_or_else(|failure| panic!("{failure}"));
+    assert_eq!(report.frames.len(), Case::ALL.len());
+    assert!(
+        report.frames.iter().all(|(_, frames)| *frames >= 2),
+        "{report:?}"
+    );
+}
+
+#[test]
+fn culling_at_random_is_a_false_cull() {
+    bites(Random, &[Case::RandomScenes, Case::Many], is_false_cull);
+}
+
+fn is_false_cull(breach: &Breach) -> bool {
+    matches!(breach, Breach::FalseCull { pixels, .. } if *pixels > 0)
+}
+
+#[test]
+fn what_is_true_of_metres_is_found_wrong_in_a_tiny_world() {
+    bites(Small::Metres, &[Case::Worlds], is_false_cull);
+    assert_eq!(found(Small::Metres, &[Case::Lenses]).len(), 0);
+}
+
+#[test]
+fn what_is_true_of_the_eye_is_found_wrong_through_a_telescope() {
+    bites(Small::Radians, &[Case::Lenses], is_false_cull);
+    assert_eq!(found(Small::Radians, &[Case::Worlds]).len(), 0);
+}
+
+#[test]
+fn looking_at_every_fourth_pixel_misses_a_hole() {
+    let mut exact = ThreePass::default();
+    for (key, value) in [
+        ("latency", "same-frame"),
+        ("threshold", "0"),
+        ("occluders", "full"),
+        ("occludees", "full"),
+        ("scale", "1"),
+    ] {
+        exact.set(key, value).unwrap();
+    }
+    assert_eq!(found(Coarse(exact.clone()), &[Case::Gaps]).len(), 0);
+    exact.set("scale", "0.25").unwrap();
+    bites(Coarse(exact), &[Case::Gaps], is_false_cull);
+}
+
+#[test]
+fn a_scene_of_ones_own_is_played_and_judged() {
+    let mut scene = demo_scenes::by_name("grid", Some(3)).unwrap();
+    scene.ensure_proxies(&Default::default());
+    let projection = Projection::Perspective {
+        fov_y: 1.0,
+        near: 0.1,
+    };
+    let camera = |x: f64| {
+        let eye = DVec3::new(x, 2.0, 9.0);
+        Camera::look_at(eye, DVec3::ZERO, DVec3::Y, projection).unwrap()
+    };
+    let frames = [
+        vec![camera(0.0), camera(0.1)],
+        vec![camera(1.0), camera(1.1)],
+    ];
+    let gpu = gpu();
+    let play = |strategy: Box<dyn Fn() -> Box<dyn Strategy>>| {
+        kit(&[]).play_on(&gpu, strategy, &scene, &frames)
+    };
+    let verdicts = play(Box::new(|| Box::new(Late::default()))).unwrap();
+    assert_eq!(verdicts.iter().map(Vec::len).collect::<Vec<_>>(), [2, 2]);
+    let failure = play(Box::new(|| Box::new(Random))).unwrap_err();
+    assert_eq!(failure.cases(), [Case::Own]);
+    // Without a scene there is nothing to play.
+    let alone = found(Late::default(), &[Case::Own]);
+    assert!(alone[0].to_string().contains("play_on"), "{}", alone[0]);
+}
+
+#[test]
+fn trusting_answers_across_a_cut_is_found() {
+    let late = Late {
+        trusts_across_cuts: true,
+        ..Late::default()
+    };
+    bites(late, &[Case::Cut], |breach| {
+        matches!(breach, Breach::NotCovered { .. })
+    });
+    // And nothing else is wrong with it.
+    assert_eq!(found(late, &[Case::SlotReuse, Case::NearPlane]).len(), 0);
+}
+
+#[test]
+fn answers_about_a_former_occupant_are_found() {
+    let late = Late {
+        trusts_across_births: true,
+        ..Late::default()
+    };
+    bites(late, &[Case::SlotReuse], |breach| {
+        matches!(breach, Breach::NotCovered { .. })
+    });
+    assert_eq!(found(late, &[Case::Cut, Case::NearPlane]).len(), 0);
+}
+
+#[test]
+fn boxes_tested_across_the_near_plane_are_found() {
+    let boxes = BoxTest { knows_near: false };
+    bites(boxes, &[Case::InsideBox, Case::NearPlane], |breach| {
+        matches!(breach, Breach::NearPlane { .. })
+    });
+    let boxes = BoxTest { knows_near: true };
+    assert_eq!(found(boxes, &[Case::InsideBox, Case::NearPlane]).len(), 0);
+}
+
+#[test]
+fn verdicts_that_are_not_what_was_drawn_are_found() {
+    bites(Liar, &[Case::RandomScenes], |breach| {
+        matches!(breach, Breach::FalseVerdicts { .. })
+    });
+}
+
+#[test]
+fn verdicts_that_differ_each_time_are_found() {
+    bites(Moody::default(), &[Case::Repeat], |breach| {
+        matches!(breach, Breach::NotRepeatable)
+    });
+    bites(Moody::default(), &[Case::Still], |breach| {
+        matches!(breach, Breach::Unsettled { .. })
+    });
+}
+
+#[test]
+fn late_answers_that_never_come_right_are_found() {
+    let kit = Kit {
+        exact_when_still: true,
+        ..kit(&[Case::Still])
+    };
+    let failure = kit
+        .check_on(&gpu(), || {
+            Box::new(Late {
+                threshold: 40,
+                ..Late::default()
+            })
+        })
+        .unwrap_err();
+    let KitFailure::Violations { violations, .. } = &failure else {
+        panic!("{failure}");
+    };
+    assert!(matches!(
+        violations[0].breach,
+        Breach::StillFalseCull { .. }
+    ));
+}
+
+#[test]
+fn a_panic_is_told_with_its_case_and_the_rest_goes_on() {
+    bites(
+        Panics,
+        &[Case::Empty, Case::Behind],
+        |breach| matches!(breach, Breach::Panicked(message) if message == "on purpose"),
+    );
+}
+
+#[test]
+fn a_failure_says_how_to_have_it_again() {
+    let make = || -> Box<dyn Strategy> { Box::new(Random) };
+    let kit = Kit {
+        seed: 77,
+        ..kit(&[Case::RandomScenes])
+    };
+    let gpu = gpu();
+    let text = kit.check_on(&gpu, make).unwrap_err().to_string();
+    let adapter = gpu.title();
+    let parts = [
+        "'random'",
+        &adapter,
+        "seed 77",
+        "128 x 96",
+        "random scenes, frame 0",
+    ];
+    for part in parts {
+        assert!(text.contains(part), "{part} is not in: {text}");
+    }
+}

@@ -1,0 +1,113 @@
+//! The oracle against what is known beforehand: who stands in front, who owns nothing, what transparency adds.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
+use antumbra_scene::{
+    AlphaMode, Camera, Drawable, EntityKey, Geometry, Material, Mesh, Projection, Scene,
+};
+use antumbra_verify::{Members, Oracle};
+use glam::{DAffine3, DVec3};
+
+const SIZE: [u32; 2] = [50, 40];
+
+fn gpu(name: &str) -> Gpu {
+    Gpu::open(&AdapterChoice::Named(name.to_owned()))
+        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
+}
+
+/// A box of half a metre around each of these places, in this material.
+fn boxes(scene: &mut Scene, alpha: AlphaMode, at: &[DVec3]) -> Vec<EntityKey> {
+    let half = DVec3::splat(0.5);
+    let geometry = Geometry::from_box(&antumbra_scene::Aabb::new(-half, half));
+    let mesh = scene.add_mesh(Mesh::new("box", geometry)).unwrap();
+    let material = scene.add_material(Material {
+        alpha,
+        base_colour: [0.5; 4],
+        ..Material::default()
+    });
+    at.iter()
+        .map(|place| {
+            let entity = scene
+                .spawn(None, DAffine3::from_translation(*place))
+                .unwrap();
+            scene
+                .set_drawable(entity, Drawable { mesh, material })
+                .unwrap();
+            entity
+        })
+        .collect()
+}
+
+fn camera() -> Camera {
+    let projection = Projection::Perspective {
+        fov_y: 1.0,
+        near: 0.1,
+    };
+    Camera::look_at(DVec3::new(0.0, 0.0, 5.0), DVec3::ZERO, DVec3::Y, projection).unwrap()
+}
+
+fn owners_follow_the_scene(name: &str) {
+    let gpu = gpu(name);
+    let mut scene = Scene::new();
+    // Nobody, then one in front of another, a third beside, a fourth behind the camera.
+    let mut gpu_scene = GpuScene::new(&gpu, &mut scene).unwrap();
+    let mut oracle = Oracle::new(&gpu_scene, SIZE);
+    let camera = camera();
+    let empty = oracle.look(&gpu_scene, &camera, Members::Frustum).unwrap();
+    assert_eq!(empty.ids, vec![0; 2000]);
+    assert_eq!((empty.owners(), &empty.transparent), (vec![], &None));
+
+    let places = [
+        DVec3::ZERO,
+        DVec3::new(0.0, 0.0, -3.0),
+        DVec3::new(1.5, 0.0, 0.0),
+        DVec3::new(0.0, 0.0, 9.0),
+    ];
+    let solid = boxes(&mut scene, AlphaMode::Opaque, &places);
+    gpu_scene.sync(&mut scene).unwrap();
+    let slot = |key: &EntityKey| gpu_scene.slot(*key).unwrap();
+    let all = oracle.look(&gpu_scene, &camera, Members::Frustum).unwrap();
+    assert_eq!(all.owners(), [slot(&solid[0]), slot(&solid[2])]);
+    let middle = all.ids[20 * 50 + 25];
+    assert_eq!(middle, slot(&solid[0]) + 1);
+    let counts = all.samples_by_slot();
+    let owned = all.ids.iter().filter(|id| **id == middle).count();
+    assert_eq!(counts[slot(&solid[0]) as usize] as usize, owned);
+
+    // Without the one in front the one behind owns pixels, and just where the front one did is the picture wrong.
+    let rest = [slot(&solid[2]), slot(&solid[1])];
+    let less = oracle
+        .look(&gpu_scene, &camera, Members::Slots(&rest))
+        .unwrap();
+    assert_eq!(less.owners(), [slot(&solid[1]), slot(&solid[2])]);
+    assert_eq!(less.wrong_pixels(&all), owned);
+    let mask = less.wrong_pixel_mask(&all);
+    assert!((mask.iter().zip(&all.ids)).all(|(wrong, id)| *wrong == (*id == middle)));
+
+    // A transparent one in front of all, and one behind the first: only the front one has samples, and ids stay.
+    let glass = [DVec3::new(0.0, 0.0, 2.0), DVec3::new(0.0, 0.0, -1.5)];
+    let blended = boxes(&mut scene, AlphaMode::Blend, &glass);
+    gpu_scene.sync(&mut scene).unwrap();
+    let slot = |key: &EntityKey| gpu_scene.slot(*key).unwrap();
+    let glazed = oracle.look(&gpu_scene, &camera, Members::Frustum).unwrap();
+    assert_eq!(glazed.ids, all.ids);
+    assert_eq!(
+        glazed.owners(),
+        [slot(&solid[0]), slot(&solid[2]), slot(&blended[0])]
+    );
+    let samples = glazed.transparent.as_ref().unwrap().samples[slot(&blended[0]) as usize];
+    assert!(samples > 0);
+    assert!(glazed.wrong_pixels(&all) > 0);
+    // Its far side is culled, so each pixel is covered once.
+    assert_eq!(glazed.wrong_pixels(&all), samples as usize);
+}
+
+#[test]
+fn owners_follow_the_scene_on_vulkan() {
+    owners_follow_the_scene("vulkan");
+}
+
+#[test]
+fn owners_follow_the_scene_on_gl() {
+    owners_follow_the_scene("gl");
+}
