@@ -14,7 +14,7 @@ use std::sync::{Arc, Mutex};
 use antumbra::cull::{
     DeclareError, FrameGraph, Stage, StageOptions, Strategy, ViewNodes, ViewSpec, VisibleSet,
 };
-use antumbra::draw::{AdapterChoice, Class, Gpu, GpuScene, PassKind};
+use antumbra::draw::{AdapterChoice, Class, Gpu, GpuScene, PipelineKind};
 use antumbra::graph::Picture;
 use antumbra::scene::Scene;
 use antumbra::strategies::registry;
@@ -90,7 +90,7 @@ fn plan(scene: &mut Scene, text: &str, views: &[&str]) -> Plan {
 /// Draws what is in the frustum, and notes what pipelines a strategy is given to shade with.
 struct Probe {
     inner: Box<dyn Strategy>,
-    kinds: Arc<Mutex<Vec<PassKind>>>,
+    kinds: Arc<Mutex<Vec<PipelineKind>>>,
 }
 
 impl Strategy for Probe {
@@ -124,7 +124,7 @@ fn shading(scene: &mut Scene) -> [bool; 2] {
     let _stage = stage(&scene, Box::new(probe), &["main"]);
     let kinds = kinds.lock().unwrap();
     let [
-        PassKind::Shaded {
+        PipelineKind::Shaded {
             positional_lights,
             environment,
             ..
@@ -134,7 +134,7 @@ fn shading(scene: &mut Scene) -> [bool; 2] {
         panic!("{kinds:?}");
     };
     assert_eq!(scene.frame().environment.is_some(), *environment);
-    assert_eq!(scene.topology().positional_lights, *positional_lights);
+    assert_eq!(scene.layout().positional_lights, *positional_lights);
     [*positional_lights, *environment]
 }
 
@@ -256,7 +256,7 @@ fn distances_to_lights_are_computed_where_a_light_has_a_place() {
 fn a_volume_brings_textures_and_without_one_there_are_none() {
     let textured = |scene: &mut Scene| {
         let scene = GpuScene::new(&gpu(), scene).unwrap();
-        let classes = scene.topology().classes().any(Class::textured);
+        let classes = scene.layout().classes().any(Class::textured);
         // One white texel stands for no image.
         assert_eq!(scene.frame().textures.len() > 1, classes);
         classes

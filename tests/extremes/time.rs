@@ -174,7 +174,7 @@ fn answers_about_another_scene_are_not_applied() {
         }
         second.sync(&mut sets[1].scene).unwrap();
         assert!(first.table().epoch() > second.table().epoch());
-        assert_eq!(first.topology(), second.topology());
+        assert_eq!(first.layout(), second.layout());
         for text in late_and_exact()
             .iter()
             .filter(|text| !text.contains("stereo"))

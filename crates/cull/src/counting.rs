@@ -10,7 +10,7 @@ use std::str::FromStr;
 use std::sync::Arc;
 
 use antumbra_draw::passes::{self, Submitted};
-use antumbra_draw::{Detail, Gpu, IDENTITY_FORMAT, PassKind, SceneTable, ViewFrame};
+use antumbra_draw::{Detail, Gpu, IDENTITY_FORMAT, PipelineKind, SceneTable, ViewFrame};
 use antumbra_graph::{Bind, Buffer, BufferDesc, Clear, Host, Texture, TextureDesc};
 
 use crate::candidates::{Asked, Candidates};
@@ -182,7 +182,8 @@ impl FrameGraph<'_> {
         close: Close,
     ) -> Proxies {
         let inputs = view.inputs();
-        let all_hide = hiding == candidates && self.topology().classes().all(|class| class.hides());
+        let all_hide =
+            hiding == candidates && self.scene_layout().classes().all(|class| class.hides());
         let apart = occluder != occludee || !all_hide;
         let occluders = self.unsubmitted(&view.named("occluders"));
         let others = apart.then(|| self.unsubmitted(&view.named("other occludees")));
@@ -276,14 +277,14 @@ impl FrameGraph<'_> {
         if way == Counting::Identity {
             return self.count_identities(view, proxies, depth, size);
         }
-        let spec = self.pass(view.named("occluder depth"), CULL, PassKind::Depth);
+        let spec = self.pass(view.named("occluder depth"), CULL, PipelineKind::Depth);
         let depth = passes::depth_pass(self.graph(), &spec, inputs, proxies.occluders, depth);
         if way == Counting::Queries {
             let bytes = self.slot_bytes() * 2;
             let answers = self
                 .graph()
                 .buffer(view.named("query answers"), BufferDesc::new(bytes));
-            let spec = self.pass(view.named("queries"), CULL, PassKind::Query);
+            let spec = self.pass(view.named("queries"), CULL, PipelineKind::Query);
             let buffer = passes::query_pass(
                 self.graph(),
                 &spec,
@@ -327,11 +328,15 @@ impl FrameGraph<'_> {
     ) -> Buffer {
         let inputs = view.inputs();
         if way == Counting::Atomics {
-            let spec = self.pass(view.named("count samples"), CULL, PassKind::CountAtomic);
+            let spec = self.pass(view.named("count samples"), CULL, PipelineKind::CountAtomic);
             return passes::count_atomic_pass(self.graph(), &spec, inputs, what, depth, counts);
         }
         let scratch = self.depth_texture(view.named("scratch depth"), size);
-        let spec = self.pass(view.named("count samples"), CULL, PassKind::CountCompare);
+        let spec = self.pass(
+            view.named("count samples"),
+            CULL,
+            PipelineKind::CountCompare,
+        );
         passes::count_compare_pass(self.graph(), &spec, inputs, what, depth, scratch, counts)
     }
 
@@ -348,7 +353,7 @@ impl FrameGraph<'_> {
             view.named("entity ids"),
             TextureDesc::new(width, height, IDENTITY_FORMAT).cleared(blank),
         );
-        let spec = self.pass(view.named("entity ids"), CULL, PassKind::Identity);
+        let spec = self.pass(view.named("entity ids"), CULL, PipelineKind::Identity);
         let (ids, depth) = passes::identity_pass(
             self.graph(),
             &spec,

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use antumbra_draw::boxes::{BoxPipeline, SubmittedBoxes};
 use antumbra_draw::passes::{self, PassSpec, Submitted};
 use antumbra_draw::{
-    DEPTH_FORMAT, DrawList, Gpu, PassKind, PassPipelines, SceneTable, Topology, ViewFrame,
+    DEPTH_FORMAT, DrawList, Gpu, PassPipelines, PipelineKind, SceneLayout, SceneTable, ViewFrame,
 };
 use antumbra_graph::{
     BodyError, BufferDesc, Clear, Graph, Host, HostBuilder, HostContext, LoopOptions, Texture,
@@ -46,9 +46,9 @@ pub(crate) struct Shown {
 /// What all views of a stage share while they are declared.
 pub(crate) struct Shared {
     pub gpu: Gpu,
-    pub topology: Topology,
+    pub layout: SceneLayout,
     pub colour_format: wgpu::TextureFormat,
-    pub pipelines: HashMap<PassKind, Arc<PassPipelines>>,
+    pub pipelines: HashMap<PipelineKind, Arc<PassPipelines>>,
     pub boxes: Option<Arc<BoxPipeline>>,
     /// The trees that are kept, one a shape, for all views.
     pub trees: HashMap<Shape, Host<Tree>>,
@@ -83,8 +83,8 @@ impl<'g> FrameGraph<'g> {
     }
 
     /// What the scene asks of the plan: sizes, classes, transparency.
-    pub fn topology(&self) -> &Topology {
-        &self.shared.topology
+    pub fn scene_layout(&self) -> &SceneLayout {
+        &self.shared.layout
     }
 
     /// Keeps a host value of a view readable after each frame, by name ([`Stage::shown`](crate::Stage::shown)): for whoever wants to see how the visible set was found.
@@ -107,7 +107,7 @@ impl<'g> FrameGraph<'g> {
         let options = LoopOptions {
             limit: self
                 .shared
-                .topology
+                .layout
                 .slots
                 .saturating_mul(8)
                 .saturating_add(16),
@@ -119,16 +119,16 @@ impl<'g> FrameGraph<'g> {
     }
 
     /// How a drawing node is called and what it draws with. Pipelines are made once a kind.
-    pub fn pass(&mut self, name: String, group: &'static str, kind: PassKind) -> PassSpec {
+    pub fn pass(&mut self, name: String, group: &'static str, kind: PipelineKind) -> PassSpec {
         let Shared {
             gpu,
-            topology,
+            layout,
             pipelines,
             ..
         } = &mut *self.shared;
         let pipelines = pipelines
             .entry(kind)
-            .or_insert_with(|| Arc::new(PassPipelines::new(gpu, kind, topology.classes())));
+            .or_insert_with(|| Arc::new(PassPipelines::new(gpu, kind, layout.classes())));
         PassSpec {
             name,
             group,
@@ -204,7 +204,7 @@ impl<'g> FrameGraph<'g> {
 
     /// Four bytes a slot.
     pub fn slot_bytes(&self) -> u64 {
-        u64::from(self.shared.topology.slots.max(1)) * 4
+        u64::from(self.shared.layout.slots.max(1)) * 4
     }
 
     /// What of the scene lies in the view's frustum, and, where an outer strategy has [handed on](Self::hand_on), was left by it. Found once
@@ -306,7 +306,7 @@ impl<'g> FrameGraph<'g> {
         let solid = self.unsubmitted(&view.named("visible set"));
         let blended = self
             .shared
-            .topology
+            .layout
             .transparent
             .then(|| self.unsubmitted(&view.named("visible transparent set")));
         let handed_on = view.handed_on;
@@ -381,11 +381,11 @@ impl<'g> FrameGraph<'g> {
     }
 
     /// The pipelines' kind for the view's colour target.
-    pub fn shaded_kind(&self) -> PassKind {
-        PassKind::Shaded {
+    pub fn shaded_kind(&self) -> PipelineKind {
+        PipelineKind::Shaded {
             format: self.shared.colour_format,
-            positional_lights: self.shared.topology.positional_lights,
-            environment: self.shared.topology.environment,
+            positional_lights: self.shared.layout.positional_lights,
+            environment: self.shared.layout.environment,
             identified: false,
         }
     }

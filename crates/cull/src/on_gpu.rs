@@ -1,7 +1,9 @@
 //! The on-gpu way: a compute node keeps the visible of each batch and writes its indirect draw. Neither stall nor delay.
 
 use antumbra_draw::passes::{self, Indirect};
-use antumbra_draw::{Detail, DrawList, INDIRECT_DRAW_BYTES, PassKind, Run, SceneTable, ViewFrame};
+use antumbra_draw::{
+    Detail, DrawList, INDIRECT_DRAW_BYTES, PipelineKind, Run, SceneTable, ViewFrame,
+};
 use antumbra_graph::{
     Bind, BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext, Texture,
 };
@@ -151,7 +153,7 @@ impl FrameGraph<'_> {
         let solid = self.layout(view, "candidates", among, rule, false);
         let solid = self.compact_above(view, "visible set", solid, by_slot, turned);
         self.shade_indirect(view, "shaded", solid);
-        if self.topology().transparent {
+        if self.scene_layout().transparent {
             let blended = self.layout(view, "transparent candidates", among, rule, true);
             let name = "visible transparent set";
             let blended = self.compact_above(view, name, blended, by_slot, turned);
@@ -184,9 +186,9 @@ impl FrameGraph<'_> {
             1
         };
         let most = if transparent {
-            self.topology().slots.max(1)
+            self.scene_layout().slots.max(1)
         } else {
-            self.topology().batches * u32::from(levels)
+            self.scene_layout().batches * u32::from(levels)
         };
         self.lay_out(
             view,
@@ -379,7 +381,7 @@ impl FrameGraph<'_> {
         view: &mut ViewNodes,
         name: &str,
         what: Indirect,
-        kind: PassKind,
+        kind: PipelineKind,
         ids: Option<Texture>,
     ) -> Option<Texture> {
         let spec = self.pass(view.named(name), DRAW, kind);

@@ -332,9 +332,9 @@ impl Stage {
             None => false,
         };
         let another = scene.number() != self.built.number;
-        if turned || another || scene.topology() != self.built.topology {
+        if turned || another || scene.layout() != self.built.layout {
             // Pipelines follow the classes alone: a scene that outgrows its buffers keeps them.
-            let pipelines = match scene.topology().classes == self.built.topology.classes {
+            let pipelines = match scene.layout().classes == self.built.layout.classes {
                 true => self.built.pipelines.clone(),
                 false => HashMap::new(),
             };

@@ -7,7 +7,7 @@ use antumbra_graph::{
 };
 
 use crate::list::DrawList;
-use crate::pipeline::{ENVIRONMENT_GROUP, PassKind, PassPipelines};
+use crate::pipeline::{ENVIRONMENT_GROUP, PassPipelines, PipelineKind};
 use crate::record::{Recorder, begin};
 use crate::scene::SceneFrame;
 use crate::view::ViewFrame;
@@ -111,7 +111,7 @@ pub fn shaded_pass(
     out
 }
 
-/// Shades what a compute node kept of a list. `ids` takes the entities' ids, where the pipelines [identify](PassKind::Shaded) them.
+/// Shades what a compute node kept of a list. `ids` takes the entities' ids, where the pipelines [identify](PipelineKind::Shaded) them.
 pub fn shaded_indirect_pass(
     g: &mut Graph,
     spec: &PassSpec,
@@ -373,7 +373,7 @@ pub fn bind<'a>(
 ) -> Result<HostRef<'a, SceneFrame>, BodyError> {
     let scene = ctx.get(inputs.scene)?;
     let ids = ctx.buffer(ids)?;
-    let shaded = matches!(pipelines.kind(), PassKind::Shaded { .. });
+    let shaded = matches!(pipelines.kind(), PipelineKind::Shaded { .. });
     let materials = pipelines.kind().has_materials();
     group(
         ctx,

@@ -20,7 +20,7 @@ pub(crate) const ENVIRONMENT_GROUP: u32 = 3;
 
 /// What a pass writes, and so what its pipelines do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum PassKind {
+pub enum PipelineKind {
     /// Writes depth.
     Depth,
     /// Tests depth and writes nothing: the geometry of occlusion queries.
@@ -51,7 +51,7 @@ pub enum PassKind {
     },
 }
 
-impl PassKind {
+impl PipelineKind {
     fn job(self) -> &'static Job {
         match self {
             Self::Depth | Self::Query => &depth::JOB,
@@ -141,14 +141,14 @@ impl PassKind {
 /// One kind of pass's pipelines, by class.
 #[derive(Debug)]
 pub struct PassPipelines {
-    kind: PassKind,
+    kind: PipelineKind,
     by_class: Vec<Option<wgpu::RenderPipeline>>,
     layouts: Vec<wgpu::BindGroupLayout>,
 }
 
 impl PassPipelines {
     /// Makes the pipelines for these classes.
-    pub fn new(gpu: &Gpu, kind: PassKind, classes: impl Iterator<Item = Class>) -> Self {
+    pub fn new(gpu: &Gpu, kind: PipelineKind, classes: impl Iterator<Item = Class>) -> Self {
         let job = kind.job();
         let module = antumbra_shaders::module(&gpu.device, job);
         let layouts: Vec<_> = (0..kind.groups())
@@ -182,7 +182,7 @@ impl PassPipelines {
     }
 
     /// What the pass writes.
-    pub fn kind(&self) -> PassKind {
+    pub fn kind(&self) -> PipelineKind {
         self.kind
     }
 
@@ -199,7 +199,7 @@ impl PassPipelines {
 
 fn create(
     gpu: &Gpu,
-    kind: PassKind,
+    kind: PipelineKind,
     class: Class,
     module: &wgpu::ShaderModule,
     layout: &wgpu::PipelineLayout,
@@ -207,13 +207,13 @@ fn create(
     let blended = class.alpha() == Alpha::Blend;
     let (vertex, fragment) = kind.entries(class);
     let slots = match kind {
-        PassKind::Patch { .. } => SLOT_PATCH_LAYOUT,
+        PipelineKind::Patch { .. } => SLOT_PATCH_LAYOUT,
         _ => SLOT_LAYOUT,
     };
     let full = [Some(POSITION_LAYOUT), Some(slots), Some(ATTRIBUTE_LAYOUT)];
     let bare = &full[..2];
     let shading = match kind {
-        PassKind::Shaded {
+        PipelineKind::Shaded {
             positional_lights, ..
         } => vec![
             ("alpha_mode", f64::from(class.alpha() as u8)),
@@ -227,12 +227,12 @@ fn create(
         ..Default::default()
     };
     let target = match kind {
-        PassKind::Shaded { format, .. } => Some(wgpu::ColorTargetState {
+        PipelineKind::Shaded { format, .. } => Some(wgpu::ColorTargetState {
             format,
             blend: blended.then_some(wgpu::BlendState::ALPHA_BLENDING),
             write_mask: wgpu::ColorWrites::ALL,
         }),
-        PassKind::Identity => Some(IDENTITY_FORMAT.into()),
+        PipelineKind::Identity => Some(IDENTITY_FORMAT.into()),
         _ => None,
     };
     let ids = kind.identifies().then_some(wgpu::ColorTargetState {
@@ -244,13 +244,13 @@ fn create(
         },
     });
     let targets: Vec<_> = [target, ids].into_iter().filter(Option::is_some).collect();
-    let has_fragment = !matches!(kind, PassKind::Depth | PassKind::Query);
-    let writes_depth = matches!(kind, PassKind::Depth | PassKind::Identity)
-        || matches!(kind, PassKind::Shaded { .. }) && !blended;
+    let has_fragment = !matches!(kind, PipelineKind::Depth | PipelineKind::Query);
+    let writes_depth = matches!(kind, PipelineKind::Depth | PipelineKind::Identity)
+        || matches!(kind, PipelineKind::Shaded { .. }) && !blended;
     // The comparing passes bring a depth attachment of their own only because a pass needs one.
     let compares = !matches!(
         kind,
-        PassKind::CountCompare | PassKind::Signature | PassKind::Patch { early: false }
+        PipelineKind::CountCompare | PipelineKind::Signature | PipelineKind::Patch { early: false }
     );
     gpu.device
         .create_render_pipeline(&wgpu::RenderPipelineDescriptor {

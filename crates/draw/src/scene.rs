@@ -49,7 +49,7 @@ pub struct SceneFrame {
 
 /// What a compiled plan depends on; when it changes, plans are compiled anew.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Topology {
+pub struct SceneLayout {
     /// Slots there is room for: the size of sample counts.
     pub slots: u32,
     /// Runs a draw list may have: the size of indirect draws.
@@ -64,7 +64,7 @@ pub struct Topology {
     pub environment: bool,
 }
 
-impl Topology {
+impl SceneLayout {
     /// The classes in use, in drawing order.
     pub fn classes(&self) -> impl Iterator<Item = Class> + '_ {
         Class::all().filter(|class| self.classes >> class.index() & 1 != 0)
@@ -174,8 +174,8 @@ impl GpuScene {
     }
 
     /// What plans over this scene depend on.
-    pub fn topology(&self) -> Topology {
-        Topology {
+    pub fn layout(&self) -> SceneLayout {
+        SceneLayout {
             slots: self.instances.capacity() as u32,
             batches: (self.table.batches().len() as u32).next_power_of_two(),
             classes: self.classes,

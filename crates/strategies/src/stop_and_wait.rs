@@ -5,7 +5,7 @@
 //! last one found visible and asks about the next; its sync point is where the machine waits.
 
 use antumbra_draw::passes::{self, PassSpec, Submitted};
-use antumbra_draw::{Detail, PassKind};
+use antumbra_draw::{Detail, PipelineKind};
 use antumbra_graph::{BufferDesc, Host};
 
 use antumbra_cull::order::by_nearest_corner;
@@ -131,14 +131,14 @@ impl Strategy for StopAndWait {
         let (walk, verdicts) = begin(g, view, candidates);
         let kind = g.shaded_kind();
         let drawing = g.pass(view.named("draw the visible"), DRAW, kind);
-        let asking = g.pass(view.named("ask about the next"), CULL, PassKind::Query);
+        let asking = g.pass(view.named("ask about the next"), CULL, PipelineKind::Query);
         let mut ends = (walk, verdicts);
         let batch = self.batch;
         g.host_loop(view.named("stop and wait"), |g| {
             turn(g, view, &mut ends, &drawing, &asking, batch)
         });
         let verdicts = ends.1;
-        if g.topology().transparent {
+        if g.scene_layout().transparent {
             let list = g.unsubmitted(&view.named("visible transparent set"));
             let list = submit_transparent(g, view, verdicts, list);
             g.shade_list(view, "transparent", list);

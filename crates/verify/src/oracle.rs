@@ -12,8 +12,8 @@ use std::sync::Arc;
 
 use antumbra_draw::passes::{self, PassSpec, Submitted, ViewInputs};
 use antumbra_draw::{
-    Alpha, DEPTH_FORMAT, DrawList, Gpu, GpuLights, GpuScene, GpuView, IDENTITY_FORMAT, PassKind,
-    PassPipelines, SceneFrame, SceneTable, Topology, ViewFrame,
+    Alpha, DEPTH_FORMAT, DrawList, Gpu, GpuLights, GpuScene, GpuView, IDENTITY_FORMAT,
+    PassPipelines, PipelineKind, SceneFrame, SceneLayout, SceneTable, ViewFrame,
 };
 use antumbra_graph::{
     Buffer, BufferDesc, Clear, CompileOptions, Graph, Host, HostBuilder, Plan, Texture, TextureDesc,
@@ -34,7 +34,7 @@ pub enum Members<'a> {
     Drawn(&'a Verdicts),
 }
 
-/// Says who owns each pixel. One plan for as long as the scene's topology holds; made at the first look.
+/// Says who owns each pixel. One plan for as long as the scene's layout holds; made at the first look.
 pub struct Oracle {
     gpu: Gpu,
     size: [u32; 2],
@@ -42,7 +42,7 @@ pub struct Oracle {
 }
 
 struct Built {
-    topology: Topology,
+    layout: SceneLayout,
     plan: Plan,
     scene: Host<SceneFrame>,
     view: Host<ViewFrame>,
@@ -102,12 +102,12 @@ impl Oracle {
             view: "oracle".to_owned(),
             error,
         })?;
-        let topology = scene.topology();
+        let layout = scene.layout();
         let current = self
             .built
             .take()
-            .filter(|built| built.topology == topology)
-            .map_or_else(|| build(&self.gpu, self.size, topology), Ok)?;
+            .filter(|built| built.layout == layout)
+            .map_or_else(|| build(&self.gpu, self.size, layout), Ok)?;
         let built = self.built.insert(current);
         let wanted = match members {
             Members::Frustum => Wanted::Frustum,
@@ -125,13 +125,13 @@ impl Oracle {
     }
 }
 
-fn build(gpu: &Gpu, size: [u32; 2], topology: Topology) -> Result<Built, StageError> {
+fn build(gpu: &Gpu, size: [u32; 2], layout: SceneLayout) -> Result<Built, StageError> {
     let mut graph = Graph::new("oracle");
     let g = &mut graph;
     let scene = g.import_host::<SceneFrame>("scene");
     let view = g.import_host::<ViewFrame>("camera");
     let wanted = g.import_host::<Wanted>("members");
-    let (inputs, lists) = submit(g, &topology, scene, view, wanted);
+    let (inputs, lists) = submit(g, &layout, scene, view, wanted);
     let [width, height] = size;
     let texture = |format| TextureDesc::new(width, height, format);
     let ids = g.texture(
@@ -139,13 +139,13 @@ fn build(gpu: &Gpu, size: [u32; 2], topology: Topology) -> Result<Built, StageEr
         texture(IDENTITY_FORMAT).cleared(Clear::Colour(wgpu::Color::TRANSPARENT)),
     );
     let depth = g.texture("depth", texture(DEPTH_FORMAT).cleared(Clear::Depth(0.0)));
-    let spec = spec(gpu, &topology, PassKind::Identity);
+    let spec = spec(gpu, &layout, PipelineKind::Identity);
     let (ids, depth) = passes::identity_pass(g, &spec, inputs, lists.solid, ids, depth);
     let padded = Padded::of(size);
     let copied = copy_ids(g, ids, padded);
     let sums = lists
         .blended
-        .map(|list| sign(g, gpu, &topology, inputs, list, depth, size));
+        .map(|list| sign(g, gpu, &layout, inputs, list, depth, size));
     let image = read(g, copied, padded, sums);
     g.output(image);
     let plan = graph
@@ -155,7 +155,7 @@ fn build(gpu: &Gpu, size: [u32; 2], topology: Topology) -> Result<Built, StageEr
             errors,
         })?;
     Ok(Built {
-        topology,
+        layout,
         plan,
         scene,
         view,
@@ -167,20 +167,20 @@ fn build(gpu: &Gpu, size: [u32; 2], topology: Topology) -> Result<Built, StageEr
 /// Chooses what is drawn and uploads it, with the camera.
 fn submit(
     g: &mut Graph,
-    topology: &Topology,
+    layout: &SceneLayout,
     scene: Host<SceneFrame>,
     view: Host<ViewFrame>,
     wanted: Host<Wanted>,
 ) -> (ViewInputs, Lists) {
     let uniform = g.buffer("view", BufferDesc::new(size_of::<GpuView>() as u64));
     let lights = g.buffer("lights", BufferDesc::new(size_of::<GpuLights>() as u64));
-    let slots = u64::from(topology.slots.max(1)) * 4;
+    let slots = u64::from(layout.slots.max(1)) * 4;
     let mut list = |name: &str| Submitted {
         list: g.host::<DrawList>(name),
         ids: g.buffer(format!("{name}: slots"), BufferDesc::new(slots)),
     };
     let solid = list("solid");
-    let blended = topology.transparent.then(|| list("blended"));
+    let blended = layout.transparent.then(|| list("blended"));
     let mut node = g.host_node("submit");
     node.read(scene).read(view).read(wanted);
     let uniform = node.upload(uniform);
@@ -239,9 +239,9 @@ fn chosen<'a>(
     live.filter(move |slot| table.is_transparent(*slot) == transparent)
 }
 
-fn spec(gpu: &Gpu, topology: &Topology, kind: PassKind) -> PassSpec {
-    let blends = kind == PassKind::Signature;
-    let classes = topology
+fn spec(gpu: &Gpu, layout: &SceneLayout, kind: PipelineKind) -> PassSpec {
+    let blends = kind == PipelineKind::Signature;
+    let classes = layout
         .classes()
         .filter(|class| (class.alpha() == Alpha::Blend) == blends);
     PassSpec {
@@ -275,21 +275,21 @@ fn copy_ids(g: &mut Graph, ids: Texture, padded: Padded) -> Buffer {
 fn sign(
     g: &mut Graph,
     gpu: &Gpu,
-    topology: &Topology,
+    layout: &SceneLayout,
     inputs: ViewInputs,
     what: Submitted,
     depth: Texture,
     [width, height]: [u32; 2],
 ) -> [Buffer; 2] {
     let pixels = u64::from(width) * u64::from(height) * 4;
-    let slots = u64::from(topology.slots.max(1)) * 4;
+    let slots = u64::from(layout.slots.max(1)) * 4;
     let sums = [("signatures", pixels), ("samples", slots)]
         .map(|(name, bytes)| g.buffer(name, BufferDesc::new(bytes).zeroed()));
     let scratch = g.texture(
         "scratch depth",
         TextureDesc::new(width, height, DEPTH_FORMAT).cleared(Clear::Depth(0.0)),
     );
-    let spec = spec(gpu, topology, PassKind::Signature);
+    let spec = spec(gpu, layout, PipelineKind::Signature);
     passes::signature_pass(g, &spec, inputs, what, depth, scratch, sums)
 }
 

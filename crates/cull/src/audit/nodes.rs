@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antumbra_draw::patches::{Cover, MARK_BYTES, PATCH_BYTES, PATCH_SIDE, PatchList, patch_pass};
-use antumbra_draw::{Detail, PassKind, SceneTable, ViewFrame};
+use antumbra_draw::{Detail, PipelineKind, SceneTable, ViewFrame};
 use antumbra_graph::{BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext, HostRef};
 use antumbra_scene::hierarchy::Shape;
 use rand::SeedableRng;
@@ -90,7 +90,7 @@ impl FrameGraph<'_> {
         let (sifted, shown) = self.sift(view, listed, (depth, shown), entries);
         let way = Counting::by_fragments(self.gpu());
         let early = way == Counting::Atomics;
-        let spec = self.pass(view.named("audit"), AUDIT, PassKind::Patch { early });
+        let spec = self.pass(view.named("audit"), AUDIT, PipelineKind::Patch { early });
         let scratch = (!early).then(|| {
             let name = view.named("audit: scratch depth");
             self.depth_texture(name, view.size())

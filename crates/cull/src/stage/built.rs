@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use antumbra_draw::passes::ViewInputs;
 use antumbra_draw::{
-    DEPTH_FORMAT, GpuLights, GpuScene, GpuView, PassKind, PassPipelines, SceneFrame, Topology,
-    ViewFrame,
+    DEPTH_FORMAT, GpuLights, GpuScene, GpuView, PassPipelines, PipelineKind, SceneFrame,
+    SceneLayout, ViewFrame,
 };
 use antumbra_graph::{BufferDesc, Clear, CompileOptions, Graph, Host, Mode, Plan, TextureDesc};
 
@@ -21,8 +21,8 @@ use crate::view_nodes::{Targets, ViewNodes};
 pub(super) struct Built {
     /// The scene it was built for: what it remembers is about that one's slots and epochs.
     pub number: u64,
-    pub topology: Topology,
-    pub pipelines: HashMap<PassKind, Arc<PassPipelines>>,
+    pub layout: SceneLayout,
+    pub pipelines: HashMap<PipelineKind, Arc<PassPipelines>>,
     pub plan: Plan,
     pub scene: Host<SceneFrame>,
     pub views: Vec<BuiltView>,
@@ -48,15 +48,15 @@ pub(super) fn build(
     strategy: &mut dyn Strategy,
     specs: &[ViewSpec],
     options: &StageOptions,
-    (pipelines, audits): (HashMap<PassKind, Arc<PassPipelines>>, &[Audit]),
+    (pipelines, audits): (HashMap<PipelineKind, Arc<PassPipelines>>, &[Audit]),
 ) -> Result<Built, StageError> {
     let gpu = scene.gpu();
-    let topology = scene.topology();
+    let layout = scene.layout();
     let mut graph = Graph::new(strategy.name());
     let scene_handle = graph.import_host::<SceneFrame>("scene");
     let mut shared = Shared {
         gpu: gpu.clone(),
-        topology: topology.clone(),
+        layout: layout.clone(),
         colour_format: options.colour_format,
         pipelines,
         boxes: None,
@@ -140,7 +140,7 @@ pub(super) fn build(
         })?;
     Ok(Built {
         number: scene.number(),
-        topology,
+        layout,
         pipelines: shared.pipelines,
         plan,
         scene: scene_handle,

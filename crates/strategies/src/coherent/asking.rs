@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antumbra_draw::passes::{self, Submitted};
-use antumbra_draw::{Detail, DrawList, PassKind, SceneTable, ViewFrame};
+use antumbra_draw::{Detail, DrawList, PipelineKind, SceneTable, ViewFrame};
 use antumbra_graph::{BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext};
 
 use antumbra_cull::{Asked, CULL, DRAW, FrameGraph, Stamp, ViewNodes, question};
@@ -147,7 +147,7 @@ impl Asking {
 
     /// Tests the list against the depth so far, a query an entry.
     pub fn test(self, g: &mut FrameGraph<'_>, view: &ViewNodes, name: &str) -> Self {
-        let spec = g.pass(view.named(name), CULL, PassKind::Query);
+        let spec = g.pass(view.named(name), CULL, PipelineKind::Query);
         let (inputs, depth) = (view.inputs(), view.targets.depth);
         let answers = passes::query_pass(g.graph(), &spec, inputs, self.list, depth, self.answers);
         Self { answers, ..self }

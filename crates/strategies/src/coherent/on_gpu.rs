@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use antumbra_draw::passes::{self, Indirect};
-use antumbra_draw::{Detail, IDENTITY_FORMAT, PassKind};
+use antumbra_draw::{Detail, IDENTITY_FORMAT, PipelineKind};
 use antumbra_graph::{Bind, Buffer, Clear, Host, Texture, TextureDesc};
 
 use super::Coherence;
@@ -78,7 +78,7 @@ fn solid(
     candidates: Host<Candidates>,
     exempt: bool,
 ) -> Layout {
-    let most = g.topology().batches;
+    let most = g.scene_layout().batches;
     g.lay_out(
         view,
         name,
@@ -108,7 +108,7 @@ fn test(
     seen: Buffer,
 ) -> Buffer {
     // Each batch by boxes, by meshes, or both.
-    let most = g.topology().batches * 2;
+    let most = g.scene_layout().batches * 2;
     let mut turns = Turns::default();
     let layout = g.lay_out(
         view,
@@ -151,8 +151,8 @@ fn count(g: &mut FrameGraph<'_>, view: &ViewNodes, what: Indirect) -> Buffer {
     let (inputs, depth) = (view.inputs(), view.targets.depth);
     let atomic = Counting::by_fragments(g.gpu()) == Counting::Atomics;
     let kind = match atomic {
-        true => PassKind::CountAtomic,
-        false => PassKind::CountCompare,
+        true => PipelineKind::CountAtomic,
+        false => PipelineKind::CountCompare,
     };
     let scratch: Option<Texture> =
         (!atomic).then(|| g.depth_texture(view.named("scratch depth"), view.size()));
@@ -168,10 +168,10 @@ fn shade_blended(
     candidates: Host<Candidates>,
     found: Buffer,
 ) {
-    if !g.topology().transparent {
+    if !g.scene_layout().transparent {
         return;
     }
-    let most = g.topology().slots.max(1);
+    let most = g.scene_layout().slots.max(1);
     let name = "transparent candidates";
     let layout = g.lay_out(
         view,
@@ -225,7 +225,7 @@ fn verdicts(
 /// The larger of two counts a slot.
 fn join(g: &mut FrameGraph<'_>, view: &ViewNodes, one: Buffer, other: Buffer) -> Buffer {
     let pipeline = ComputePipeline::new(g.gpu(), &antumbra_shaders::jobs::join::JOB, "join");
-    let groups = g.topology().slots.div_ceil(64).max(1);
+    let groups = g.scene_layout().slots.div_ceil(64).max(1);
     let joined = g.sample_counts(view);
     let mut node = g.graph().compute(view.named("join counts"));
     node.group(CULL).storage_read(one).storage_read(other);

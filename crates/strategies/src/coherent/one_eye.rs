@@ -317,7 +317,7 @@ fn judge(memory: &Memory, table: &SceneTable, candidates: &Candidates, verdicts:
 /// The list of what is blended, where the scene has any.
 pub(super) fn blended_list(g: &mut FrameGraph<'_>, view: &ViewNodes) -> Option<Submitted> {
     let name = view.named("visible transparent set");
-    g.topology().transparent.then(|| g.unsubmitted(&name))
+    g.scene_layout().transparent.then(|| g.unsubmitted(&name))
 }
 
 /// The version of a list that a host node writes.

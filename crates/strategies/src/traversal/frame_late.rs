@@ -80,7 +80,7 @@ pub fn frame_late(
     let name = (view.named("ask for the next frame"), CULL);
     let depth = view.targets.depth;
     box_query_pass(g.graph(), name, &pipeline, inputs, ask, depth, answers);
-    if g.topology().transparent {
+    if g.scene_layout().transparent {
         let list = g.unsubmitted(&view.named("visible transparent set"));
         let list = submit_transparent(g, view, verdicts, list);
         g.shade_list(view, "transparent", list);

@@ -26,7 +26,7 @@ pub(super) struct Looking {
 impl Looking {
     pub fn new(g: &mut FrameGraph<'_>, view: &ViewNodes, shape: Shape, how: How) -> Self {
         let line_like = |class: Class| class.topology() != Topology::Triangles;
-        let thin = g.topology().classes().any(line_like);
+        let thin = g.scene_layout().classes().any(line_like);
         let tree = g.tree(view, shape);
         Self {
             inputs: view.inputs(),

@@ -30,7 +30,7 @@ pub fn same_frame(
     let mut ends = begin(g, view, looking);
     g.host_loop(view.named("walk"), |g| turn(g, view, looking, &mut ends));
     let Ends { walk, verdicts } = ends;
-    if g.topology().transparent {
+    if g.scene_layout().transparent {
         let name = view.named("visible transparent set");
         let list = g.unsubmitted(&name);
         let list = submit_transparent(g, view, verdicts, list);
@@ -148,7 +148,7 @@ fn turn(
 
 /// More questions than a frame's tree has nodes are never asked: a hierarchy has less than two nodes a leaf.
 pub(super) fn questions(g: &FrameGraph<'_>) -> u64 {
-    u64::from(g.topology().slots.max(1)) * 2
+    u64::from(g.scene_layout().slots.max(1)) * 2
 }
 
 /// Puts what was found into a list.
