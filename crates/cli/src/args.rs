@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use antumbra::cull::Latency;
+use antumbra::cull::{Latency, Range};
 use antumbra::draw::AdapterChoice;
 use antumbra::measure::MeasureError;
 use antumbra::measure::stereo_picture::Layout;
@@ -401,5 +401,5 @@ fn share(text: &str) -> Result<f64, String> {
 
 fn latency(text: &str) -> Result<Latency, String> {
     text.parse()
-        .map_err(|()| format!("it takes {}", antumbra::cull::LATENCY_RANGE))
+        .map_err(|()| format!("it takes {}", Range::Words(Latency::WORDS)))
 }

@@ -1,8 +1,8 @@
 //! A budget in place of settings: how much of the image may be wrong, or how long a frame may take. A controller turns the strategy's knobs by
 //! what the audit finds, frame by frame.
 //!
-//! A strategy says how it trades: [`Step`]s from the most accurate to the fastest, of which some have a dial that says how much a frame may leave out
-//! ([`Strategy::steps`](crate::Strategy::steps)). `docs/accuracy.md` tells how well that keeps.
+//! A strategy says how it trades: [`Step`](crate::Step)s from the most accurate to the fastest, of which some have a dial that says how much a frame may leave out
+//! ([`Tunable::steps`](crate::Tunable::steps)). `docs/accuracy.md` tells how well that keeps.
 
 mod belief;
 mod error;
@@ -59,35 +59,6 @@ impl fmt::Display for Budget {
             Self::WrongPixels(percent) => write!(f, "wrong_pixels={percent}%"),
             Self::FrameTime(time) => write!(f, "frame_time={time}ms"),
         }
-    }
-}
-
-/// One step of a strategy's trade between accuracy and speed.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Step {
-    /// What is set, by key; all other settings stay as they are.
-    pub settings: Vec<(&'static str, String)>,
-    /// A setting that takes percent of the image, 0 to 100, and may be turned while frames run: what a frame leaves out by its own count.
-    pub dial: Option<&'static str>,
-}
-
-impl Step {
-    /// A step of these settings, without a dial.
-    pub fn of<const N: usize>(settings: [(&'static str, &str); N]) -> Self {
-        Self {
-            settings: settings
-                .into_iter()
-                .map(|(key, value)| (key, value.to_owned()))
-                .collect(),
-            dial: None,
-        }
-    }
-
-    /// The same with a dial.
-    #[must_use]
-    pub fn with_dial(mut self, key: &'static str) -> Self {
-        self.dial = Some(key);
-        self
     }
 }
 

@@ -37,6 +37,16 @@ impl Counting {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Queries, Self::Atomics, Self::Compare, Self::Identity];
 
+    /// Its word on the command line and in reports.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Queries => "queries",
+            Self::Atomics => "atomics",
+            Self::Compare => "compare",
+            Self::Identity => "identity",
+        }
+    }
+
     /// The faster of the two ways in which fragments count themselves, where the device has it.
     pub fn by_fragments(gpu: &Gpu) -> Self {
         match Self::Atomics.lacking(gpu) {
@@ -76,12 +86,7 @@ impl Counting {
 
 impl fmt::Display for Counting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Queries => "queries",
-            Self::Atomics => "atomics",
-            Self::Compare => "compare",
-            Self::Identity => "identity",
-        })
+        f.write_str(self.word())
     }
 }
 
@@ -91,7 +96,7 @@ impl FromStr for Counting {
     fn from_str(text: &str) -> Result<Self, ()> {
         Self::ALL
             .into_iter()
-            .find(|way| way.to_string() == text)
+            .find(|way| way.word() == text)
             .ok_or(())
     }
 }

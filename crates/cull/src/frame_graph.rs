@@ -17,7 +17,7 @@ use antumbra_graph::{
 use antumbra_scene::hierarchy::Shape;
 
 use crate::candidates::Candidates;
-use crate::hand_on::HandedOn;
+use crate::narrowing::Narrowing;
 use crate::order::back_to_front;
 use crate::samples::outside;
 use crate::strategy::VisibleSet;
@@ -207,7 +207,7 @@ impl<'g> FrameGraph<'g> {
         u64::from(self.shared.layout.slots.max(1)) * 4
     }
 
-    /// What of the scene lies in the view's frustum, and, where an outer strategy has [handed on](Self::hand_on), was left by it. Found once
+    /// What of the scene lies in the view's frustum, and, where an outer strategy has [handed on](Self::chain), was left by it. Found once
     /// a view, however often it is asked for.
     pub fn in_frustum(&mut self, view: &mut ViewNodes) -> Host<Candidates> {
         if let Some(found) = view.in_frustum {
@@ -225,7 +225,7 @@ impl<'g> FrameGraph<'g> {
         let all = self.candidates(view, "everything", |candidates, table, frame| {
             candidates.take_all(table, frame)
         });
-        let Some(HandedOn { inside, left }) = view.handed_on else {
+        let Some(Narrowing { inside, left }) = view.narrowing else {
             return all;
         };
         let rest = self.graph.host::<Candidates>(view.named("rest"));
@@ -262,7 +262,7 @@ impl<'g> FrameGraph<'g> {
     }
 
     /// Some of the candidates: `keep` takes away from their slots, in any order. What is left may be the occluders of
-    /// [`Self::proxies_of`], or all that another strategy judges ([`Self::hand_on`]).
+    /// [`Self::proxies_of`], or all that another strategy judges ([`Self::chain`]).
     pub fn narrowed(
         &mut self,
         view: &ViewNodes,
@@ -309,10 +309,10 @@ impl<'g> FrameGraph<'g> {
             .layout
             .transparent
             .then(|| self.unsubmitted(&view.named("visible transparent set")));
-        let handed_on = view.handed_on;
+        let narrowing = view.narrowing;
         let mut node = self.graph.host_node(view.named("choose visible set"));
-        if let Some(handed_on) = handed_on {
-            handed_on.read(&mut node);
+        if let Some(narrowing) = narrowing {
+            narrowing.read(&mut node);
         }
         node.group(CULL).read(inputs.scene).read(inputs.view);
         reads(&mut node);
@@ -333,8 +333,8 @@ impl<'g> FrameGraph<'g> {
             let mut verdicts = ctx.get_mut(chosen.verdicts)?;
             outside(table, &mut verdicts);
             judge(ctx, table, &frame, &mut verdicts)?;
-            if let Some(handed_on) = handed_on {
-                handed_on.hide(ctx, &mut verdicts)?;
+            if let Some(narrowing) = narrowing {
+                narrowing.hide(ctx, &mut verdicts)?;
             }
             let mut solid = ctx.get_mut(chosen.solid.list)?;
             let verdicts = &*verdicts;

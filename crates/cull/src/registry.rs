@@ -2,8 +2,8 @@
 
 use thiserror::Error;
 
-use crate::setting::SettingError;
 use crate::strategy::Strategy;
+use crate::tuning::SettingError;
 
 type Maker = Box<dyn Fn() -> Box<dyn Strategy> + Send + Sync>;
 
@@ -88,7 +88,7 @@ impl Registry {
             let (key, value) = part.split_once('=').ok_or_else(|| RegistryError::Form {
                 text: part.to_owned(),
             })?;
-            strategy.set(key, value)?;
+            strategy.set_text(key, value)?;
         }
         Ok(strategy)
     }

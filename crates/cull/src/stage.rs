@@ -14,11 +14,12 @@ use built::{Built, build};
 use thiserror::Error;
 
 use crate::audit::{Audit, AuditOptions};
-use crate::budget::{Budget, Keeping, Standing, Step};
+use crate::budget::{Budget, Keeping, Standing};
 use crate::candidates::Asked;
-use crate::hand_on::{HandedOn, hide};
+use crate::narrowing::{Narrowing, hide};
 use crate::samples::Samples;
 use crate::strategy::{DeclareError, Strategy, VerdictSource};
+use crate::tuning::Step;
 use crate::turned::GpuTurned;
 use crate::verdict::Verdicts;
 
@@ -451,7 +452,7 @@ impl Stage {
                 verdicts
             }
         };
-        if let Some(HandedOn { inside, left }) = built.handed_on {
+        if let Some(Narrowing { inside, left }) = built.narrowing {
             let [inside, left] = [inside, left].map(|list| plan.get(list).ok_or_else(missing));
             hide(inside?, left?, &mut verdicts);
         }

@@ -5,21 +5,22 @@ use thiserror::Error;
 
 use crate::candidates::Candidates;
 use crate::frame_graph::FrameGraph;
-use crate::hand_on::HandedOn;
-use crate::setting::{Setting, SettingError};
+use crate::latency::Latency;
+use crate::narrowing::Narrowing;
+use crate::tuning::{Setting, SettingError, Step, Tunable, Value};
 use crate::turned::Turned;
 use crate::verdict::Verdicts;
 use crate::view_nodes::ViewNodes;
 
-/// A culling strategy: a plug-in that adds nodes to the graph and says what the shaded pass shall draw.
+/// A culling strategy: a plug-in that adds nodes to the graph and says what the shaded pass draws.
 ///
-/// A strategy is asked to [`declare`](Self::declare) its nodes once a view whenever the plan is compiled: at the start, and when
-/// the scene outgrows its buffers. Whatever it keeps between frames belongs into host values that its nodes update.
+/// A strategy [declares](Self::declare) its nodes once a view whenever a plan is compiled: at the start, when the scene outgrows its buffers, and when a
+/// budget changes its settings. What it keeps between frames belongs into host values that its nodes update.
 ///
 /// ```no_run
 /// use antumbra_cull::*;
 ///
-/// /// Draws whatever has a corner within a distance.
+/// /// Draws entities nearer than a distance.
 /// struct Nearby(f64);
 ///
 /// impl Strategy for Nearby {
@@ -42,52 +43,105 @@ pub trait Strategy: Send {
     /// What it does, in a sentence.
     fn summary(&self) -> &str;
 
-    /// Whether, set as it is, it never culls an entity that owns a pixel of the reference.
+    /// Whether, with its present settings, it never culls an entity that owns a pixel of the reference.
     fn conservative(&self) -> bool;
 
-    /// When the answers of its queries are used, where it asks any.
-    fn latency(&self) -> Option<crate::Latency> {
+    /// When the results of its queries are used; `None` for a strategy without queries.
+    fn latency(&self) -> Option<Latency> {
         None
     }
 
-    /// Whether it must be told which entities own a pixel ([`ViewInput::reference`](crate::ViewInput::reference)): a limit to measure by, nothing to ship.
+    /// What it is for in a comparison.
+    fn role(&self) -> Role {
+        Role::Contender
+    }
+
+    /// Whether it must be given the entities that own a pixel ([`ViewInput::reference`](crate::ViewInput::reference)): for measuring alone.
     fn needs_reference(&self) -> bool {
         false
     }
 
-    /// Its knobs as they stand.
-    fn settings(&self) -> Vec<Setting> {
-        Vec::new()
+    /// Its settings and its steps between accuracy and speed; `None`: it has neither.
+    fn tuning(&self) -> Option<&dyn Tunable> {
+        None
     }
 
-    /// Turns a knob.
+    /// The same, to change them.
+    fn tuning_mut(&mut self) -> Option<&mut dyn Tunable> {
+        None
+    }
+
+    /// Adds its nodes for one view, and says what that view draws.
     ///
     /// # Errors
-    /// [`SettingError`] for a knob it does not have or a value out of range.
-    fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
-        let _ = value;
-        Err(SettingError::Unknown {
-            strategy: self.name().to_owned(),
-            key: key.to_owned(),
-            known: self.settings().iter().map(|setting| setting.key).collect(),
-        })
-    }
-
-    /// How it trades accuracy for speed when it is given a [`Budget`](crate::Budget): its steps from the most accurate, which is conservative, to the
-    /// fastest. None: it has nothing to trade.
-    fn steps(&self) -> Vec<crate::Step> {
-        Vec::new()
-    }
-
-    /// Adds its nodes for one view and says what that view draws.
-    ///
-    /// # Errors
-    /// [`DeclareError`] when its settings do not go together, or the device cannot do what they ask for.
+    /// [`DeclareError`] when its settings exclude each other, or the device lacks what they need.
     fn declare(
         &mut self,
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError>;
+}
+
+/// What a strategy is for in a comparison.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// Draws everything: what culling has to beat.
+    Everything,
+    /// Draws what touches the frustum: what occlusion culling has to beat.
+    Frustum,
+    /// Draws exactly what is visible, known beforehand: the limit.
+    Ideal,
+    /// A strategy to be measured by these three.
+    Contender,
+}
+
+impl Role {
+    /// Whether others are measured by it: it is neither audited nor given a budget.
+    pub fn is_yardstick(self) -> bool {
+        self != Self::Contender
+    }
+}
+
+impl dyn Strategy + '_ {
+    /// Its settings as they stand; empty without any.
+    pub fn settings(&self) -> Vec<Setting> {
+        self.tuning().map(Tunable::settings).unwrap_or_default()
+    }
+
+    /// Its steps from the most accurate to the fastest; empty without any.
+    pub fn steps(&self) -> Vec<Step> {
+        self.tuning().map(Tunable::steps).unwrap_or_default()
+    }
+
+    /// Sets a setting.
+    ///
+    /// # Errors
+    /// [`SettingError`] for a name that no setting has, or a value out of range.
+    pub fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
+        match self.tuning_mut() {
+            Some(tuning) => tuning.set(key, value),
+            None => Err(self.has_none(key)),
+        }
+    }
+
+    /// Sets a setting from text.
+    ///
+    /// # Errors
+    /// As [`Self::set`], and for text that is no value of its kind.
+    pub fn set_text(&mut self, key: &str, text: &str) -> Result<(), SettingError> {
+        match self.tuning_mut() {
+            Some(tuning) => tuning.set_text(key, text),
+            None => Err(self.has_none(key)),
+        }
+    }
+
+    fn has_none(&self, key: &str) -> SettingError {
+        SettingError::Unknown {
+            strategy: self.name().to_owned(),
+            key: key.to_owned(),
+            known: Vec::new(),
+        }
+    }
 }
 
 /// Why a strategy cannot be declared as it is set, or on this device.
@@ -119,7 +173,7 @@ pub enum DeclareError {
 pub struct VisibleSet {
     pub(crate) verdicts: VerdictSource,
     /// What was left to whoever found it, where another strategy came before.
-    pub(crate) handed_on: Option<HandedOn>,
+    pub(crate) narrowing: Option<Narrowing>,
 }
 
 /// Where a view's verdicts can be read.
@@ -143,7 +197,7 @@ impl From<VerdictSource> for VisibleSet {
     fn from(verdicts: VerdictSource) -> Self {
         Self {
             verdicts,
-            handed_on: None,
+            narrowing: None,
         }
     }
 }

@@ -6,7 +6,7 @@ use antumbra_draw::passes::ViewInputs;
 use antumbra_graph::{Host, Texture};
 
 use crate::candidates::Candidates;
-use crate::hand_on::HandedOn;
+use crate::narrowing::Narrowing;
 
 /// The view's image so far: shaded passes draw into these and leave the next versions here.
 #[derive(Debug, Clone, Copy)]
@@ -30,7 +30,7 @@ pub struct ViewNodes {
     pub(crate) reference: Option<Host<Arc<Vec<u32>>>>,
     pub(crate) in_frustum: Option<Host<Candidates>>,
     /// What an outer strategy has left to the one that is declared.
-    pub(crate) handed_on: Option<HandedOn>,
+    pub(crate) narrowing: Option<Narrowing>,
 }
 
 impl ViewNodes {
@@ -67,7 +67,7 @@ impl ViewNodes {
     /// The candidates that an outer strategy has left to the one that is declared; `None` where it is the only one. A strategy that finds its entities
     /// by other ways than [`FrameGraph::in_frustum`](crate::FrameGraph::in_frustum), as by a tree, keeps to these.
     pub fn narrowed_to(&self) -> Option<Host<Candidates>> {
-        self.handed_on.map(|handed_on| handed_on.left)
+        self.narrowing.map(|narrowing| narrowing.left)
     }
 
     /// A node's or resource's name in this view.

@@ -5,8 +5,8 @@ use antumbra_graph::Host;
 use crate::candidates::Candidates;
 use crate::counting::Counts;
 use crate::frame_graph::{CULL, FrameGraph};
+use crate::latency::Latency;
 use crate::samples::{Allowance, SampleRule, Samples};
-use crate::setting::Latency;
 use crate::strategy::VisibleSet;
 use crate::view_nodes::ViewNodes;
 

@@ -2,7 +2,7 @@
 //! occlusion and are always right, so that a stage can fall back to [`Frustum`], and the kit and the harness need no other crate to measure by.
 
 use crate::frame_graph::FrameGraph;
-use crate::strategy::{DeclareError, Strategy, VisibleSet};
+use crate::strategy::{DeclareError, Role, Strategy, VisibleSet};
 use crate::verdict::Verdict;
 use crate::view_nodes::ViewNodes;
 
@@ -17,6 +17,10 @@ impl Strategy for Everything {
 
     fn summary(&self) -> &str {
         "draws every entity"
+    }
+
+    fn role(&self) -> Role {
+        Role::Everything
     }
 
     fn conservative(&self) -> bool {
@@ -46,6 +50,10 @@ impl Strategy for Frustum {
         "draws what touches the frustum"
     }
 
+    fn role(&self) -> Role {
+        Role::Frustum
+    }
+
     fn conservative(&self) -> bool {
         true
     }
@@ -71,6 +79,10 @@ impl Strategy for Ideal {
 
     fn summary(&self) -> &str {
         "draws what is known to own a pixel, for free"
+    }
+
+    fn role(&self) -> Role {
+        Role::Ideal
     }
 
     fn conservative(&self) -> bool {

@@ -119,7 +119,7 @@ fn the_first_step_of_every_strategy_is_conservative() {
         };
         for latency in latencies {
             let mut strategy = registry.make(name).unwrap();
-            if *latency != "none" && strategy.set("latency", latency).is_err() {
+            if *latency != "none" && strategy.set_text("latency", latency).is_err() {
                 continue;
             }
             let steps = strategy.steps();
@@ -129,8 +129,8 @@ fn the_first_step_of_every_strategy_is_conservative() {
                     strategy.set(key, value).unwrap();
                 }
                 if let Some(dial) = step.dial {
-                    strategy.set(dial, "0.5").unwrap();
-                    strategy.set(dial, "0").unwrap();
+                    strategy.set(dial, &0.5.into()).unwrap();
+                    strategy.set(dial, &0.0.into()).unwrap();
                 }
             }
             let exact = steps.is_empty() || strategy.conservative();
@@ -169,7 +169,7 @@ fn three_pass_has_a_step_between_full_size_and_a_much_smaller_one() {
         let steps = strategy.unwrap().steps();
         let own = |step: &antumbra_cull::Step| {
             let own = step.settings.iter().rfind(|(key, _)| *key == "scale");
-            own.map(|(_, value)| value.clone())
+            own.map(|(_, value)| value.to_string())
         };
         let found = steps.get(2).and_then(own);
         assert_eq!(found.as_deref(), between, "{steps:?}");

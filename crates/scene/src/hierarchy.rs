@@ -41,17 +41,24 @@ pub enum Shape {
 impl Shape {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Groups, Self::Boxes, Self::Divided];
+    /// Their words, in the order of [`Self::ALL`].
+    pub const WORDS: &[&str] = &["groups", "boxes", "divided"];
     /// The most members of a group that is left undivided.
     pub const WIDE: usize = 16;
+
+    /// Its word in settings and messages.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Groups => "groups",
+            Self::Boxes => "boxes",
+            Self::Divided => "divided",
+        }
+    }
 }
 
 impl fmt::Display for Shape {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Groups => "groups",
-            Self::Boxes => "boxes",
-            Self::Divided => "divided",
-        })
+        f.write_str(self.word())
     }
 }
 
@@ -60,7 +67,7 @@ impl FromStr for Shape {
 
     fn from_str(text: &str) -> Result<Self, ()> {
         let mut all = Self::ALL.into_iter();
-        all.find(|shape| shape.to_string() == text).ok_or(())
+        all.find(|shape| shape.word() == text).ok_or(())
     }
 }
 

@@ -18,7 +18,8 @@ use fraction::Share;
 use one_eye::Eye;
 
 use antumbra_cull::{
-    DeclareError, FrameGraph, Latency, Setting, SettingError, Step, Strategy, ViewNodes, VisibleSet,
+    DeclareError, FrameGraph, Latency, Setting, SettingError, Step, Strategy, Tunable, Value,
+    ViewNodes, VisibleSet, assign, describe,
 };
 
 /// What both strategies can be told.
@@ -80,25 +81,57 @@ impl Coherence {
     fn conservative(self) -> bool {
         self.latency != Latency::FrameLate && self.fraction >= 1.0
     }
+}
 
-    /// From all of the occluded tested to a twentieth of them.
-    fn steps(self) -> Vec<Step> {
+impl Tunable for Coherence {
+    fn settings(&self) -> Vec<Setting> {
+        describe(settings::PARAMETERS, self)
+    }
+
+    fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
+        assign("coherent", settings::PARAMETERS, self, key, value)
+    }
+
+    /// From all of the occluded entities tested to a twentieth of them.
+    fn steps(&self) -> Vec<Step> {
         let now = match self.latency {
-            Latency::SameFrame => "same-frame",
-            Latency::FrameLate | Latency::OnGpu => "on-gpu",
+            Latency::SameFrame => Latency::SameFrame,
+            Latency::FrameLate | Latency::OnGpu => Latency::OnGpu,
         };
-        let latency = self.latency.to_string();
-        let exact = Step::of([("late", "0"), ("latency", now), ("fraction", "1")]);
-        let mut steps = vec![exact];
-        let parts = ["1", "0.7", "0.5", "0.35", "0.2", "0.1", "0.05"];
-        let skipped = usize::from(self.latency != Latency::FrameLate);
-        steps.extend(
-            parts
-                .into_iter()
-                .skip(skipped)
-                .map(|part| Step::of([("late", "0"), ("latency", &latency), ("fraction", part)])),
-        );
+        let step = |latency: Latency, fraction: f64| {
+            Step::of([
+                ("late", 0u32.into()),
+                ("latency", latency.word().into()),
+                ("fraction", fraction.into()),
+            ])
+        };
+        let mut steps = vec![step(now, 1.0)];
+        if self.latency == Latency::FrameLate {
+            steps.push(step(self.latency, 1.0));
+        }
+        let parts = [0.7, 0.5, 0.35, 0.2, 0.1, 0.05];
+        steps.extend(parts.map(|part| step(self.latency, part)));
         steps
+    }
+}
+
+impl Tunable for StereoCoherent {
+    fn settings(&self) -> Vec<Setting> {
+        self.coherence.settings()
+    }
+
+    fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
+        assign(
+            "stereo-coherent",
+            settings::PARAMETERS,
+            &mut self.coherence,
+            key,
+            value,
+        )
+    }
+
+    fn steps(&self) -> Vec<Step> {
+        self.coherence.steps()
     }
 }
 
@@ -152,16 +185,12 @@ impl Strategy for Coherent {
         Some(self.coherence.latency)
     }
 
-    fn settings(&self) -> Vec<Setting> {
-        self.coherence.settings()
+    fn tuning(&self) -> Option<&dyn Tunable> {
+        Some(&self.coherence)
     }
 
-    fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
-        self.coherence.set_of("coherent", key, value)
-    }
-
-    fn steps(&self) -> Vec<Step> {
-        self.coherence.steps()
+    fn tuning_mut(&mut self) -> Option<&mut dyn Tunable> {
+        Some(&mut self.coherence)
     }
 
     fn declare(
@@ -200,16 +229,12 @@ impl Strategy for StereoCoherent {
         Some(self.coherence.latency)
     }
 
-    fn settings(&self) -> Vec<Setting> {
-        self.coherence.settings()
+    fn tuning(&self) -> Option<&dyn Tunable> {
+        Some(self)
     }
 
-    fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
-        self.coherence.set_of("stereo-coherent", key, value)
-    }
-
-    fn steps(&self) -> Vec<Step> {
-        self.coherence.steps()
+    fn tuning_mut(&mut self) -> Option<&mut dyn Tunable> {
+        Some(self)
     }
 
     fn declare(

@@ -10,7 +10,8 @@ use antumbra_scene::hierarchy::Shape;
 
 use crate::traversal::{Asking, How, Order, Remember, frame_late, same_frame};
 use antumbra_cull::{
-    DeclareError, FrameGraph, Latency, Setting, SettingError, Step, Strategy, ViewNodes, VisibleSet,
+    DeclareError, FrameGraph, Latency, Setting, SettingError, Step, Strategy, Tunable, Value,
+    ViewNodes, VisibleSet, assign, describe,
 };
 
 /// What both strategies can be told.
@@ -94,7 +95,7 @@ impl Occupancy {
 }
 
 /// What the steps of a trade drop, in pixels of width and height.
-const SMALL: [&str; 7] = ["0", "0.5", "1", "2", "4", "8", "16"];
+const SMALL: [f64; 7] = [0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0];
 
 /// The strategy `occupancy-map`: multiple queries.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -129,32 +130,12 @@ impl Strategy for OccupancyMaps {
         Some(self.latency)
     }
 
-    fn settings(&self) -> Vec<Setting> {
-        let mut settings = vec![settings::latency(self.latency)];
-        settings.extend(self.occupancy.settings());
-        settings
+    fn tuning(&self) -> Option<&dyn Tunable> {
+        Some(self)
     }
 
-    fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
-        if key == "latency" {
-            self.latency = settings::parse_latency(value)?;
-            return Ok(());
-        }
-        match self.occupancy.set(key, value)? {
-            true => Ok(()),
-            false => Err(settings::unknown(self, key)),
-        }
-    }
-
-    fn steps(&self) -> Vec<Step> {
-        let exact = Step::of([
-            ("latency", "same-frame"),
-            ("small", "0"),
-            ("occluded-for", "0"),
-        ]);
-        let latency = self.latency.to_string();
-        let fast = SMALL.map(|small| Step::of([("latency", &latency), ("small", small)]));
-        std::iter::once(exact).chain(fast).collect()
+    fn tuning_mut(&mut self) -> Option<&mut dyn Tunable> {
+        Some(self)
     }
 
     fn declare(
@@ -188,23 +169,12 @@ impl Strategy for OccupancyMapSingle {
         Some(Latency::SameFrame)
     }
 
-    fn settings(&self) -> Vec<Setting> {
-        let mut settings = self.occupancy.settings();
-        settings.retain(|setting| !settings::OF_BATCHES.contains(&setting.key));
-        settings
+    fn tuning(&self) -> Option<&dyn Tunable> {
+        Some(self)
     }
 
-    fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
-        if settings::OF_BATCHES.contains(&key) || !self.occupancy.set(key, value)? {
-            return Err(settings::unknown(self, key));
-        }
-        Ok(())
-    }
-
-    fn steps(&self) -> Vec<Step> {
-        let exact = Step::of([("small", "0"), ("occluded-for", "0")]);
-        let fast = SMALL.map(|small| Step::of([("small", small)]));
-        std::iter::once(exact).chain(fast).collect()
+    fn tuning_mut(&mut self) -> Option<&mut dyn Tunable> {
+        Some(self)
     }
 
     fn declare(
@@ -217,5 +187,83 @@ impl Strategy for OccupancyMapSingle {
             ..self.occupancy.how(Asking::Single)
         };
         Ok(same_frame(g, view, self.occupancy.tree, how))
+    }
+}
+
+impl Tunable for OccupancyMaps {
+    fn settings(&self) -> Vec<Setting> {
+        let own = describe(settings::LATENCY, self).into_iter();
+        own.chain(describe(settings::PARAMETERS, &self.occupancy))
+            .collect()
+    }
+
+    fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
+        let own = settings::LATENCY
+            .iter()
+            .any(|parameter| parameter.key() == key);
+        let known = settings::PARAMETERS
+            .iter()
+            .any(|parameter| parameter.key() == key);
+        match (own, known) {
+            (true, _) => assign("occupancy-map", settings::LATENCY, self, key, value),
+            (_, true) => assign(
+                "occupancy-map",
+                settings::PARAMETERS,
+                &mut self.occupancy,
+                key,
+                value,
+            ),
+            _ => Err(unknown(self, key)),
+        }
+    }
+
+    fn steps(&self) -> Vec<Step> {
+        let step = |latency: Latency, small: f64| {
+            Step::of([("latency", latency.word().into()), ("small", small.into())])
+        };
+        let exact = step(Latency::SameFrame, 0.0).and([("occluded-for", 0u32.into())]);
+        let fast = SMALL.map(|small| step(self.latency, small));
+        std::iter::once(exact).chain(fast).collect()
+    }
+}
+
+impl Tunable for OccupancyMapSingle {
+    fn settings(&self) -> Vec<Setting> {
+        let mut settings = describe(settings::PARAMETERS, &self.occupancy);
+        settings.retain(|setting| !settings::OF_BATCHES.contains(&setting.key));
+        settings
+    }
+
+    fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
+        if settings::OF_BATCHES.contains(&key) {
+            return Err(unknown(self, key));
+        }
+        assign(
+            "occupancy-map-single",
+            settings::PARAMETERS,
+            &mut self.occupancy,
+            key,
+            value,
+        )
+        .map_err(|error| match error {
+            SettingError::Unknown { .. } => unknown(self, key),
+            error => error,
+        })
+    }
+
+    fn steps(&self) -> Vec<Step> {
+        let exact = Step::of([("small", 0u32.into()), ("occluded-for", 0u32.into())]);
+        let fast = SMALL.map(|small| Step::of([("small", small.into())]));
+        std::iter::once(exact).chain(fast).collect()
+    }
+}
+
+/// The error for a setting that a strategy does not have.
+fn unknown(strategy: &(impl Strategy + Tunable), key: &str) -> SettingError {
+    let known = strategy.settings();
+    SettingError::Unknown {
+        strategy: strategy.name().to_owned(),
+        key: key.to_owned(),
+        known: known.iter().map(|setting| setting.key).collect(),
     }
 }

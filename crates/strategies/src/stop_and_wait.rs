@@ -10,8 +10,9 @@ use antumbra_graph::{BufferDesc, Host};
 
 use antumbra_cull::order::by_nearest_corner;
 use antumbra_cull::{
-    CULL, Candidates, DRAW, DeclareError, FrameGraph, Latency, Setting, SettingError, Strategy,
-    Verdict, Verdicts, ViewNodes, VisibleSet, outside, parse, question,
+    CULL, Candidates, DRAW, DeclareError, FrameGraph, Latency, Parameter, Setting, SettingError,
+    Strategy, Tunable, Value, Verdict, Verdicts, ViewNodes, VisibleSet, assign, describe, outside,
+    question,
 };
 use antumbra_scene::hierarchy::Shape;
 
@@ -35,8 +36,23 @@ impl Default for StopAndWait {
     }
 }
 
-const BATCH_RANGE: &str = "a whole number from 1 to 4096";
-const TREE_RANGE: &str = "none, groups, boxes or divided";
+const PARAMETERS: &[Parameter<StopAndWait>] = &[
+    Parameter::whole(
+        "batch",
+        1..=4096,
+        "entities",
+        "entities queried between two waits",
+        |s| s.batch,
+        |s, entities| s.batch = entities,
+    ),
+    Parameter::words(
+        "tree",
+        &["none", "groups", "boxes", "divided"],
+        "the tree to traverse with a query a node: the scene's groups, a bounding volume hierarchy, or groups whose wide ones are divided",
+        |s| s.tree.map_or("none", Shape::word),
+        |s, at| s.tree = at.checked_sub(1).map(|at| Shape::ALL[at]),
+    ),
+];
 
 /// How a tree is walked: no map, no memory, a query for every node in the frustum.
 const A_QUERY_A_NODE: How = How {
@@ -44,6 +60,16 @@ const A_QUERY_A_NODE: How = How {
     map: false,
     ..How::PAPER
 };
+
+impl Tunable for StopAndWait {
+    fn settings(&self) -> Vec<Setting> {
+        describe(PARAMETERS, self)
+    }
+
+    fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
+        assign("stop-and-wait", PARAMETERS, self, key, value)
+    }
+}
 
 /// Where the traversal stands.
 #[derive(Debug, Default)]
@@ -73,42 +99,12 @@ impl Strategy for StopAndWait {
         Some(Latency::SameFrame)
     }
 
-    fn settings(&self) -> Vec<Setting> {
-        let tree = self.tree.map(|shape| shape.to_string());
-        vec![
-            Setting {
-                key: "batch",
-                value: self.batch.to_string(),
-                range: BATCH_RANGE,
-                meaning: "entities asked about between two waits",
-            },
-            Setting {
-                key: "tree",
-                value: tree.unwrap_or_else(|| "none".to_owned()),
-                range: TREE_RANGE,
-                meaning: "a tree to be walked, a query a node: the scene's groups, boxes over boxes, or groups with the wide ones divided",
-            },
-        ]
+    fn tuning(&self) -> Option<&dyn Tunable> {
+        Some(self)
     }
 
-    fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
-        match key {
-            "batch" => {
-                self.batch = parse(key, value, BATCH_RANGE, |batch| (1..=4096).contains(batch))?;
-            }
-            "tree" if value == "none" => self.tree = None,
-            "tree" => self.tree = Some(parse(key, value, TREE_RANGE, |_| true)?),
-            _ => {
-                let known = self.settings().iter().map(|setting| setting.key).collect();
-                let (strategy, key) = (self.name().to_owned(), key.to_owned());
-                return Err(SettingError::Unknown {
-                    strategy,
-                    key,
-                    known,
-                });
-            }
-        }
-        Ok(())
+    fn tuning_mut(&mut self) -> Option<&mut dyn Tunable> {
+        Some(self)
     }
 
     fn declare(

@@ -6,8 +6,9 @@
 use antumbra_draw::Detail;
 
 use antumbra_cull::{
-    Allowance, Close, Counting, DeclareError, Dial, FrameGraph, LATENCY_RANGE, Latency, SampleRule,
-    Setting, SettingError, Step, Strategy, ViewNodes, VisibleSet, parse,
+    Allowance, Close, Counting, DeclareError, Dial, FrameGraph, Latency, Parameter, SampleRule,
+    Setting, SettingError, Step, Strategy, Tunable, Value, ViewNodes, VisibleSet, assign, describe,
+    shortest,
 };
 
 /// The strategy `three-pass`.
@@ -63,20 +64,6 @@ impl StandIn {
             Self::Box => "box",
         }
     }
-
-    fn read(
-        key: &str,
-        value: &str,
-        range: &'static str,
-        allowed: &[Self],
-    ) -> Result<Self, SettingError> {
-        let found = allowed.iter().find(|stand_in| stand_in.word() == value);
-        found.copied().ok_or_else(|| SettingError::Value {
-            key: key.to_owned(),
-            value: value.to_owned(),
-            range,
-        })
-    }
 }
 
 impl Default for ThreePass {
@@ -95,14 +82,82 @@ impl Default for ThreePass {
     }
 }
 
-const COUNTING_RANGE: &str = "auto, queries, atomics, compare or identity";
-const THRESHOLD_RANGE: &str = "a whole number of pixels, 0 to 1000000";
-const ALLOW_RANGE: &str = "a number of percent, 0 to 100";
-const COARSER_RANGE: &str = "a whole number of pixels, 0 (never) to 1000000";
-const OCCLUDERS_RANGE: &str = "proxy or full";
-const OCCLUDEES_RANGE: &str = "proxy, full or box";
-const DEVIATION_RANGE: &str = "a number of pixels from 0, or any";
-const SCALE_RANGE: &str = "a number from 0.05 to 1";
+/// Ways of counting by their place in the setting `counting`, after `auto`.
+const COUNTING: &[&str] = &["auto", "queries", "atomics", "compare", "identity"];
+const OCCLUDERS: [StandIn; 2] = [StandIn::Proxy, StandIn::Full];
+const OCCLUDEES: [StandIn; 3] = [StandIn::Proxy, StandIn::Full, StandIn::Box];
+
+const PARAMETERS: &[Parameter<ThreePass>] = &[
+    Parameter::words(
+        "latency",
+        Latency::WORDS,
+        "when the counts are used",
+        |s| s.latency.word(),
+        |s, at| s.latency = Latency::ALL[at],
+    ),
+    Parameter::words(
+        "counting",
+        COUNTING,
+        "how visible samples are counted",
+        |s| s.counting.map_or(COUNTING[0], Counting::word),
+        |s, at| s.counting = at.checked_sub(1).map(|at| Counting::ALL[at]),
+    ),
+    Parameter::whole(
+        "threshold",
+        0..=1_000_000,
+        "px",
+        "an entity is drawn if more pixels of its proxy are visible",
+        |s| s.threshold,
+        |s, pixels| s.threshold = pixels,
+    ),
+    Parameter::number(
+        "allow",
+        0.0..=100.0,
+        "% of the image",
+        "part of the image that a frame may leave out although it is visible, the smallest entities first",
+        |s| shortest(s.allow.get()),
+        |s, percent| s.allow.turn(percent as f32),
+    ),
+    Parameter::whole(
+        "coarser",
+        0..=1_000_000,
+        "px",
+        "an entity with at most this many visible pixels is drawn one level of detail coarser, with a quarter of them two; 0: never",
+        |s| s.coarser,
+        |s, pixels| s.coarser = pixels,
+    ),
+    Parameter::words(
+        "occluders",
+        &["proxy", "full"],
+        "what replaces the meshes in the first pass",
+        |s| s.occluders.word(),
+        |s, at| s.occluders = OCCLUDERS[at],
+    ),
+    Parameter::words(
+        "occludees",
+        &["proxy", "full", "box"],
+        "what replaces the meshes in the second pass",
+        |s| s.occludees.word(),
+        |s, at| s.occludees = OCCLUDEES[at],
+    ),
+    Parameter::number_or_any(
+        "deviation",
+        0.0,
+        "px",
+        "most pixels by which a proxy may deviate from its mesh; nearer to the camera the mesh itself is used",
+        |s| s.deviation,
+        |s, pixels| s.deviation = pixels,
+    ),
+    Parameter::number(
+        "scale",
+        0.05..=1.0,
+        "",
+        "side of the first two passes' image as a part of the final one's",
+        |s| s.scale,
+        |s, scale| s.scale = scale,
+    ),
+];
+
 /// Below this scale a budget has a step between it and full size, at their geometric mean; above, the two are too close for one more.
 const BETWEEN: f64 = 0.75;
 
@@ -183,162 +238,12 @@ impl Strategy for ThreePass {
         Some(self.latency)
     }
 
-    fn settings(&self) -> Vec<Setting> {
-        let setting = |key, value, range, meaning| Setting {
-            key,
-            value,
-            range,
-            meaning,
-        };
-        let counting = self
-            .counting
-            .map_or_else(|| "auto".to_owned(), |way| way.to_string());
-        vec![
-            setting(
-                "latency",
-                self.latency.to_string(),
-                LATENCY_RANGE,
-                "when the counts are used",
-            ),
-            setting(
-                "counting",
-                counting,
-                COUNTING_RANGE,
-                "how visible samples are counted",
-            ),
-            setting(
-                "threshold",
-                self.threshold.to_string(),
-                THRESHOLD_RANGE,
-                "an entity is drawn when more of its proxy's pixels are visible",
-            ),
-            setting(
-                "allow",
-                self.allow.get().to_string(),
-                ALLOW_RANGE,
-                "part of the image that a frame may leave out though it was seen, the smallest first",
-            ),
-            setting(
-                "coarser",
-                self.coarser.to_string(),
-                COARSER_RANGE,
-                "with at most so many visible pixels an entity is drawn one level of detail coarser; with a quarter of them two; 0: never",
-            ),
-            setting(
-                "occluders",
-                self.occluders.word().to_owned(),
-                OCCLUDERS_RANGE,
-                "what stands in for the meshes in the first pass",
-            ),
-            setting(
-                "occludees",
-                self.occludees.word().to_owned(),
-                OCCLUDEES_RANGE,
-                "what stands in for the meshes in the second pass",
-            ),
-            setting(
-                "deviation",
-                match self.deviation.is_finite() {
-                    true => self.deviation.to_string(),
-                    false => "any".to_owned(),
-                },
-                DEVIATION_RANGE,
-                "most pixels by which a proxy may deviate from its mesh; nearer by the mesh stands for itself",
-            ),
-            setting(
-                "scale",
-                self.scale.to_string(),
-                SCALE_RANGE,
-                "side of the first two passes' image as a part of the final one's",
-            ),
-        ]
+    fn tuning(&self) -> Option<&dyn Tunable> {
+        Some(self)
     }
 
-    fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
-        match key {
-            "latency" => self.latency = parse(key, value, LATENCY_RANGE, |_| true)?,
-            "counting" if value == "auto" => self.counting = None,
-            "counting" => self.counting = Some(parse(key, value, COUNTING_RANGE, |_| true)?),
-            "threshold" => {
-                self.threshold = parse(key, value, THRESHOLD_RANGE, |pixels| *pixels <= 1_000_000)?
-            }
-            "allow" => self.allow.turn(parse(key, value, ALLOW_RANGE, |percent| {
-                (0.0..=100.0).contains(percent)
-            })?),
-            "coarser" => {
-                self.coarser = parse(key, value, COARSER_RANGE, |pixels| *pixels <= 1_000_000)?
-            }
-            "occluders" => {
-                self.occluders = StandIn::read(
-                    key,
-                    value,
-                    OCCLUDERS_RANGE,
-                    &[StandIn::Proxy, StandIn::Full],
-                )?
-            }
-            "occludees" => {
-                self.occludees = StandIn::read(
-                    key,
-                    value,
-                    OCCLUDEES_RANGE,
-                    &[StandIn::Proxy, StandIn::Full, StandIn::Box],
-                )?;
-            }
-            "deviation" if value == "any" => self.deviation = f64::INFINITY,
-            "deviation" => {
-                self.deviation = parse(key, value, DEVIATION_RANGE, |pixels: &f64| {
-                    pixels.is_finite() && *pixels >= 0.0
-                })?
-            }
-            "scale" => {
-                self.scale = parse(key, value, SCALE_RANGE, |scale| {
-                    (0.05..=1.0).contains(scale)
-                })?
-            }
-            _ => {
-                return Err(SettingError::Unknown {
-                    strategy: self.name().to_owned(),
-                    key: key.to_owned(),
-                    known: self.settings().iter().map(|setting| setting.key).collect(),
-                });
-            }
-        }
-        Ok(())
-    }
-
-    fn steps(&self) -> Vec<Step> {
-        // A late answer costs pixels whatever it is about.
-        let now = match self.latency {
-            Latency::SameFrame => "same-frame",
-            Latency::FrameLate | Latency::OnGpu => "on-gpu",
-        };
-        let base = [
-            ("latency", now),
-            ("threshold", "0"),
-            ("allow", "0"),
-            ("coarser", "0"),
-        ];
-        let step = |more: &[(&'static str, &str)]| {
-            let mut step = Step::of(base);
-            let more = more.iter().map(|(key, value)| (*key, (*value).to_owned()));
-            step.settings.extend(more);
-            step
-        };
-        let mut steps = vec![
-            step(&[("occluders", "full"), ("occludees", "full"), ("scale", "1")]),
-            step(&[("scale", "1")]).with_dial("allow"),
-        ];
-        if self.scale < BETWEEN {
-            let between = self.scale.sqrt().to_string();
-            steps.push(step(&[("scale", &between)]).with_dial("allow"));
-        }
-        if self.scale < 1.0 {
-            steps.push(step(&[]).with_dial("allow"));
-        }
-        if self.latency == Latency::FrameLate {
-            steps.push(step(&[("latency", "frame-late")]).with_dial("allow"));
-        }
-        steps
+    fn tuning_mut(&mut self) -> Option<&mut dyn Tunable> {
+        Some(self)
     }
 
     fn declare(
@@ -372,5 +277,43 @@ impl Strategy for ThreePass {
             pixels: size[0].saturating_mul(size[1]),
         };
         Ok(g.visible_samples_within(view, candidates, counts, self.latency, rule, &within))
+    }
+}
+
+impl Tunable for ThreePass {
+    fn settings(&self) -> Vec<Setting> {
+        describe(PARAMETERS, self)
+    }
+
+    fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
+        assign("three-pass", PARAMETERS, self, key, value)
+    }
+
+    fn steps(&self) -> Vec<Step> {
+        // A late answer costs pixels whatever it is about.
+        let now = match self.latency {
+            Latency::SameFrame => Latency::SameFrame,
+            Latency::FrameLate | Latency::OnGpu => Latency::OnGpu,
+        };
+        let base = Step::of([
+            ("latency", now.word().into()),
+            ("threshold", 0u32.into()),
+            ("allow", 0u32.into()),
+            ("coarser", 0u32.into()),
+        ]);
+        let at_scale = |scale: f64| base.clone().and([("scale", scale.into())]);
+        let exact = [("occluders", "full".into()), ("occludees", "full".into())];
+        let mut steps = vec![at_scale(1.0).and(exact), at_scale(1.0).with_dial("allow")];
+        if self.scale < BETWEEN {
+            steps.push(at_scale(self.scale.sqrt()).with_dial("allow"));
+        }
+        if self.scale < 1.0 {
+            steps.push(base.clone().with_dial("allow"));
+        }
+        if self.latency == Latency::FrameLate {
+            let late = [("latency", Latency::FrameLate.word().into())];
+            steps.push(base.and(late).with_dial("allow"));
+        }
+        steps
     }
 }

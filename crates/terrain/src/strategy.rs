@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use std::sync::{Arc as Shared, PoisonError, RwLock};
 
 use antumbra_cull::{
-    DeclareError, FrameGraph, Inner, Latency, Registry, Setting, SettingError, Step, Strategy,
-    ViewNodes, VisibleSet,
+    Chain, DeclareError, FrameGraph, Latency, Registry, Setting, SettingError, Step, Strategy,
+    Tunable, Value, ViewNodes, VisibleSet,
 };
 use antumbra_scene::{Aabb, EntityKey, Scene};
 use glam::DVec3;
@@ -26,7 +26,7 @@ use crate::terrain::Terrain;
 #[derive(Debug, Clone, Default)]
 pub struct Horizon {
     known: Option<Shared<Known>>,
-    inner: Inner,
+    chain: Chain,
 }
 
 /// What is known of terrains in a scene.
@@ -67,7 +67,7 @@ impl Horizon {
         }
         Self {
             known: (!known.terrains.is_empty()).then(|| Shared::new(known)),
-            inner: Inner::default(),
+            chain: Chain::default(),
         }
     }
 
@@ -75,7 +75,7 @@ impl Horizon {
     #[must_use]
     pub fn before(self, registry: Shared<Registry>) -> Self {
         Self {
-            inner: Inner::among(registry),
+            chain: Chain::among(registry),
             ..self
         }
     }
@@ -136,28 +136,24 @@ impl Strategy for Horizon {
 
     fn conservative(&self) -> bool {
         let known = self.known.as_ref();
-        self.inner.ask(|inner| inner.conservative())
+        self.chain.ask(|next| next.conservative())
             && known.is_none_or(|known| known.terrains.iter().all(|terrain| terrain.is_sound()))
     }
 
     fn latency(&self) -> Option<Latency> {
-        self.inner.ask(|inner| inner.latency())
+        self.chain.ask(|next| next.latency())
     }
 
     fn needs_reference(&self) -> bool {
-        self.inner.ask(|inner| inner.needs_reference())
+        self.chain.ask(|next| next.needs_reference())
     }
 
-    fn settings(&self) -> Vec<Setting> {
-        self.inner.settings()
+    fn tuning(&self) -> Option<&dyn Tunable> {
+        Some(self)
     }
 
-    fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
-        self.inner.set("horizon", key, value)
-    }
-
-    fn steps(&self) -> Vec<Step> {
-        self.inner.ask(|inner| inner.steps())
+    fn tuning_mut(&mut self) -> Option<&mut dyn Tunable> {
+        Some(self)
     }
 
     fn declare(
@@ -177,6 +173,21 @@ impl Strategy for Horizon {
             candidates,
             move |table, frame, slots| seen.keep(&known, &known.stood(), (table, frame), slots),
         );
-        g.hand_on(view, left, self.inner.strategy_mut())
+        g.chain(view, left, self.chain.next_mut())
+    }
+}
+
+/// All settings are those of the chain: `then`, and what the next strategy has.
+impl Tunable for Horizon {
+    fn settings(&self) -> Vec<Setting> {
+        self.chain.settings()
+    }
+
+    fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
+        self.chain.set("horizon", key, value)
+    }
+
+    fn steps(&self) -> Vec<Step> {
+        self.chain.steps()
     }
 }

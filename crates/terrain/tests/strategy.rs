@@ -6,11 +6,12 @@ mod support;
 use std::sync::Arc;
 
 use Verdict::{Occluded, Untested};
-use antumbra_cull::{Stage, StageOptions, Strategy, Verdict, ViewInput, ViewSpec};
+use antumbra_cull::{Stage, StageOptions, Strategy, Tunable, Verdict, ViewInput, ViewSpec};
 use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
 use antumbra_scene::{
     Aabb, Camera, Drawable, EntityKey, Geometry, Material, Mesh, Projection, Scene, Topology,
 };
+use antumbra_strategies::registry;
 use antumbra_terrain::{
     GroupOptions, HorizonStrategy, Sectors, ShownTerrain, Terrain, TerrainOptions,
 };
@@ -203,11 +204,11 @@ fn nobody_is_culled_who_must_be_drawn() {
 
 #[test]
 fn what_follows_from_the_other_strategy_is_said() {
-    let mut horizon = HorizonStrategy::default();
+    let mut horizon = HorizonStrategy::default().before(Arc::new(registry()));
     assert!(horizon.conservative() && horizon.latency().is_none());
     assert_eq!(horizon.stand(&Scene::new(), &|| ()), 0);
-    horizon.set("then", "three-pass").unwrap();
+    horizon.set_text("then", "three-pass").unwrap();
     assert!(!horizon.conservative() && horizon.latency().is_some());
-    horizon.set("then", "ideal").unwrap();
+    horizon.set_text("then", "ideal").unwrap();
     assert!(horizon.needs_reference() && horizon.clone().needs_reference());
 }

@@ -4,7 +4,7 @@
 #[path = "kit_bites/faulty.rs"]
 mod faulty;
 
-use antumbra_cull::Strategy;
+use antumbra_cull::{Strategy, Tunable};
 use antumbra_demo_scenes as demo_scenes;
 use antumbra_draw::{AdapterChoice, Gpu};
 use antumbra_scene::{Camera, Projection};
@@ -93,10 +93,10 @@ fn looking_at_every_fourth_pixel_misses_a_hole() {
         ("occludees", "full"),
         ("scale", "1"),
     ] {
-        exact.set(key, value).unwrap();
+        exact.set_text(key, value).unwrap();
     }
     assert_eq!(found(Coarse(exact.clone()), &[Case::Gaps]).len(), 0);
-    exact.set("scale", "0.25").unwrap();
+    exact.set_text("scale", "0.25").unwrap();
     bites(Coarse(exact), &[Case::Gaps], is_false_cull);
 }
 

@@ -150,7 +150,7 @@ fn chosen(
     let mut strategy = registry(horizon).parse(&args.strategy)?;
     if args.sketch.is_some() {
         // A strategy without such a knob says which it has.
-        strategy.set("sketch", "true")?;
+        strategy.set("sketch", &true.into())?;
     }
     Ok(strategy)
 }

@@ -1,9 +1,10 @@
 //! Keeps the mean of the wrong pixels under a budget: the fastest step whose error is believed to fit, its dial turned to what is left. What a frame
 //! leaves out by its own count is known at once; what else goes wrong, and how wrong that count is, the audit has to say.
 
+use super::Standing;
 use super::belief::Belief;
-use super::{Standing, Step};
 use crate::audit::FrameAudit;
+use crate::tuning::Step;
 
 /// Chooses steps by error.
 #[derive(Debug)]

@@ -2,10 +2,11 @@
 
 use super::error::ErrorKeeper;
 use super::time::TimeKeeper;
-use super::{Budget, Standing, Step};
+use super::{Budget, Standing};
 use crate::audit::FrameAudit;
-use crate::setting::Latency;
+use crate::latency::Latency;
 use crate::strategy::{DeclareError, Strategy};
+use crate::tuning::{Step, Value};
 
 /// A budget that is kept.
 #[derive(Debug)]
@@ -13,7 +14,7 @@ pub(crate) struct Keeping {
     keeper: Keeper,
     steps: Vec<Step>,
     /// What the strategy was set to by its user.
-    user: Vec<(&'static str, String)>,
+    user: Vec<(&'static str, Value)>,
     at: Standing,
 }
 
@@ -133,7 +134,7 @@ impl Keeping {
         match self.steps.get(self.at.step).and_then(|step| step.dial) {
             Some(dial) => {
                 let allow = self.at.allow.clamp(LEAST, 100.0);
-                set(strategy, dial, &allow.to_string())
+                set(strategy, dial, &Value::Number(allow))
             }
             None => Ok(()),
         }
@@ -143,7 +144,7 @@ impl Keeping {
 /// Where a dial stands that allows nothing, in percent of the image: above 0, so that the plan has what the dial turns, and below a pixel of any image.
 const LEAST: f64 = 1e-9;
 
-fn set(strategy: &mut dyn Strategy, key: &str, value: &str) -> Result<(), DeclareError> {
+fn set(strategy: &mut dyn Strategy, key: &str, value: &Value) -> Result<(), DeclareError> {
     strategy
         .set(key, value)
         .map_err(|error| DeclareError::Settings {

@@ -1,6 +1,7 @@
 //! Keeps the time of a frame under a budget: a step, or a turn of the dial, towards speed while frames take too long, and back while they leave room.
 
-use super::{Standing, Step};
+use super::Standing;
+use crate::tuning::Step;
 
 /// Chooses steps by time.
 #[derive(Debug)]

@@ -13,7 +13,7 @@ use antumbra_graph::{BufferDesc, Clear, CompileOptions, Graph, Host, Mode, Plan,
 use super::{StageError, StageOptions, ViewSpec};
 use crate::audit::Audit;
 use crate::frame_graph::{CULL, FrameGraph, Shared, Shown};
-use crate::hand_on::HandedOn;
+use crate::narrowing::Narrowing;
 use crate::strategy::{Strategy, VerdictSource};
 use crate::view_nodes::{Targets, ViewNodes};
 
@@ -36,7 +36,7 @@ pub(super) struct BuiltView {
     pub imported: Option<Targets>,
     pub targets: Targets,
     pub verdicts: VerdictSource,
-    pub handed_on: Option<HandedOn>,
+    pub narrowing: Option<Narrowing>,
     pub audit: Option<Host<Audit>>,
     /// Audited frames of earlier plans.
     pub audited_before: u64,
@@ -79,7 +79,7 @@ pub(super) fn build(
             targets,
             reference,
             in_frustum: None,
-            handed_on: None,
+            narrowing: None,
         };
         let mut declared = FrameGraph::new(&mut graph, &mut shared);
         let set = strategy.declare(&mut declared, &mut nodes)?;
@@ -92,7 +92,7 @@ pub(super) fn build(
         if imported.is_none() {
             graph.output(nodes.targets.colour);
         }
-        if let Some(HandedOn { inside, left }) = set.handed_on {
+        if let Some(Narrowing { inside, left }) = set.narrowing {
             graph.output(inside);
             graph.output(left);
         }
@@ -122,7 +122,7 @@ pub(super) fn build(
             imported,
             targets: nodes.targets,
             verdicts: set.verdicts,
-            handed_on: set.handed_on,
+            narrowing: set.narrowing,
             audit,
             audited_before: 0,
         });

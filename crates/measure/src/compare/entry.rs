@@ -52,7 +52,7 @@ impl Entries<'_> {
         let settings = strategy
             .settings()
             .into_iter()
-            .map(|setting| (setting.key.to_owned(), value(&setting.value)))
+            .map(|setting| (setting.key.to_owned(), value(&setting.value.to_string())))
             .collect();
         let poses = self.accuracy.owners.len();
         let mean = |sum: u64| sum as f64 / poses.max(1) as f64;

@@ -6,8 +6,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use antumbra_cull::{
-    DeclareError, FrameGraph, Inner, Latency, RegistryError, Setting, SettingError, Stage,
-    StageError, StageOptions, Strategy, Verdict, ViewInput, ViewNodes, ViewSpec, VisibleSet,
+    Chain, DeclareError, FrameGraph, Latency, RegistryError, Setting, SettingError, Stage,
+    StageError, StageOptions, Strategy, Tunable, Value, Verdict, ViewInput, ViewNodes, ViewSpec,
+    VisibleSet,
 };
 use antumbra_demo_scenes::{GridOptions, grid};
 use antumbra_draw::{AdapterChoice, Gpu, GpuScene, SceneTable, ViewFrame};
@@ -29,20 +30,21 @@ enum Takes {
 
 struct Outer {
     takes: Takes,
-    inner: Inner,
+    inner: Chain,
 }
 
 impl Outer {
     fn before(text: &str, takes: Takes) -> Self {
-        let mut inner = Inner::default();
+        let inner = Chain::among(Arc::new(registry()));
+        let mut outer = Self { takes, inner };
         for (at, part) in text.split(':').enumerate() {
             let (key, value) = match at {
                 0 => ("then", part),
                 _ => part.split_once('=').unwrap(),
             };
-            inner.set("outer", key, value).unwrap();
+            outer.set_text(key, value).unwrap();
         }
-        Self { takes, inner }
+        outer
     }
 }
 
@@ -77,12 +79,12 @@ impl Strategy for Outer {
         self.inner.ask(|inner| inner.needs_reference())
     }
 
-    fn settings(&self) -> Vec<Setting> {
-        self.inner.settings()
+    fn tuning(&self) -> Option<&dyn Tunable> {
+        Some(self)
     }
 
-    fn set(&mut self, key: &str, value: &str) -> Result<(), SettingError> {
-        self.inner.set("outer", key, value)
+    fn tuning_mut(&mut self) -> Option<&mut dyn Tunable> {
+        Some(self)
     }
 
     fn declare(
@@ -104,10 +106,20 @@ impl Strategy for Outer {
             Takes::None => {
                 let name = self.inner.ask(|inner| inner.name().to_owned());
                 let mut between = Self::before(&name, Takes::Third);
-                g.hand_on(view, left, &mut between)
+                g.chain(view, left, &mut between)
             }
-            _ => g.hand_on(view, left, self.inner.strategy_mut()),
+            _ => g.chain(view, left, self.inner.next_mut()),
         }
+    }
+}
+
+impl Tunable for Outer {
+    fn settings(&self) -> Vec<Setting> {
+        self.inner.settings()
+    }
+
+    fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
+        self.inner.set("outer", key, value)
     }
 }
 
@@ -273,7 +285,7 @@ fn what_is_wrong_is_said_of_the_strategy_it_is_wrong_of() {
             .find(|s| s.key == key)
             .unwrap()
             .value
-            .clone()
+            .to_string()
     };
     assert_eq!([find("then"), find("threshold")], ["three-pass", "7"]);
     // Copies are set as the original.
