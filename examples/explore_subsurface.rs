@@ -5,12 +5,12 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use antumbra::cull::{Stage, StageOptions, ViewInput, ViewSpec};
-use antumbra::demo_scenes::subsurface::{BuiltIn, BuiltInOptions};
+use antumbra::demo_scenes::subsurface::{SubsurfaceScene, SubsurfaceSceneOptions};
 use antumbra::draw::{AdapterChoice, Gpu, GpuScene, read_back};
 use antumbra::measure::image_error::save_png;
 use antumbra::scene::{Camera, EntityKey, Projection, Scene};
 use antumbra::strategies::registry;
-use antumbra::subsurface::{ShownSurface, SurfaceKind};
+use antumbra::subsurface::{SurfaceEntities, SurfaceKind};
 use glam::{DAffine3, DVec3};
 
 /// What came of the flight.
@@ -33,7 +33,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     if let Some(folder) = output.parent() {
         std::fs::create_dir_all(folder)?;
     }
-    let mut options = BuiltInOptions::default();
+    let mut options = SubsurfaceSceneOptions::default();
     options.model.nodes_per_side = 160;
     let explored = run(options, [800, 640], 48, &output)?;
     println!(
@@ -50,18 +50,18 @@ pub fn main() -> Result<(), Box<dyn Error>> {
 
 /// Flies, working on the model at a quarter, a half and three quarters of the way, and writes the last frame.
 pub fn run(
-    options: BuiltInOptions,
+    options: SubsurfaceSceneOptions,
     size: [u32; 2],
     frames: usize,
     output: &Path,
 ) -> Result<Explored, Box<dyn Error>> {
     let gpu = Gpu::open(&AdapterChoice::Auto)?;
-    let BuiltIn {
+    let SubsurfaceScene {
         mut scene,
         surfaces,
         mut sections,
         ..
-    } = BuiltIn::new(&options, &|_, _| ())?;
+    } = SubsurfaceScene::new(&options, &|_, _| ())?;
     let mut on_gpu = GpuScene::new(&gpu, &mut scene)?;
     let strategy = registry().parse("three-pass:latency=frame-late")?;
     let views = vec![ViewSpec::main(size[0], size[1])];
@@ -85,7 +85,7 @@ pub fn run(
             )?;
         }
         let camera = camera(frame, frames)?;
-        sections.face(&mut scene, camera.position)?;
+        sections.orient_to(&mut scene, camera.position)?;
         on_gpu.sync(&mut scene)?;
         stage.frame(&on_gpu, &[ViewInput::new(camera)])?;
         gpu.wait()?;
@@ -109,14 +109,17 @@ pub fn run(
     let image = image::RgbaImage::from_raw(size[0], size[1], pixels).ok_or("no image")?;
     save_png(&image, output)?;
     Ok(Explored {
-        bricks_read: sections.bricks.counters().read,
+        bricks_read: sections.bricks.stats().read,
         bricks_crossed: of_slices.chain(of_lenses).map(crossed).sum(),
         entities: scene.drawable_count(),
         drawn,
     })
 }
 
-fn surface(surfaces: &[ShownSurface], kind: SurfaceKind) -> Result<&ShownSurface, &'static str> {
+fn surface(
+    surfaces: &[SurfaceEntities],
+    kind: SurfaceKind,
+) -> Result<&SurfaceEntities, &'static str> {
     let found = surfaces.iter().find(|surface| surface.kind == kind);
     found.ok_or("no such surface")
 }

@@ -94,7 +94,7 @@ fn a_stage_may_live_on_another_thread() {
 fn a_flight_reads_only_what_is_seen_and_goes_on_while_surfaces_come_and_go() {
     let dir = tempfile::tempdir().unwrap();
     let image = dir.path().join("subsurface.png");
-    let mut options = antumbra::demo_scenes::subsurface::BuiltInOptions::default();
+    let mut options = antumbra::demo_scenes::subsurface::SubsurfaceSceneOptions::default();
     options.model.nodes_per_side = 64;
     options.prepare.tiles = 5;
     let explored = || explore_subsurface::run(options, [320, 256], 16, &image).unwrap();

@@ -246,7 +246,7 @@ fn distances_to_lights_are_computed_where_a_light_has_a_place() {
     assert!(!shading(&mut plain())[0]);
     let mut scene = with(Part::PositionalLights);
     assert!(shading(&mut scene.clone())[0]);
-    let lamps: Vec<_> = scene.lights().map(|(lamp, ..)| lamp).collect();
+    let lamps: Vec<_> = scene.lights().map(|lamp| lamp.entity).collect();
     scene.clear_light(lamps[lamps.len() - 1]);
     assert!(!shading(&mut scene)[0]);
 }

@@ -2,7 +2,7 @@
 //! byte picks the format, the rest is the file.
 #![no_main]
 
-use antumbra_formats::{Format, LoadOptions, load_slice};
+use antumbra_formats::{SceneFormat, LoadOptions, load_slice};
 use antumbra_scene::ProxyOptions;
 use libfuzzer_sys::fuzz_target;
 
@@ -11,11 +11,11 @@ fuzz_target!(|data: &[u8]| {
         return;
     };
     let formats = [
-        Format::Gltf,
-        Format::Obj,
-        Format::Ply,
-        Format::Stl,
-        Format::CityJson,
+        SceneFormat::Gltf,
+        SceneFormat::Obj,
+        SceneFormat::Ply,
+        SceneFormat::Stl,
+        SceneFormat::CityJson,
     ];
     let options = LoadOptions {
         max_file_bytes: 1 << 20,

@@ -2,8 +2,8 @@
 //! loop, bounded memory. The first byte picks the ending, the rest is the file.
 #![no_main]
 
-use antumbra_subsurface::read::{ReadOptions, property_in, surfaces_in};
-use antumbra_subsurface::{PrepareOptions, prepare};
+use antumbra_subsurface::read::{ReadOptions, property_from_bytes, surfaces_from_bytes};
+use antumbra_subsurface::{PrepareOptions, prepare_surface};
 use libfuzzer_sys::fuzz_target;
 use std::path::Path;
 
@@ -21,7 +21,7 @@ fuzz_target!(|data: &[u8]| {
         decimation: 5.0,
         ..PrepareOptions::default()
     };
-    match surfaces_in(path, bytes, &ReadOptions::default(), &mut |_, _| ()) {
+    match surfaces_from_bytes(path, bytes, &ReadOptions::default(), &mut |_, _| ()) {
         Err(error) => assert!(error.to_string().contains(&name)),
         Ok(surfaces) => {
             assert!(!surfaces.is_empty());
@@ -32,7 +32,7 @@ fuzz_target!(|data: &[u8]| {
                     surface.name,
                     surface.check()
                 );
-                let prepared = prepare(surface, &options).unwrap();
+                let prepared = prepare_surface(surface, &options).unwrap();
                 assert_eq!(prepared.triangles(), surface.geometry.triangle_count());
                 for tile in &prepared.tiles {
                     assert!(tile.mesh.validate().is_ok());
@@ -41,6 +41,6 @@ fuzz_target!(|data: &[u8]| {
         }
     }
     if ending == "roff" {
-        let _ = property_in(path, bytes);
+        let _ = property_from_bytes(path, bytes);
     }
 });

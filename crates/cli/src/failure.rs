@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use antumbra::cull::{RegistryError, SettingError, StageError};
-use antumbra::demo_scenes::BuiltinError;
+use antumbra::demo_scenes::DemoSceneError;
 use antumbra::draw::{DeviceError, DrawError};
 use antumbra::formats::{LoadError, RasterError, SaveError};
 use antumbra::measure::MeasureError;
@@ -23,7 +23,7 @@ pub enum Failure {
     Registry(#[from] RegistryError),
     /// No such built-in scene.
     #[error(transparent)]
-    Builtin(#[from] BuiltinError),
+    Builtin(#[from] DemoSceneError),
     /// A sub-surface model.
     #[error(transparent)]
     Subsurface(#[from] SubsurfaceError),

@@ -4,15 +4,17 @@ use std::path::Path as FilePath;
 use std::sync::Arc;
 
 use antumbra::cull::ViewSpec;
-use antumbra::demo_scenes::BuiltinError;
-use antumbra::demo_scenes::subsurface::{BuiltIn, BuiltInOptions, Model};
+use antumbra::demo_scenes::DemoSceneError;
+use antumbra::demo_scenes::subsurface::{Model, SubsurfaceScene, SubsurfaceSceneOptions};
 use antumbra::draw::Gpu;
-use antumbra::formats::{Format, LoadOptions, RasterFormat, load_with};
+use antumbra::formats::{LoadOptions, RasterFormat, SceneFormat, load_with_attachments};
 use antumbra::measure::compare::{Script, camera};
 use antumbra::measure::path::{Orbit, Path, Pose};
 use antumbra::measure::views;
 use antumbra::scene::{Aabb, Camera, Projection, Scene, Stereo};
-use antumbra::subsurface::{BrickSource, SectionPlaces, Sections, VolumeFile};
+use antumbra::subsurface::{
+    BrickSource, SectionPositions, SlicePosition, VolumeFile, VolumeSections,
+};
 use antumbra::terrain::{HorizonStrategy, PreparedScene, ShownTerrain, Terrain, TerrainOptions};
 use antumbra::{demo_scenes, terrain};
 
@@ -38,7 +40,7 @@ pub struct Input {
     /// What a built-in scene was made from; `None` for a file.
     pub scene_seed: Option<u64>,
     /// Slices and lenses of a volume.
-    pub sections: Option<Sections>,
+    pub sections: Option<VolumeSections>,
     /// The strategy that knows the scene's terrain.
     pub horizon: Option<HorizonStrategy>,
 }
@@ -110,7 +112,7 @@ impl Input {
     pub fn look(&mut self, pose: usize) -> Result<Vec<Camera>, Failure> {
         let camera = camera(&self.path, pose)?;
         if let Some(sections) = &mut self.sections {
-            sections.face(&mut self.scene, camera.position)?;
+            sections.orient_to(&mut self.scene, camera.position)?;
         }
         Ok(views::cameras(self.stereo.as_ref(), &camera)?)
     }
@@ -123,7 +125,7 @@ struct Found {
     seed: Option<u64>,
     /// What the scene brings its own views of.
     model: Option<Model>,
-    sections: Option<Sections>,
+    sections: Option<VolumeSections>,
     /// What is known of its terrain.
     terrain: Option<(Arc<Terrain>, ShownTerrain)>,
     /// Whether it is the whole built-in grid, which has an orbit of its own.
@@ -159,7 +161,7 @@ impl Found {
         if file.exists() || named.contains(['/', '\\']) {
             return Err(Failure::Usage(format!(
                 "'{named}' is no scene: name a file (.{}, .{}) or a built-in scene ({})",
-                Format::EXTENSIONS.join(", ."),
+                SceneFormat::EXTENSIONS.join(", ."),
                 RasterFormat::EXTENSIONS.join(", ."),
                 built_in_names().join(", ")
             )));
@@ -177,7 +179,7 @@ impl Found {
     }
 
     fn terrain(settings: &[(&str, &str)]) -> Result<Self, Failure> {
-        let mut options = demo_scenes::terrain::BuiltInOptions::default();
+        let mut options = demo_scenes::terrain::TerrainSceneOptions::default();
         for (key, value) in settings {
             options.set(key, value)?;
         }
@@ -190,7 +192,7 @@ impl Found {
     /// A scene file, and its terrain if that was prepared. Where what it says of that cannot be used it is a scene as any other.
     fn file(file: &FilePath) -> Result<Self, Failure> {
         let options = LoadOptions::default();
-        let loaded = load_with(file, &options, &[terrain::file::EXTENSION]);
+        let loaded = load_with_attachments(file, &options, &[terrain::file::EXTENSION]);
         let loaded = loaded.map_err(|error| Failure::Load {
             path: file.to_owned(),
             error,
@@ -218,7 +220,7 @@ impl Found {
     }
 
     fn subsurface(settings: &[(&str, &str)], bare: bool) -> Result<Self, Failure> {
-        let mut options = BuiltInOptions::default();
+        let mut options = SubsurfaceSceneOptions::default();
         for (key, value) in settings {
             options.set(key, value)?;
         }
@@ -226,7 +228,7 @@ impl Found {
             (options.slices, options.lens) = (false, false);
         }
         let bar = progress::work("preparing", false);
-        let built = BuiltIn::new(&options, &|done, total| {
+        let built = SubsurfaceScene::new(&options, &|done, total| {
             bar.set_length(total as u64);
             bar.set_position(done as u64);
         });
@@ -258,7 +260,7 @@ impl Found {
                 })?);
         }
         let scene = demo_scenes::by_name(name, size).map_err(|error| match error {
-            BuiltinError::UnknownName { name } => Failure::Usage(format!(
+            DemoSceneError::UnknownName { name } => Failure::Usage(format!(
                 "there is no built-in scene \"{name}\"; there are: {}",
                 built_in_names().join(", ")
             )),
@@ -310,14 +312,21 @@ impl Found {
             }
         };
         let places = if args.slice.is_empty() && args.lens.is_empty() {
-            SectionPlaces::middle(source.as_ref())
+            SectionPositions::middle(source.as_ref())
         } else {
-            SectionPlaces {
-                slices: args.slice.iter().map(|at| (at.0, at.1)).collect(),
+            SectionPositions {
+                slices: args
+                    .slice
+                    .iter()
+                    .map(|at| SlicePosition {
+                        axis: at.0,
+                        index: at.1,
+                    })
+                    .collect(),
                 lenses: args.lens.iter().map(|at| at.0).collect(),
             }
         };
-        let mut sections = Sections::spawn(&mut self.scene, source, &places, BUDGET)?;
+        let mut sections = VolumeSections::spawn(&mut self.scene, source, &places, BUDGET)?;
         sections.page(&mut self.scene, &|_| false)?;
         self.sections = Some(sections);
         Ok(())
@@ -332,11 +341,11 @@ impl ViewArgs {
 }
 
 /// Turns the lenses towards each pose.
-pub struct FaceLenses<'a>(pub &'a mut Sections);
+pub struct FaceLenses<'a>(pub &'a mut VolumeSections);
 
 impl Script for FaceLenses<'_> {
     fn set(&mut self, scene: &mut Scene, _: usize, camera: &Camera) -> Result<(), String> {
-        let faced = self.0.face(scene, camera.position);
+        let faced = self.0.orient_to(scene, camera.position);
         faced.map(|_| ()).map_err(|error| error.to_string())
     }
 }
@@ -397,7 +406,9 @@ fn own_path(named: Option<&str>, model: &Model, frames: usize) -> Result<Option<
     match named {
         None | Some("flight") => {
             let fov_y = views.first().map_or(0.7, |view| view.fov_y);
-            let path = Path::through("flight", &model.flight(), projection(fov_y), FLIGHT, frames)?;
+            let flight = model.flight();
+            let places: Vec<_> = flight.iter().map(|at| (at.eye, at.target)).collect();
+            let path = Path::through("flight", &places, projection(fov_y), FLIGHT, frames)?;
             Ok(Some(path))
         }
         Some(name) => {

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use antumbra::demo_scenes::terrain::BuiltInOptions;
+use antumbra::demo_scenes::terrain::TerrainSceneOptions;
 use antumbra::formats::load_raster;
-use antumbra::formats::{Format, LoadOptions, RasterFormat, load};
+use antumbra::formats::{LoadOptions, RasterFormat, SceneFormat, load};
 use antumbra::terrain::{Detail, Field, PreparedScene, Terrain, TerrainOptions};
 
 use crate::failure::Failure;
@@ -22,7 +22,7 @@ pub fn is_raster(file: &Path) -> bool {
 
 /// Whether a file's ending is a mesh's.
 pub fn is_mesh(file: &Path) -> bool {
-    ending(file).and_then(Format::from_extension).is_some()
+    ending(file).and_then(SceneFormat::from_extension).is_some()
 }
 
 fn ending(file: &Path) -> Option<&str> {
@@ -66,8 +66,8 @@ pub fn prepare(field: Field, options: &TerrainOptions, quiet: bool) -> Result<Te
 /// The built-in landscape.
 ///
 /// # Errors
-/// As [`BuiltInOptions::scene`].
-pub fn built_in(options: &BuiltInOptions, quiet: bool) -> Result<PreparedScene, Failure> {
+/// As [`TerrainSceneOptions::scene`].
+pub fn built_in(options: &TerrainSceneOptions, quiet: bool) -> Result<PreparedScene, Failure> {
     let bar = progress::work("finding horizons", quiet);
     bar.set_length(u64::from(options.prepare.sectors.count()));
     let made = options.scene(&|| bar.inc(1));

@@ -14,7 +14,7 @@ use antumbra_graph::{
     TextureDesc,
 };
 
-use antumbra_scene::hierarchy::Shape;
+use antumbra_scene::hierarchy::HierarchyShape;
 
 use crate::candidates::Candidates;
 use crate::narrowing::Narrowing;
@@ -51,7 +51,7 @@ pub(crate) struct Shared {
     pub pipelines: HashMap<PipelineKind, Arc<PassPipelines>>,
     pub boxes: Option<Arc<BoxPipeline>>,
     /// The trees that are kept, one a shape, for all views.
-    pub trees: HashMap<Shape, Host<Tree>>,
+    pub trees: HashMap<HierarchyShape, Host<Tree>>,
     /// What strategies show of how they chose.
     pub shown: Vec<Shown>,
 }
@@ -169,7 +169,7 @@ impl<'g> FrameGraph<'g> {
     }
 
     /// A tree of boxes over all that may be culled, kept in step with the scene; one a shape, however many views ask for it.
-    pub fn tree(&mut self, view: &ViewNodes, shape: Shape) -> Host<Tree> {
+    pub fn tree(&mut self, view: &ViewNodes, shape: HierarchyShape) -> Host<Tree> {
         self.tree_for(view, shape, CULL)
     }
 
@@ -177,7 +177,7 @@ impl<'g> FrameGraph<'g> {
     pub(crate) fn tree_for(
         &mut self,
         view: &ViewNodes,
-        shape: Shape,
+        shape: HierarchyShape,
         group: &'static str,
     ) -> Host<Tree> {
         if let Some(kept) = self.shared.trees.get(&shape) {
@@ -198,7 +198,7 @@ impl<'g> FrameGraph<'g> {
     }
 
     /// Whether a tree of this shape is kept already.
-    pub(crate) fn keeps_tree(&self, shape: Shape) -> bool {
+    pub(crate) fn keeps_tree(&self, shape: HierarchyShape) -> bool {
         self.shared.trees.contains_key(&shape)
     }
 

@@ -2,7 +2,7 @@
 
 use antumbra_draw::{Detail, SceneTable};
 use antumbra_scene::Aabb;
-use antumbra_scene::hierarchy::{Hierarchy, HierarchyError, Shape};
+use antumbra_scene::hierarchy::{GroupedLeaf, Hierarchy, HierarchyError, HierarchyShape};
 
 /// A hierarchy over all slots that a test may cull, with what each node weighs.
 #[derive(Debug, Clone, Default)]
@@ -14,7 +14,7 @@ pub struct Tree {
     untested: Vec<u32>,
     made_for: Option<(u64, u64)>,
     generation: u64,
-    leaves: Vec<(u32, u32)>,
+    leaves: Vec<GroupedLeaf>,
 }
 
 impl Tree {
@@ -42,7 +42,11 @@ impl Tree {
     ///
     /// # Errors
     /// [`HierarchyError`] where the table's groups are no tree.
-    pub fn follow(&mut self, table: &SceneTable, shape: Shape) -> Result<(), HierarchyError> {
+    pub fn follow(
+        &mut self,
+        table: &SceneTable,
+        shape: HierarchyShape,
+    ) -> Result<(), HierarchyError> {
         let now = (table.epoch(), table.groups().version());
         match self.made_for {
             Some(before) if before == now => return Ok(()),
@@ -51,7 +55,7 @@ impl Tree {
                     Some(changed) => self.refit(table, epoch, changed.iter().copied()),
                     None => self.refit(table, epoch, 0..table.slots()),
                 }
-                if self.hierarchy.is_worn() {
+                if self.hierarchy.needs_rebuild() {
                     self.make(table, shape)?;
                 }
             }
@@ -61,7 +65,7 @@ impl Tree {
         Ok(())
     }
 
-    fn make(&mut self, table: &SceneTable, shape: Shape) -> Result<(), HierarchyError> {
+    fn make(&mut self, table: &SceneTable, shape: HierarchyShape) -> Result<(), HierarchyError> {
         let tested = table.live_slots().filter(|slot| table.is_tested(*slot));
         let branches = table.groups().branches(tested, &mut self.leaves);
         self.hierarchy = Hierarchy::new(branches, shape, |slot| bounds(table, slot))?;

@@ -21,7 +21,7 @@ mod street;
 mod vehicle;
 mod window;
 
-use super::BuiltinError;
+use super::DemoSceneError;
 use super::chance::{Chance, For};
 use antumbra_scene::Scene;
 use kit::Kit;
@@ -48,10 +48,10 @@ impl Default for CityOptions {
 /// triangles are counted as they are placed. One directional light, fifteen opaque materials.
 ///
 /// # Errors
-/// [`BuiltinError::NoSuchSize`] for a size other than 1 to 16.
-pub fn city(options: CityOptions) -> Result<Scene, BuiltinError> {
+/// [`DemoSceneError::NoSuchSize`] for a size other than 1 to 16.
+pub fn city(options: CityOptions) -> Result<Scene, DemoSceneError> {
     if !SIZES.contains(&options.size) {
-        return Err(BuiltinError::NoSuchSize {
+        return Err(DemoSceneError::NoSuchSize {
             name: "city",
             size: options.size,
             sizes: SIZES,

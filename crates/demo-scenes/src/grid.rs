@@ -1,6 +1,6 @@
 //! A cube of spheres: many small, equal entities.
 
-use super::BuiltinError;
+use super::DemoSceneError;
 use antumbra_scene::{Drawable, Material, Mesh, Scene, icosphere};
 use glam::{DAffine3, DVec3};
 use rand_pcg::Pcg32;
@@ -25,7 +25,7 @@ impl Default for GridOptions {
 }
 
 /// The most entities a built-in scene may have.
-const MOST_ENTITIES: u64 = 100_000_000;
+const MAX_ENTITIES: u64 = 100_000_000;
 /// Radius of the grid's spheres in metres.
 const RADIUS: f32 = 0.45;
 /// Greatest shift of a sphere in each axis, in metres.
@@ -35,14 +35,14 @@ const JITTER: f64 = 0.1;
 /// each axis; one mesh, one material, one directional light. With the default 26 a side that is 17,576 drawable entities.
 ///
 /// # Errors
-/// [`BuiltinError::TooLarge`] beyond a hundred million spheres.
-pub fn grid(options: GridOptions) -> Result<Scene, BuiltinError> {
+/// [`DemoSceneError::TooLarge`] beyond a hundred million spheres.
+pub fn grid(options: GridOptions) -> Result<Scene, DemoSceneError> {
     let side = u64::from(options.per_side);
-    if side.saturating_pow(3) > MOST_ENTITIES {
-        return Err(BuiltinError::TooLarge {
+    if side.saturating_pow(3) > MAX_ENTITIES {
+        return Err(DemoSceneError::TooLarge {
             name: "grid",
             size: options.per_side,
-            most: MOST_ENTITIES,
+            most: MAX_ENTITIES,
         });
     }
     let mut scene = Scene::new();

@@ -1,6 +1,6 @@
 //! A single layer of boxes that hide nothing: what a culling strategy costs where there is nothing to cull.
 
-use super::BuiltinError;
+use super::DemoSceneError;
 use antumbra_scene::{Aabb, Drawable, Geometry, Material, Mesh, Scene};
 use glam::{DAffine3, DVec3};
 
@@ -13,10 +13,10 @@ const EDGE: f64 = 0.8;
 /// from before or behind none of them is hidden: 12 triangles each.
 ///
 /// # Errors
-/// [`BuiltinError::TooLarge`] beyond a hundred million boxes.
-pub fn layer(side: u32) -> Result<Scene, BuiltinError> {
+/// [`DemoSceneError::TooLarge`] beyond a hundred million boxes.
+pub fn layer(side: u32) -> Result<Scene, DemoSceneError> {
     if side > MOST {
-        return Err(BuiltinError::TooLarge {
+        return Err(DemoSceneError::TooLarge {
             name: "layer",
             size: side,
             most: u64::from(MOST) * u64::from(MOST),

@@ -25,7 +25,7 @@ use thiserror::Error;
 /// Why there is no such built-in scene.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
-pub enum BuiltinError {
+pub enum DemoSceneError {
     /// A name that no built-in scene has.
     #[error("there is no built-in scene \"{name}\"; there are: {}", names().join(", "))]
     UnknownName {
@@ -67,8 +67,8 @@ pub fn names() -> &'static [&'static str] {
 /// the two engines it is, for a city how many blocks an edge has; `None` is the scene's own default.
 ///
 /// # Errors
-/// [`BuiltinError::UnknownName`], which lists the names; [`BuiltinError::TooLarge`]; [`BuiltinError::NoSuchSize`].
-pub fn by_name(name: &str, size: Option<u32>) -> Result<Scene, BuiltinError> {
+/// [`DemoSceneError::UnknownName`], which lists the names; [`DemoSceneError::TooLarge`]; [`DemoSceneError::NoSuchSize`].
+pub fn by_name(name: &str, size: Option<u32>) -> Result<Scene, DemoSceneError> {
     match name {
         "grid" => {
             let defaults = GridOptions::default();
@@ -92,6 +92,6 @@ pub fn by_name(name: &str, size: Option<u32>) -> Result<Scene, BuiltinError> {
                 ..defaults
             })
         }
-        _ => Err(BuiltinError::UnknownName { name: name.into() }),
+        _ => Err(DemoSceneError::UnknownName { name: name.into() }),
     }
 }

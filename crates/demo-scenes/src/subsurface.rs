@@ -6,17 +6,20 @@ use antumbra_scene::{Drawable, EntityKey, Material, Mesh, Scene};
 use glam::DAffine3;
 
 use antumbra_subsurface::{
-    Axis, BrickSource, PrepareOptions, SampleBox, SectionPlaces, Sections, ShownSurface,
-    SubsurfaceError, Surface, SurfaceKind, VolumeLayout, prepare_all, surface_material,
+    Axis, BrickSource, PrepareOptions, SampleBox, SectionPositions, SlicePosition, SubsurfaceError,
+    Surface, SurfaceEntities, SurfaceKind, VolumeLayout, VolumeSections, prepare_surfaces,
+    surface_material,
 };
 
 mod model;
 
-pub use model::{Fault, Model, ModelOptions, ModelVolume, View, Well};
+pub use model::{
+    FlightPoint, Model, ModelFault, ModelLight, ModelOptions, ModelVolume, Viewpoint, Well,
+};
 
 /// What the built-in scene is made from.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BuiltInOptions {
+pub struct SubsurfaceSceneOptions {
     /// The model.
     pub model: ModelOptions,
     /// How its surfaces are cut and simplified.
@@ -29,7 +32,7 @@ pub struct BuiltInOptions {
     pub budget: usize,
 }
 
-impl Default for BuiltInOptions {
+impl Default for SubsurfaceSceneOptions {
     fn default() -> Self {
         Self {
             model: ModelOptions::default(),
@@ -41,7 +44,7 @@ impl Default for BuiltInOptions {
     }
 }
 
-impl BuiltInOptions {
+impl SubsurfaceSceneOptions {
     /// The settings by name, for messages: what [`Self::set`] knows.
     pub const KEYS: [&str; 8] = [
         "size",
@@ -92,33 +95,33 @@ fn read<T: std::str::FromStr>(what: &'static str, value: &str) -> Result<T, Subs
 }
 
 /// The built-in scene and what its parts are.
-pub struct BuiltIn {
+pub struct SubsurfaceScene {
     /// The scene.
     pub scene: Scene,
     /// What it shows.
     pub model: Model,
     /// Horizons from the top down, then faults.
-    pub surfaces: Vec<ShownSurface>,
+    pub surfaces: Vec<SurfaceEntities>,
     /// The wells' entities.
     pub wells: Vec<EntityKey>,
     /// Inline, crossline and time slice, and the lens; empty until they are paged.
-    pub sections: Sections,
+    pub sections: VolumeSections,
 }
 
-impl BuiltIn {
+impl SubsurfaceScene {
     /// Builds the scene. `progress` is told how many of its surfaces are done, and of how many; it is called from several threads.
     ///
     /// # Errors
     /// [`SubsurfaceError::Setting`] for an option out of range, and for a model so coarse that nothing is left of a surface
     /// [`SubsurfaceError::BadSurface`].
     pub fn new(
-        options: &BuiltInOptions,
+        options: &SubsurfaceSceneOptions,
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Result<Self, SubsurfaceError> {
         let model = Model::new(&options.model)?;
         let sources = surfaces(&model)?;
         let done = std::sync::atomic::AtomicUsize::new(0);
-        let prepared = prepare_all(&sources, &options.prepare, &|_| {
+        let prepared = prepare_surfaces(&sources, &options.prepare, &|_| {
             let done = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
             progress(done + 1, sources.len());
         })?;
@@ -132,17 +135,17 @@ impl BuiltIn {
             let look = surface_material(&surface.name, surface.kind, *number);
             *number += 1;
             let material = scene.add_material(look);
-            surfaces.push(surface.show(&mut scene, None, material)?);
+            surfaces.push(surface.spawn(&mut scene, None, material)?);
         }
         let wells = show_wells(&model, &mut scene)?;
-        for (position, light) in model.lights() {
+        for ModelLight { position, light } in model.lights() {
             let lamp = scene.spawn(None, DAffine3::from_translation(position))?;
             scene.set_entity_name(lamp, "lamp")?;
             scene.set_light(lamp, light)?;
         }
         let volume = Arc::new(model.volume());
         let places = places(volume.layout(), options);
-        let sections = Sections::spawn(&mut scene, volume, &places, options.budget)?;
+        let sections = VolumeSections::spawn(&mut scene, volume, &places, options.budget)?;
         Ok(Self {
             scene,
             model,
@@ -182,7 +185,7 @@ fn show_wells(model: &Model, scene: &mut Scene) -> Result<Vec<EntityKey>, Subsur
 }
 
 /// Slices behind the middle as the views see it, so that they hide without hiding all; a lens in the open corner, where layers are cut away.
-fn places(layout: &VolumeLayout, options: &BuiltInOptions) -> SectionPlaces {
+fn places(layout: &VolumeLayout, options: &SubsurfaceSceneOptions) -> SectionPositions {
     let at = |axis: Axis, share: f64| {
         let last = f64::from(axis.of(layout.size).saturating_sub(1));
         (last * share).round() as u32
@@ -204,11 +207,14 @@ fn places(layout: &VolumeLayout, options: &BuiltInOptions) -> SectionPlaces {
         min: corner([0.62, 0.2, 0.3]),
         max: corner([0.8, 0.38, 0.48]),
     };
-    SectionPlaces {
+    SectionPositions {
         slices: slices
             .into_iter()
             .filter(|_| options.slices)
-            .map(|(axis, share)| (axis, at(axis, share)))
+            .map(|(axis, share)| SlicePosition {
+                axis,
+                index: at(axis, share),
+            })
             .collect(),
         lenses: Some(lens).filter(|_| options.lens).into_iter().collect(),
     }

@@ -15,18 +15,18 @@ use spread::spread_boxes;
 
 /// What the built-in scene is made from.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BuiltInOptions {
+pub struct TerrainSceneOptions {
     /// The landscape.
     pub landscape: FractalOptions,
     /// Vertices of the field.
     pub vertices: usize,
-    /// Boxes that stand on it, at most [`Self::MOST_BOXES`].
+    /// Boxes that stand on it, at most [`Self::MAX_BOXES`].
     pub boxes: usize,
     /// How it is prepared; its groups grow from the landscape's seed.
     pub prepare: TerrainOptions,
 }
 
-impl Default for BuiltInOptions {
+impl Default for TerrainSceneOptions {
     /// 100,000 vertices of 1,025 x 1,025 posts.
     fn default() -> Self {
         Self {
@@ -38,9 +38,9 @@ impl Default for BuiltInOptions {
     }
 }
 
-impl BuiltInOptions {
+impl TerrainSceneOptions {
     /// The most boxes.
-    pub const MOST_BOXES: usize = 1_000_000;
+    pub const MAX_BOXES: usize = 1_000_000;
 
     /// Sets one by name. `size` is the number of vertices; `sectors`, `parts` and `reaches` are those of horizons, `seeds` those of groups.
     ///
@@ -52,7 +52,7 @@ impl BuiltInOptions {
             "size" => self.vertices = read("size", value)?,
             "boxes" => {
                 self.boxes = read("boxes", value)?;
-                if self.boxes > Self::MOST_BOXES {
+                if self.boxes > Self::MAX_BOXES {
                     return Err(TerrainError::Setting {
                         what: "the number of boxes",
                         value: self.boxes.to_string(),
@@ -102,7 +102,7 @@ fn read<T: FromStr>(what: &'static str, value: &str) -> Result<T, TerrainError> 
     })
 }
 
-impl BuiltInOptions {
+impl TerrainSceneOptions {
     /// Builds the scene; `done` is told of every sector whose horizons are found.
     ///
     /// # Errors

@@ -23,7 +23,7 @@ mod spinner;
 mod vane;
 mod workshop;
 
-use super::BuiltinError;
+use super::DemoSceneError;
 use antumbra_scene::Scene;
 use assembly::Assembly;
 use plan::PLANS;
@@ -48,12 +48,12 @@ impl Default for TurbineOptions {
 /// as they are placed. Every part is a closed solid of its own, or several in one.
 ///
 /// # Errors
-/// [`BuiltinError::NoSuchSize`] for a size other than 1 and 2.
-pub fn turbine(options: TurbineOptions) -> Result<Scene, BuiltinError> {
+/// [`DemoSceneError::NoSuchSize`] for a size other than 1 and 2.
+pub fn turbine(options: TurbineOptions) -> Result<Scene, DemoSceneError> {
     let sizes = 1..=PLANS.len() as u32;
     let plan = (options.size.checked_sub(1)).and_then(|i| PLANS.get(i as usize));
     let Some(plan) = plan else {
-        return Err(BuiltinError::NoSuchSize {
+        return Err(DemoSceneError::NoSuchSize {
             name: "turbine",
             size: options.size,
             sizes,

@@ -8,7 +8,7 @@ mod ray;
 mod shells;
 
 use antumbra_demo_scenes as demo_scenes;
-use antumbra_demo_scenes::{BuiltinError, CityOptions, city};
+use antumbra_demo_scenes::{CityOptions, DemoSceneError, city};
 use antumbra_scene::{Aabb, EntityKey, Light, Scene};
 use glam::{DAffine3, DVec3};
 use std::collections::HashSet;
@@ -72,7 +72,7 @@ fn names_and_sizes() {
             text.contains(&size.to_string()) && text.contains("1 to 16"),
             "{text}"
         );
-        assert!(matches!(error, BuiltinError::NoSuchSize { .. }));
+        assert!(matches!(error, DemoSceneError::NoSuchSize { .. }));
     }
 }
 
@@ -243,8 +243,9 @@ fn trees_stand_outside_houses() {
 fn the_sun_shines_on_a_few_opaque_materials() {
     let scene = built(2, 1);
     let lights: Vec<_> = scene.lights().collect();
-    assert!(matches!(lights[..], [(_, Light::Directional { .. }, _)]));
-    let (_, _, sun) = lights[0];
+    assert_eq!(lights.len(), 1);
+    assert!(matches!(lights[0].light, Light::Directional { .. }));
+    let sun = lights[0].world;
     assert!((sun.matrix3 * DVec3::NEG_Z).y < -0.5, "from above");
     let materials: Vec<_> = scene.materials().map(|(_, material)| material).collect();
     assert!((5..=15).contains(&materials.len()), "{}", materials.len());

@@ -10,7 +10,7 @@ mod ray;
 mod shells;
 
 use antumbra_demo_scenes as demo_scenes;
-use antumbra_demo_scenes::{BuiltinError, TurbineOptions, turbine};
+use antumbra_demo_scenes::{DemoSceneError, TurbineOptions, turbine};
 use antumbra_scene::{EntityKey, Light, Scene};
 use glam::{DAffine3, DVec3};
 use picture::{View, picture};
@@ -76,7 +76,7 @@ fn names_and_sizes() {
             text.contains(&size.to_string()) && text.contains("1 to 2"),
             "{text}"
         );
-        assert!(matches!(error, BuiltinError::NoSuchSize { .. }));
+        assert!(matches!(error, DemoSceneError::NoSuchSize { .. }));
     }
 }
 
@@ -274,9 +274,9 @@ fn four_lamps_stand_around_it() {
     let scene = engine(1, 1);
     let lamps: Vec<_> = scene.lights().collect();
     assert_eq!(lamps.len(), 4);
-    for (_, light, place) in lamps {
-        assert!(matches!(light, Light::Point { .. }));
-        assert!(radius(place.translation) > 2.0, "outside the engine");
+    for lamp in lamps {
+        assert!(matches!(lamp.light, Light::Point { .. }));
+        assert!(radius(lamp.world.translation) > 2.0, "outside the engine");
     }
     let looks: HashSet<_> = scene.drawables().map(|(_, d)| d.material).collect();
     assert!(

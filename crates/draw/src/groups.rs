@@ -1,7 +1,7 @@
 //! The scene's tree as culling needs it: which group each slot lies in, and each group in which other. A group is an entity that others
 //! hang below; its number says nothing and stays while the entity lives.
 
-use antumbra_scene::hierarchy::{Branches, NONE};
+use antumbra_scene::hierarchy::{GroupTree, GroupedLeaf, NONE};
 
 /// Groups by number, and the group of each slot.
 #[derive(Debug, Clone, Default)]
@@ -31,11 +31,14 @@ impl Groups {
     pub fn branches<'a>(
         &'a self,
         slots: impl Iterator<Item = u32>,
-        leaves: &'a mut Vec<(u32, u32)>,
-    ) -> Branches<'a> {
+        leaves: &'a mut Vec<GroupedLeaf>,
+    ) -> GroupTree<'a> {
         leaves.clear();
-        leaves.extend(slots.map(|slot| (slot, self.of(slot))));
-        Branches {
+        leaves.extend(slots.map(|slot| GroupedLeaf {
+            leaf: slot,
+            group: self.of(slot),
+        }));
+        GroupTree {
             groups: &self.around,
             leaves,
         }

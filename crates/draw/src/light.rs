@@ -66,7 +66,7 @@ impl SceneLights {
             .max(f64::MIN_POSITIVE) as f32;
         let found: Vec<(Light, DAffine3)> = scene
             .lights()
-            .map(|(_, light, world)| (light, world))
+            .map(|placed| (placed.light, placed.world))
             .collect();
         let peak = |directional: bool| {
             found

@@ -111,7 +111,7 @@ impl MeshArenas {
             first_index,
             index_count: geometry.indices.len() as u32,
             base_vertex,
-            corners: geometry.topology.indices_each() as u32,
+            corners: geometry.topology.indices_per_primitive() as u32,
         })
     }
 }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use antumbra_scene::hierarchy::NONE;
-use antumbra_scene::{Changes, EntityKey, Environment, ImageKey, MaterialKey, MeshKey, Scene};
+use antumbra_scene::{EntityKey, Environment, ImageKey, MaterialKey, MeshKey, Scene, SceneChanges};
 use glam::DAffine3;
 use rayon::prelude::*;
 use slotmap::SecondaryMap;
@@ -134,9 +134,9 @@ impl GpuScene {
             free: Vec::new(),
             classes: 0,
         };
-        let all = Changes {
+        let all = SceneChanges {
             added: scene.drawables().map(|(key, _)| key).collect(),
-            ..Changes::default()
+            ..SceneChanges::default()
         };
         this.apply(scene, &all)?;
         this.most_groups = most_groups(&this.table);
@@ -205,17 +205,17 @@ impl GpuScene {
         &self.gpu
     }
 
-    fn apply(&mut self, scene: &Scene, changes: &Changes) -> Result<(), DrawError> {
+    fn apply(&mut self, scene: &Scene, changes: &SceneChanges) -> Result<(), DrawError> {
         // A light has no bounds and few exist: they are gathered anew each time.
         self.lights = Arc::new(SceneLights::gather(scene));
-        let Changes {
+        let SceneChanges {
             removed,
             added,
             moved,
-            rehung,
+            reparented,
             ..
         } = changes;
-        if [removed, added, moved, rehung]
+        if [removed, added, moved, reparented]
             .iter()
             .all(|keys| keys.is_empty())
         {
@@ -224,7 +224,7 @@ impl GpuScene {
         let mut shared = std::mem::take(&mut self.table);
         let table = Arc::make_mut(&mut shared);
         table.forget_changes();
-        self.rehang(table, scene, rehung);
+        self.rehang(table, scene, reparented);
         let outcome = self.change(table, scene, removed, added, moved);
         self.clear_groups(table, scene);
         self.table = shared;
@@ -233,8 +233,8 @@ impl GpuScene {
     }
 
     /// Follows entities to other parents.
-    fn rehang(&mut self, table: &mut SceneTable, scene: &Scene, rehung: &[EntityKey]) {
-        for key in rehung {
+    fn rehang(&mut self, table: &mut SceneTable, scene: &Scene, reparented: &[EntityKey]) {
+        for key in reparented {
             let known = (self.group_of.get(*key).copied(), self.slot(*key));
             let around = match known {
                 (None, None) => continue,
@@ -498,7 +498,7 @@ fn deviations(
         .filter_map(|key| Some(scene.drawable(*key)?.mesh));
     let new: HashSet<MeshKey> = meshes.filter(|mesh| !known(*mesh)).collect();
     new.into_par_iter()
-        .filter_map(|key| Some((key, scene.mesh(key)?.proxy_deviation())))
+        .filter_map(|key| Some((key, scene.mesh(key)?.proxy_hausdorff_distance())))
         .collect()
 }
 

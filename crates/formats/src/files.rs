@@ -20,6 +20,33 @@ const BASE64: GeneralPurpose = GeneralPurpose::new(
     GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent),
 );
 
+/// All bytes of a file that was opened, if they are `largest` at most.
+///
+/// # Errors
+/// What the system says; for what is no regular file, for one that is too large, and where memory does not suffice.
+pub fn read_whole_file(file: File, largest: u64) -> std::io::Result<Vec<u8>> {
+    let metadata = file.metadata()?;
+    if !metadata.is_file() {
+        return Err(std::io::Error::other(
+            "it is no regular file, so that its length is not known",
+        ));
+    }
+    let mut bytes = Vec::new();
+    if metadata.len() <= largest {
+        let wanted = usize::try_from(metadata.len()).unwrap_or(usize::MAX);
+        bytes
+            .try_reserve_exact(wanted)
+            .map_err(std::io::Error::other)?;
+        // It may have grown meanwhile.
+        file.take(largest + 1).read_to_end(&mut bytes)?;
+    }
+    if metadata.len().max(bytes.len() as u64) > largest {
+        let problem = format!("larger than {largest} bytes; cut it into parts");
+        return Err(std::io::Error::other(problem));
+    }
+    Ok(bytes)
+}
+
 /// A whole file, if it is no larger than what is left.
 pub(super) fn read(path: &Path, budget: &mut Budget) -> Result<Vec<u8>, LoadProblem> {
     let refused = |source| LoadProblem::Io {

@@ -3,4 +3,4 @@
 pub(crate) mod read;
 mod write;
 
-pub use write::{SaveError, SaveProblem, save_glb, save_glb_with};
+pub use write::{SaveError, SaveProblem, save_glb, save_glb_with_attachments};

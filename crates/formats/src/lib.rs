@@ -23,13 +23,13 @@ mod obj;
 mod ply;
 pub mod raster;
 mod stl;
-mod whole_file;
 
 pub use attachment::Attachment;
 pub use error::{LoadError, LoadProblem};
-pub use gltf::{SaveError, SaveProblem, save_glb, save_glb_with};
+pub use files::read_whole_file;
+pub use gltf::{SaveError, SaveProblem, save_glb, save_glb_with_attachments};
 pub use load::{
-    Format, LoadOptions, Loaded, load, load_gltf_slice, load_slice, load_slice_with, load_with,
+    LoadOptions, LoadedScene, SceneFormat, load, load_gltf_slice, load_slice,
+    load_slice_with_attachments, load_with_attachments,
 };
 pub use raster::{RasterError, RasterFormat, load_raster, load_raster_slice};
-pub use whole_file::whole_file;

@@ -12,7 +12,7 @@ use std::path::Path;
 
 /// The file formats that can be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Format {
+pub enum SceneFormat {
     /// CityJSON 1 or 2, a document or a sequence of features a line; which of the two is told from the text.
     CityJson,
     /// glTF 2.0, JSON or binary; which of the two is told from the bytes.
@@ -25,7 +25,7 @@ pub enum Format {
     Stl,
 }
 
-impl Format {
+impl SceneFormat {
     /// The file name extensions that are known, for messages.
     pub const EXTENSIONS: &'static [&'static str] =
         &["glb", "gltf", "json", "jsonl", "obj", "ply", "stl"];
@@ -80,7 +80,7 @@ impl Default for LoadOptions {
 
 /// A scene, and what others had to say of it.
 #[derive(Debug)]
-pub struct Loaded {
+pub struct LoadedScene {
     /// The scene.
     pub scene: Scene,
     /// Of the attachments that were asked for, those that the file has, or what is wrong with them: the scene is what it is without them.
@@ -95,28 +95,28 @@ pub struct Loaded {
 /// # Errors
 /// One [`LoadProblem`] each for what can be wrong with a file, with the file's name around it.
 pub fn load(path: &Path, options: &LoadOptions) -> Result<Scene, LoadError> {
-    Ok(load_with(path, options, &[])?.scene)
+    Ok(load_with_attachments(path, options, &[])?.scene)
 }
 
 /// As [`load`], with the attachments of these names, which glTF alone can have.
 ///
 /// # Errors
 /// As [`load`].
-pub fn load_with(
+pub fn load_with_attachments(
     path: &Path,
     options: &LoadOptions,
     attachments: &[&str],
-) -> Result<Loaded, LoadError> {
+) -> Result<LoadedScene, LoadError> {
     let error = |problem| LoadError {
         file: Some(path.to_owned()),
         problem: Box::new(problem),
     };
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
     let read = || {
-        let Some(format) = Format::from_extension(extension) else {
+        let Some(format) = SceneFormat::from_extension(extension) else {
             return Err(LoadProblem::UnknownExtension {
                 extension: extension.to_owned(),
-                known: Format::EXTENSIONS,
+                known: SceneFormat::EXTENSIONS,
             });
         };
         let mut budget = Budget::new(options);
@@ -128,7 +128,7 @@ pub fn load_with(
         scene.set_name(stem);
     }
     let attachments = attachments.into_iter();
-    Ok(Loaded {
+    Ok(LoadedScene {
         scene,
         attachments: attachments.map(|found| found.map_err(error)).collect(),
     })
@@ -139,25 +139,25 @@ pub fn load_with(
 /// # Errors
 /// As [`load`].
 pub fn load_slice(
-    format: Format,
+    format: SceneFormat,
     bytes: &[u8],
     base: Option<&Path>,
     options: &LoadOptions,
 ) -> Result<Scene, LoadError> {
-    Ok(load_slice_with(format, bytes, base, options, &[])?.scene)
+    Ok(load_slice_with_attachments(format, bytes, base, options, &[])?.scene)
 }
 
 /// As [`load_slice`], with the attachments of these names.
 ///
 /// # Errors
 /// As [`load`].
-pub fn load_slice_with(
-    format: Format,
+pub fn load_slice_with_attachments(
+    format: SceneFormat,
     bytes: &[u8],
     base: Option<&Path>,
     options: &LoadOptions,
     attachments: &[&str],
-) -> Result<Loaded, LoadError> {
+) -> Result<LoadedScene, LoadError> {
     let error = |problem| LoadError {
         file: None,
         problem: Box::new(problem),
@@ -167,13 +167,13 @@ pub fn load_slice_with(
         .and_then(|()| read_format(format, bytes, base, attachments, budget))
         .map_err(error)?;
     let attachments = attachments.into_iter();
-    Ok(Loaded {
+    Ok(LoadedScene {
         scene,
         attachments: attachments.map(|found| found.map_err(error)).collect(),
     })
 }
 
-/// Reads a glTF scene, JSON or binary, from memory: [`load_slice`] with [`Format::Gltf`].
+/// Reads a glTF scene, JSON or binary, from memory: [`load_slice`] with [`SceneFormat::Gltf`].
 ///
 /// # Errors
 /// As [`load`].
@@ -182,14 +182,14 @@ pub fn load_gltf_slice(
     base: Option<&Path>,
     options: &LoadOptions,
 ) -> Result<Scene, LoadError> {
-    load_slice(Format::Gltf, bytes, base, options)
+    load_slice(SceneFormat::Gltf, bytes, base, options)
 }
 
 /// An attachment, or what is wrong with it.
 pub(crate) type Found = Result<Attachment, LoadProblem>;
 
 fn read_format(
-    format: Format,
+    format: SceneFormat,
     bytes: &[u8],
     base: Option<&Path>,
     attachments: &[&str],
@@ -197,11 +197,11 @@ fn read_format(
 ) -> Result<(Scene, Vec<Found>), LoadProblem> {
     let files = Files::new(base);
     let scene = match format {
-        Format::CityJson => cityjson::read(bytes, &mut budget),
-        Format::Gltf => return gltf::read::read(bytes, &files, attachments, &mut budget),
-        Format::Obj => obj::read(bytes, &files, &mut budget),
-        Format::Ply => single("ply", ply::read(bytes, &mut budget)?),
-        Format::Stl => single("stl", stl::read(bytes, &mut budget)?),
+        SceneFormat::CityJson => cityjson::read(bytes, &mut budget),
+        SceneFormat::Gltf => return gltf::read::read(bytes, &files, attachments, &mut budget),
+        SceneFormat::Obj => obj::read(bytes, &files, &mut budget),
+        SceneFormat::Ply => single("ply", ply::read(bytes, &mut budget)?),
+        SceneFormat::Stl => single("stl", stl::read(bytes, &mut budget)?),
     };
     Ok((scene?, Vec::new()))
 }

@@ -5,7 +5,7 @@
 mod esri;
 mod geotiff;
 mod npz;
-pub mod words;
+pub mod text;
 
 use std::fs::File;
 use std::path::{Path, PathBuf};
@@ -14,10 +14,10 @@ use thiserror::Error;
 
 use antumbra_scene::Raster;
 
-use crate::whole_file::whole_file;
+use crate::files::read_whole_file;
 
 /// Bytes; no larger file is read.
-const LARGEST_FILE: u64 = 4 << 30;
+const MAX_FILE_BYTES: u64 = 4 << 30;
 
 /// The kinds of raster files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -95,7 +95,7 @@ pub fn load_raster(file: &Path) -> Result<Raster, RasterError> {
     let format = extension.and_then(RasterFormat::from_extension);
     let format = format.ok_or_else(|| RasterError::UnknownExtension { file: file.into() })?;
     let opened = File::open(file);
-    let bytes = opened.and_then(|opened| whole_file(opened, LARGEST_FILE));
+    let bytes = opened.and_then(|opened| read_whole_file(opened, MAX_FILE_BYTES));
     let bytes = bytes.map_err(|source| RasterError::Io {
         file: file.into(),
         source,

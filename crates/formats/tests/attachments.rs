@@ -2,7 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_formats::{
-    Attachment, Format, LoadOptions, Loaded, load_slice_with, load_with, save_glb_with,
+    Attachment, LoadOptions, LoadedScene, SceneFormat, load_slice_with_attachments,
+    load_with_attachments, save_glb_with_attachments,
 };
 use antumbra_scene::{EntityKey, Scene};
 use glam::{DAffine3, DVec3};
@@ -26,7 +27,7 @@ fn attachment(name: &str, entities: &[EntityKey]) -> Attachment {
     Attachment {
         name: name.to_owned(),
         entities: entities.to_vec(),
-        facts: facts.as_object().unwrap().clone(),
+        properties: facts.as_object().unwrap().clone(),
         bytes: vec![1, 2, 3, 254, 255],
     }
 }
@@ -39,17 +40,17 @@ fn what_is_attached_comes_back_for_who_asks() {
     let wanted = attachment("SOME_body", &[right, root]);
     let bare = Attachment {
         bytes: Vec::new(),
-        facts: Map::new(),
+        properties: Map::new(),
         ..attachment("SOME_else", &[left])
     };
-    save_glb_with(&scene, &[wanted.clone(), bare.clone()], &file).unwrap();
+    save_glb_with_attachments(&scene, &[wanted.clone(), bare.clone()], &file).unwrap();
     let options = LoadOptions::default();
     let names = ["SOME_else", "NO_body", "SOME_body"];
-    let loaded = load_with(&file, &options, &names).unwrap();
+    let loaded = load_with_attachments(&file, &options, &names).unwrap();
     let scene = &loaded.scene;
     let [else_, body] = [0, 1].map(|at| loaded.attachments[at].as_ref().unwrap());
     assert_eq!(loaded.attachments.len(), 2);
-    assert_eq!(body.facts, wanted.facts);
+    assert_eq!(body.properties, wanted.properties);
     assert_eq!(body.bytes, wanted.bytes);
     assert_eq!(body.name, "SOME_body");
     let called = |at: &Attachment| {
@@ -61,11 +62,11 @@ fn what_is_attached_comes_back_for_who_asks() {
     assert_eq!(called(body), ["right", ""]);
     assert_eq!(scene.parent(body.entities[0]), Some(body.entities[1]));
     assert_eq!(
-        (called(else_), else_.bytes.len(), else_.facts.len()),
+        (called(else_), else_.bytes.len(), else_.properties.len()),
         (vec!["left".to_owned()], 0, 0)
     );
     assert!(
-        load_with(&file, &options, &[])
+        load_with_attachments(&file, &options, &[])
             .unwrap()
             .attachments
             .is_empty()
@@ -78,7 +79,7 @@ fn attachments_that_no_file_can_hold_are_refused() {
     let file = folder.path().join("scene.glb");
     let (mut scene, [_, left, right]) = scene();
     let refused = |scene: &Scene, attachments: &[Attachment]| {
-        let error = save_glb_with(scene, attachments, &file).unwrap_err();
+        let error = save_glb_with_attachments(scene, attachments, &file).unwrap_err();
         assert!(!file.exists());
         error.to_string()
     };
@@ -88,7 +89,7 @@ fn attachments_that_no_file_can_hold_are_refused() {
     assert!(refused(&scene, &[attachment("", &[])]).contains("empty"));
     for fact in ["nodes", "bufferView"] {
         let mut taken = attachment("SOME_body", &[]);
-        taken.facts.insert(fact.to_owned(), Value::from(1));
+        taken.properties.insert(fact.to_owned(), Value::from(1));
         assert!(refused(&scene, &[taken]).contains(fact));
     }
     scene.despawn(right);
@@ -97,7 +98,7 @@ fn attachments_that_no_file_can_hold_are_refused() {
 }
 
 /// A scene of one node with another beside it, and an extension.
-fn with(extension: &str) -> Loaded {
+fn with(extension: &str) -> LoadedScene {
     let text = format!(
         r#"{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{{}},{{}}],
         "extensions":{{"SOME_body":{extension}}},
@@ -105,8 +106,8 @@ fn with(extension: &str) -> Loaded {
         "bufferViews":[{{"buffer":0,"byteLength":4}},{{"buffer":0,"byteOffset":2,"byteLength":4}},{{"buffer":7,"byteLength":1}}]}}"#
     );
     let options = LoadOptions::default();
-    load_slice_with(
-        Format::Gltf,
+    load_slice_with_attachments(
+        SceneFormat::Gltf,
         text.as_bytes(),
         None,
         &options,

@@ -3,7 +3,7 @@
 
 mod common;
 
-use antumbra_formats::{Format, LoadOptions, load, load_slice};
+use antumbra_formats::{LoadOptions, SceneFormat, load, load_slice};
 use antumbra_scene::{EntityKey, Geometry, Scene};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
@@ -11,7 +11,7 @@ use std::path::Path;
 
 fn read(text: &str) -> Scene {
     load_slice(
-        Format::CityJson,
+        SceneFormat::CityJson,
         text.as_bytes(),
         None,
         &LoadOptions::default(),

@@ -5,17 +5,17 @@ mod common;
 
 use antumbra_demo_scenes as demo_scenes;
 use antumbra_demo_scenes::GridOptions;
-use antumbra_formats::{Format, LoadOptions, load, load_slice};
+use antumbra_formats::{LoadOptions, SceneFormat, load, load_slice};
 use antumbra_scene::{Scene, Topology};
 use glam::DVec3;
 
-fn read(format: Format, bytes: &[u8]) -> Scene {
+fn read(format: SceneFormat, bytes: &[u8]) -> Scene {
     load_slice(format, bytes, None, &LoadOptions::default()).unwrap()
 }
 
 #[test]
 fn obj_has_objects_attributes_and_material_libraries() {
-    let scene = read(Format::Obj, common::OBJ.as_bytes());
+    let scene = read(SceneFormat::Obj, common::OBJ.as_bytes());
     assert_eq!(scene.triangle_count(), 3);
     let (_, mesh) = scene.meshes().next().unwrap();
     assert_eq!(mesh.name, "square");
@@ -36,17 +36,17 @@ fn obj_has_objects_attributes_and_material_libraries() {
 
 #[test]
 fn ply_has_vertices_faces_and_colours_in_every_encoding() {
-    let scene = read(Format::Ply, common::PLY.as_bytes());
+    let scene = read(SceneFormat::Ply, common::PLY.as_bytes());
     let (_, mesh) = scene.meshes().next().unwrap();
     assert_eq!(mesh.levels[0].indices, [0, 1, 2, 0, 2, 3]);
     assert_eq!(mesh.levels[0].colours[0], [255, 0, 0, 255]);
-    let little = read(Format::Ply, &common::ply_binary());
+    let little = read(SceneFormat::Ply, &common::ply_binary());
     let (_, mesh) = little.meshes().next().unwrap();
     assert_eq!(mesh.levels[0].indices, [0, 1, 2]);
     assert_eq!(mesh.levels[0].positions[1], [1.0, 0.0, 0.0]);
     let points = common::PLY.replace("element face 1", "element face 0");
     let points = points.replace("4 0 1 2 3\n", "");
-    let scene = read(Format::Ply, points.as_bytes());
+    let scene = read(SceneFormat::Ply, points.as_bytes());
     let (_, mesh) = scene.meshes().next().unwrap();
     assert_eq!(mesh.levels[0].topology, Topology::Points);
 }
@@ -60,7 +60,7 @@ fn stl_is_told_by_its_length_not_by_its_first_word() {
         (common::stl_binary(b"solid but binary", 2), 2, 3),
         (common::stl_binary(b"", 0), 0, 0),
     ] {
-        let scene = read(Format::Stl, &bytes);
+        let scene = read(SceneFormat::Stl, &bytes);
         assert_eq!(scene.triangle_count(), triangles);
         let (_, mesh) = scene.meshes().next().unwrap();
         assert_eq!(

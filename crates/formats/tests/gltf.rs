@@ -4,7 +4,9 @@
 mod common;
 
 use antumbra_formats::{LoadOptions, load_gltf_slice};
-use antumbra_scene::{AlphaMode, EntityKey, Geometry, Light, Projection, Scene, Topology, Wrap};
+use antumbra_scene::{
+    AlphaMode, EntityKey, Geometry, Light, PlacedLight, Projection, Scene, Topology, Wrap,
+};
 use base64::Engine;
 use common::{floats, primitive, scene, shorts};
 use glam::DVec3;
@@ -345,7 +347,7 @@ fn cameras_and_lights_stand_at_their_nodes() {
             far: 9.0
         }
     );
-    let (_, light, world) = scene.lights().next().unwrap();
+    let PlacedLight { light, world, .. } = scene.lights().next().unwrap();
     assert_eq!(world.translation, DVec3::new(0.0, 3.0, 0.0));
     let expected = Light::Spot {
         colour: [1.0, 0.5, 0.0],

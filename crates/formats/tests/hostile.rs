@@ -3,17 +3,17 @@
 
 mod common;
 
-use antumbra_formats::{Format, LoadOptions, LoadProblem, load, load_slice};
+use antumbra_formats::{LoadOptions, LoadProblem, SceneFormat, load, load_slice};
 use common::{floats, primitive, scene};
 
-fn refused(format: Format, bytes: &[u8]) -> LoadProblem {
+fn refused(format: SceneFormat, bytes: &[u8]) -> LoadProblem {
     *load_slice(format, bytes, None, &LoadOptions::default())
         .unwrap_err()
         .problem
 }
 
 fn gltf(bytes: &[u8]) -> LoadProblem {
-    refused(Format::Gltf, bytes)
+    refused(SceneFormat::Gltf, bytes)
 }
 
 macro_rules! assert_problem {
@@ -30,9 +30,9 @@ const ONE: &str = r#"{"mesh":0}"#;
 #[test]
 fn every_truncation_is_an_error() {
     let files = [
-        (Format::Gltf, scene(ONE, "")),
-        (Format::Ply, common::ply_binary()),
-        (Format::Stl, common::stl_binary(b"", 3)),
+        (SceneFormat::Gltf, scene(ONE, "")),
+        (SceneFormat::Ply, common::ply_binary()),
+        (SceneFormat::Stl, common::stl_binary(b"", 3)),
     ];
     for (format, file) in files {
         assert!(load_slice(format, &file, None, &LoadOptions::default()).is_ok());
@@ -182,7 +182,7 @@ fn memory_is_not_taken_for_what_has_no_bytes() {
         max_json_objects: 1000,
         ..LoadOptions::default()
     };
-    let error = load_slice(Format::Gltf, objects.as_bytes(), None, &options).unwrap_err();
+    let error = load_slice(SceneFormat::Gltf, objects.as_bytes(), None, &options).unwrap_err();
     assert_problem!(
         *error.problem,
         LoadProblem::TooLarge { amount: 1065, .. },
@@ -193,7 +193,7 @@ fn memory_is_not_taken_for_what_has_no_bytes() {
         max_entities: 19,
         ..LoadOptions::default()
     };
-    let error = load_slice(Format::Gltf, &scene(&nodes, ""), None, &options).unwrap_err();
+    let error = load_slice(SceneFormat::Gltf, &scene(&nodes, ""), None, &options).unwrap_err();
     assert_problem!(
         *error.problem,
         LoadProblem::TooLarge { .. },
@@ -340,7 +340,7 @@ fn required_extensions_must_be_known() {
         "export"
     );
     let used = scene(ONE, r#","extensionsUsed":["KHR_draco_mesh_compression"]"#);
-    assert!(load_slice(Format::Gltf, &used, None, &LoadOptions::default()).is_ok());
+    assert!(load_slice(SceneFormat::Gltf, &used, None, &LoadOptions::default()).is_ok());
 }
 
 #[test]
@@ -437,7 +437,7 @@ fn images_are_decoded_within_limits() {
         skip_images: true,
         ..LoadOptions::default()
     };
-    assert!(load_slice(Format::Gltf, &png(b"GIF89a"), None, &skip).is_ok());
+    assert!(load_slice(SceneFormat::Gltf, &png(b"GIF89a"), None, &skip).is_ok());
 }
 
 #[test]
@@ -445,20 +445,20 @@ fn counts_in_headers_are_held_against_the_bytes() {
     let mut stl = common::stl_binary(b"", 2);
     stl[80..84].copy_from_slice(&u32::MAX.to_le_bytes());
     assert_problem!(
-        refused(Format::Stl, &stl),
+        refused(SceneFormat::Stl, &stl),
         LoadProblem::Truncated { .. },
         "4294967295 triangles"
     );
     let ply = common::PLY.replace("vertex 4", "vertex 4000000000");
     assert_problem!(
-        refused(Format::Ply, ply.as_bytes()),
+        refused(SceneFormat::Ply, ply.as_bytes()),
         LoadProblem::Truncated { .. },
         "\"vertex\""
     );
     // No properties, no bytes, but an element each all the same.
     let ply = "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nend_header\n";
     assert_problem!(
-        refused(Format::Ply, ply.as_bytes()),
+        refused(SceneFormat::Ply, ply.as_bytes()),
         LoadProblem::Truncated { .. },
         "\"vertex\""
     );
@@ -466,7 +466,7 @@ fn counts_in_headers_are_held_against_the_bytes() {
     let at = ply.len() - 13;
     ply[at] = 255;
     assert_problem!(
-        refused(Format::Ply, &ply),
+        refused(SceneFormat::Ply, &ply),
         LoadProblem::Syntax { .. },
         "face"
     );
@@ -488,30 +488,30 @@ fn what_does_not_follow_the_format_says_where() {
         "convert"
     );
     assert_problem!(
-        refused(Format::Ply, b"plx"),
+        refused(SceneFormat::Ply, b"plx"),
         LoadProblem::Syntax { .. },
         "PLY"
     );
     assert_problem!(
-        refused(Format::Obj, b"v 1 nothing 3\n"),
+        refused(SceneFormat::Obj, b"v 1 nothing 3\n"),
         LoadProblem::Syntax { .. },
         "OBJ",
         "position"
     );
     assert_problem!(
-        refused(Format::Obj, b"v 0 0 0\nf 1 2 3\n"),
+        refused(SceneFormat::Obj, b"v 0 0 0\nf 1 2 3\n"),
         LoadProblem::Syntax { .. },
         "OBJ",
         "bounds"
     );
     assert_problem!(
-        refused(Format::Obj, b"v NaN 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+        refused(SceneFormat::Obj, b"v NaN 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
         LoadProblem::Scene(_),
         "position 0 is not finite"
     );
     assert_problem!(
         refused(
-            Format::Stl,
+            SceneFormat::Stl,
             common::STL.replace("endloop", "end").as_bytes()
         ),
         LoadProblem::Syntax { .. },
@@ -543,7 +543,7 @@ fn wild_obj_corners_and_colours_do_no_harm() {
         "3/x",
         "99999999999999999999",
     ] {
-        let problem = refused(Format::Obj, with(corner).as_bytes());
+        let problem = refused(SceneFormat::Obj, with(corner).as_bytes());
         assert_problem!(
             problem,
             LoadProblem::Syntax { .. },
@@ -552,13 +552,13 @@ fn wild_obj_corners_and_colours_do_no_harm() {
         );
     }
     assert_problem!(
-        refused(Format::Obj, with("4").as_bytes()),
+        refused(SceneFormat::Obj, with("4").as_bytes()),
         LoadProblem::Syntax { .. },
         "bounds"
     );
     for corner in ["3", "-1", "3/1/1", "-1/-1/-1", "3//1", "3/1"] {
         let read = load_slice(
-            Format::Obj,
+            SceneFormat::Obj,
             with(corner).as_bytes(),
             None,
             &LoadOptions::default(),

@@ -3,11 +3,12 @@
 
 mod common;
 
-use antumbra_formats::{Format, LoadOptions, LoadProblem, load_slice};
+use antumbra_formats::{LoadOptions, LoadProblem, SceneFormat, load_slice};
 use antumbra_scene::Scene;
 
 fn read(text: &str, options: &LoadOptions) -> Result<Scene, LoadProblem> {
-    load_slice(Format::CityJson, text.as_bytes(), None, options).map_err(|error| *error.problem)
+    load_slice(SceneFormat::CityJson, text.as_bytes(), None, options)
+        .map_err(|error| *error.problem)
 }
 
 fn refused(text: &str) -> LoadProblem {

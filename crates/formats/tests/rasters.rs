@@ -60,10 +60,10 @@ fn read(arrays: &[(&str, Vec<u8>)]) -> Result<Raster, String> {
 fn a_bare_array_has_cells_of_a_metre() {
     let raster = read(&[("arr_0", heights(3, 4))]).unwrap();
     assert_eq!((raster.columns, raster.rows), (4, 3));
-    assert_eq!(raster.at(1, 2), Some(9.0));
-    assert_eq!(raster.plan(0, 0), DVec2::new(0.0, 2.0));
-    assert_eq!(raster.plan(3, 2), DVec2::new(3.0, 0.0));
-    assert_eq!(raster.at(4, 0), None);
+    assert_eq!(raster.elevation_at(1, 2), Some(9.0));
+    assert_eq!(raster.plan_position(0, 0), DVec2::new(0.0, 2.0));
+    assert_eq!(raster.plan_position(3, 2), DVec2::new(3.0, 0.0));
+    assert_eq!(raster.elevation_at(4, 0), None);
 }
 
 #[test]
@@ -76,8 +76,14 @@ fn numbers_beside_it_say_where_it_lies() {
         ("ymax", number(4_000_040.0)),
     ]);
     let metres = metres.unwrap();
-    assert_eq!(metres.plan(0, 0), DVec2::new(500_000.0, 4_000_040.0));
-    assert_eq!(metres.plan(3, 2), DVec2::new(500_090.0, 4_000_000.0));
+    assert_eq!(
+        metres.plan_position(0, 0),
+        DVec2::new(500_000.0, 4_000_040.0)
+    );
+    assert_eq!(
+        metres.plan_position(3, 2),
+        DVec2::new(500_090.0, 4_000_000.0)
+    );
 
     let degrees = read(&[
         ("topo", heights(3, 3)),

@@ -3,7 +3,7 @@
 //! `scripts/data.sh city`.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_formats::{Format, LoadOptions, LoadProblem, load};
+use antumbra_formats::{LoadOptions, LoadProblem, SceneFormat, load};
 use std::path::{Path, PathBuf};
 
 fn models() -> Option<PathBuf> {
@@ -27,7 +27,7 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
             files(&path, found);
         } else if path
             .extension()
-            .and_then(|e| Format::from_extension(e.to_str()?))
+            .and_then(|e| SceneFormat::from_extension(e.to_str()?))
             .is_some()
         {
             found.push(path);

@@ -435,7 +435,7 @@ fn lights_and_cameras_come_back() {
     let names = |scene: &Scene| -> Vec<(String, Light)> {
         scene
             .lights()
-            .map(|(e, light, _)| (scene.entity_name(e).to_owned(), light))
+            .map(|placed| (scene.entity_name(placed.entity).to_owned(), placed.light))
             .collect()
     };
     assert_eq!(names(&scene), names(&again));

@@ -15,7 +15,7 @@ impl Mesh {
     /// By how much the proxy's surface deviates from the full geometry's, at most, in the mesh's own units: 0 without a proxy, the size of the mesh where
     /// either is not made of triangles. It is taken at the vertices of both, evenly chosen ones of more than 4,096.
     #[must_use]
-    pub fn proxy_deviation(&self) -> f64 {
+    pub fn proxy_hausdorff_distance(&self) -> f64 {
         let (Some(full), Some(proxy)) = (self.full(), &self.proxy) else {
             return 0.0;
         };
@@ -182,7 +182,7 @@ mod tests {
     fn deviation(full: Geometry, proxy: Geometry) -> f64 {
         let mut mesh = Mesh::new("it", full);
         mesh.proxy = Some(proxy);
-        mesh.proxy_deviation()
+        mesh.proxy_hausdorff_distance()
     }
 
     #[test]
@@ -190,7 +190,10 @@ mod tests {
         let found = deviation(icosphere(4, 2.0), icosphere(4, 1.9));
         assert!((found - 0.1).abs() < 0.01, "{found}");
         assert!(deviation(icosphere(3, 2.0), icosphere(3, 2.0)) < 1e-5);
-        assert_eq!(Mesh::new("alone", icosphere(1, 1.0)).proxy_deviation(), 0.0);
+        assert_eq!(
+            Mesh::new("alone", icosphere(1, 1.0)).proxy_hausdorff_distance(),
+            0.0
+        );
     }
 
     #[test]

@@ -19,50 +19,59 @@ pub const NONE: u32 = u32::MAX;
 
 /// Who hangs where: groups within groups, and leaves in groups. Leaves are numbers of the caller's own (slots of a table, say).
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Branches<'a> {
+pub struct GroupTree<'a> {
     /// The group around each group; [`NONE`] around one that lies in no other.
     pub groups: &'a [u32],
-    /// Each leaf, once, and the group it lies in, or [`NONE`].
-    pub leaves: &'a [(u32, u32)],
+    /// Each leaf, once.
+    pub leaves: &'a [GroupedLeaf],
+}
+
+/// A leaf and the group that contains it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GroupedLeaf {
+    /// The leaf's number.
+    pub leaf: u32,
+    /// The number of the group that contains the leaf, or [`NONE`].
+    pub group: u32,
 }
 
 /// Where a hierarchy's inner nodes come from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Shape {
+pub enum HierarchyShape {
     /// The groups, as they are.
     Groups,
     /// A bounding volume hierarchy over all leaves, whatever their groups.
-    Boxes,
-    /// The groups, those with more than [`Shape::WIDE`] members divided by bounding volume hierarchies of their own.
+    Bvh,
+    /// The groups, those with more than [`HierarchyShape::MAX_UNDIVIDED`] members divided by bounding volume hierarchies of their own.
     #[default]
     Divided,
 }
 
-impl Shape {
+impl HierarchyShape {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Groups, Self::Boxes, Self::Divided];
+    pub const ALL: [Self; 3] = [Self::Groups, Self::Bvh, Self::Divided];
     /// Their words, in the order of [`Self::ALL`].
     pub const WORDS: &[&str] = &["groups", "boxes", "divided"];
     /// The most members of a group that is left undivided.
-    pub const WIDE: usize = 16;
+    pub const MAX_UNDIVIDED: usize = 16;
 
     /// Its word in settings and messages.
     pub fn word(self) -> &'static str {
         match self {
             Self::Groups => "groups",
-            Self::Boxes => "boxes",
+            Self::Bvh => "boxes",
             Self::Divided => "divided",
         }
     }
 }
 
-impl fmt::Display for Shape {
+impl fmt::Display for HierarchyShape {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.word())
     }
 }
 
-impl FromStr for Shape {
+impl FromStr for HierarchyShape {
     type Err = ();
 
     fn from_str(text: &str) -> Result<Self, ()> {
@@ -97,13 +106,13 @@ pub enum HierarchyError {
     },
     /// A leaf that is named twice.
     #[error("leaf {leaf} hangs in the tree twice: give it one group")]
-    Twice {
+    DuplicateLeaf {
         /// Which.
         leaf: u32,
     },
     /// A leaf whose box has its least corner beyond its greatest, or a corner that is no number.
     #[error("the box of leaf {leaf} is no box: from {} to {}", bounds.min, bounds.max)]
-    InsideOut {
+    InvalidBounds {
         /// Which.
         leaf: u32,
         /// What was given for a box.
@@ -141,13 +150,13 @@ impl HierarchyNode {
 /// A tree of boxes. A node comes after its parent; inner nodes have two children or more.
 ///
 /// ```
-/// use antumbra_scene::{Aabb, hierarchy::{Branches, Hierarchy, NONE, Shape}};
+/// use antumbra_scene::{Aabb, hierarchy::{GroupTree, GroupedLeaf, Hierarchy, HierarchyShape, NONE}};
 /// use glam::DVec3;
 ///
 /// // Two boxes in one group, a third beside it.
-/// let leaves = [(0, 0), (1, 0), (2, NONE)];
+/// let leaves = [(0, 0), (1, 0), (2, NONE)].map(|(leaf, group)| GroupedLeaf { leaf, group });
 /// let bounds = |leaf: u32| Aabb::from_centre(DVec3::X * f64::from(leaf) * 3.0, DVec3::ONE);
-/// let tree = Hierarchy::new(Branches { groups: &[NONE], leaves: &leaves }, Shape::Groups, bounds)?;
+/// let tree = Hierarchy::new(GroupTree { groups: &[NONE], leaves: &leaves }, HierarchyShape::Groups, bounds)?;
 /// let root = tree.roots().next().and_then(|root| tree.node(root));
 /// assert_eq!(root.map(|node| node.bounds.max.x), Some(7.0));
 /// assert_eq!(tree.leaves_below(0).count(), 3);
@@ -174,12 +183,12 @@ impl Hierarchy {
     /// # Errors
     /// [`HierarchyError`]: what is wrong, with its number.
     pub fn new(
-        branches: Branches<'_>,
-        shape: Shape,
+        branches: GroupTree<'_>,
+        shape: HierarchyShape,
         bounds: impl Fn(u32) -> Aabb,
     ) -> Result<Self, HierarchyError> {
-        let mut tidy = Tidy::new(branches, shape != Shape::Boxes, &bounds)?;
-        if shape != Shape::Groups {
+        let mut tidy = Tidy::new(branches, shape != HierarchyShape::Bvh, &bounds)?;
+        if shape != HierarchyShape::Groups {
             divide::divide(&mut tidy);
         }
         Ok(layout::lay_out(&tidy))
@@ -230,5 +239,5 @@ impl Hierarchy {
     }
 
     /// Bytes a node takes, its leaves' places included.
-    pub const BYTES_A_NODE: usize = size_of::<HierarchyNode>() + 2 * size_of::<u32>();
+    pub const BYTES_PER_NODE: usize = size_of::<HierarchyNode>() + 2 * size_of::<u32>();
 }

@@ -29,7 +29,7 @@ pub use light::Light;
 pub use material::{AlphaMode, Filter, Image, Material, Sampler, Wrap};
 pub use mesh::{Geometry, Mesh, Topology};
 pub use raster::Raster;
-pub use scene::{Changes, Drawable, Scene};
+pub use scene::{Drawable, PlacedLight, Scene, SceneChanges};
 #[cfg(feature = "simplify")]
 pub use simplify::{ProxyOptions, proxy};
 pub use stereo::{Stereo, StereoError};

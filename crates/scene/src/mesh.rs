@@ -30,7 +30,7 @@ pub enum Topology {
 impl Topology {
     /// How many indices make a primitive.
     #[must_use]
-    pub fn indices_each(self) -> usize {
+    pub fn indices_per_primitive(self) -> usize {
         match self {
             Self::Triangles => 3,
             Self::Lines => 2,
@@ -183,7 +183,7 @@ impl Geometry {
         {
             return Some(problem);
         }
-        let each = self.topology.indices_each();
+        let each = self.topology.indices_per_primitive();
         if !self.indices.len().is_multiple_of(each) {
             return Some(format!(
                 "{} indices do not divide into {:?} of {each}",

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 /// Metres; farther from zero than this is no place on Earth.
-const FARTHEST: f64 = 1e12;
+const MAX_COORDINATE: f64 = 1e12;
 
 /// Elevations on a regular grid in the plan, which may be turned and of either handedness.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,7 +25,7 @@ pub struct Raster {
 impl Raster {
     /// The elevation at a node; `None` in a hole and outside.
     #[must_use]
-    pub fn at(&self, column: u32, row: u32) -> Option<f32> {
+    pub fn elevation_at(&self, column: u32, row: u32) -> Option<f32> {
         if column >= self.columns || row >= self.rows {
             return None;
         }
@@ -36,28 +36,28 @@ impl Raster {
 
     /// Where a node lies in the world, Y up and Z south; `None` in a hole and outside.
     #[must_use]
-    pub fn node(&self, column: u32, row: u32) -> Option<DVec3> {
-        let height = self.at(column, row)?;
-        let plan = self.plan(column, row);
+    pub fn position(&self, column: u32, row: u32) -> Option<DVec3> {
+        let height = self.elevation_at(column, row)?;
+        let plan = self.plan_position(column, row);
         Some(DVec3::new(plan.x, f64::from(height), -plan.y))
     }
 
     /// Where a node lies in the plan, metres east and north.
     #[must_use]
-    pub fn plan(&self, column: u32, row: u32) -> DVec2 {
+    pub fn plan_position(&self, column: u32, row: u32) -> DVec2 {
         self.origin + self.step_u * f64::from(column) + self.step_v * f64::from(row)
     }
 
     /// The middle of the grid in the plan and of the known heights, in the world; `None` when there are none.
     #[must_use]
-    pub fn middle(&self) -> Option<DVec3> {
+    pub fn centre(&self) -> Option<DVec3> {
         let known = self.elevation.iter().filter(|height| is_known(height));
         let (low, high) = known.fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), &h| {
             (low.min(h), high.max(h))
         });
         let height = f64::midpoint(f64::from(low), f64::from(high));
         let last = [self.columns, self.rows].map(|count| count.saturating_sub(1));
-        let plan = (self.plan(0, 0) + self.plan(last[0], last[1])) * 0.5;
+        let plan = (self.plan_position(0, 0) + self.plan_position(last[0], last[1])) * 0.5;
         (low <= high).then(|| DVec3::new(plan.x, height, -plan.y))
     }
 
@@ -81,7 +81,7 @@ impl Raster {
         let span = self.step_u * f64::from(columns) + self.step_v * f64::from(rows);
         let area = self.step_u.perp_dot(self.step_v);
         let far = self.origin.abs() + self.step_u.abs() * f64::from(columns) + span.abs();
-        if !far.is_finite() || far.max_element() > FARTHEST {
+        if !far.is_finite() || far.max_element() > MAX_COORDINATE {
             return Some(format!(
                 "origin {} and steps {}, {} reach beyond what can be drawn",
                 self.origin, self.step_u, self.step_v
@@ -98,5 +98,5 @@ impl Raster {
 
 /// A height that is a place on Earth.
 fn is_known(height: &f32) -> bool {
-    f64::from(height.abs()) <= FARTHEST
+    f64::from(height.abs()) <= MAX_COORDINATE
 }

@@ -10,7 +10,8 @@ mod links;
 mod proxies;
 mod update;
 
-pub use changes::Changes;
+pub use changes::SceneChanges;
+pub use components::PlacedLight;
 
 use crate::bounds::Aabb;
 use crate::camera::Camera;
@@ -279,7 +280,7 @@ impl Scene {
             }
         }
         self.ask(entity, MOVE | ATTACH);
-        self.ledger.rehung(entity);
+        self.ledger.reparented(entity);
         Ok(())
     }
 

@@ -12,21 +12,21 @@ pub struct ProxyOptions {
     /// Triangles to keep, as a fraction of the full geometry's.
     pub ratio: f64,
     /// Never aim at fewer triangles than this.
-    pub least_triangles: usize,
+    pub min_triangles: usize,
     /// Never aim at more triangles than this.
-    pub most_triangles: usize,
+    pub max_triangles: usize,
     /// How far the surface may move, as a fraction of the mesh's size. Where the aim cannot be met within it, the
     /// simplifier that does not keep the topology takes over.
-    pub error: f32,
+    pub max_error: f32,
 }
 
 impl Default for ProxyOptions {
     fn default() -> Self {
         Self {
             ratio: 0.1,
-            least_triangles: 12,
-            most_triangles: 2_000,
-            error: 0.05,
+            min_triangles: 12,
+            max_triangles: 2_000,
+            max_error: 0.05,
         }
     }
 }
@@ -36,7 +36,7 @@ impl ProxyOptions {
     #[must_use]
     pub fn target(&self, triangles: usize) -> usize {
         let wanted = (triangles as f64 * self.ratio.clamp(0.0, 1.0)).ceil() as usize;
-        wanted.max(self.least_triangles).min(self.most_triangles)
+        wanted.max(self.min_triangles).min(self.max_triangles)
     }
 }
 
@@ -58,7 +58,7 @@ impl Mesh {
 
 /// A stand-in for `geometry` with about [`ProxyOptions::target`] triangles and never more than the geometry has; positions
 /// and indices only. It is neither inside nor outside the surface: what is tested with it is tested within
-/// [`ProxyOptions::error`]. A closed geometry's closed proxy is grown about its centre, half the way to the volume it lost:
+/// [`ProxyOptions::max_error`]. A closed geometry's closed proxy is grown about its centre, half the way to the volume it lost:
 /// collapsing edges only ever cuts corners off, and what has shrunk hides too little; grown all the way it hides too much. The
 /// same input gives the same proxy.
 ///
@@ -83,7 +83,7 @@ pub fn proxy(geometry: &Geometry, options: &ProxyOptions) -> Geometry {
         &welded.indices,
         &vertices,
         target * 3,
-        options.error,
+        options.max_error,
         SimplifyOptions::None,
         None,
     );
@@ -157,14 +157,14 @@ fn compact(positions: &[[f32; 3]], indices: &[u32]) -> Geometry {
 }
 
 /// How much a proxy may grow, side by side.
-const GROWTH_MOST: f64 = 1.2;
+const MAX_GROWTH: f64 = 1.2;
 
 /// The proxy of a closed geometry, grown half the way (in the logarithm) to the same volume; any other as it is.
 fn filled(full: &Geometry, mut proxy: Geometry) -> Geometry {
     let (Some((volume, _)), Some((left, centre))) = (enclosed(full), enclosed(&proxy)) else {
         return proxy;
     };
-    let growth = (volume / left).powf(1.0 / 6.0).clamp(1.0, GROWTH_MOST);
+    let growth = (volume / left).powf(1.0 / 6.0).clamp(1.0, MAX_GROWTH);
     let grown: Vec<[f32; 3]> = proxy
         .positions
         .iter()

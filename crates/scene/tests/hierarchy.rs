@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_scene::{
-    Aabb, Changes, Drawable, EntityKey, Geometry, Material, Mesh, MeshKey, Scene,
+    Aabb, Drawable, EntityKey, Geometry, Material, Mesh, MeshKey, Scene, SceneChanges,
 };
 use glam::{DAffine3, DQuat, DVec3};
 use proptest::prelude::*;
@@ -47,7 +47,7 @@ struct Pair {
     twins: BTreeMap<EntityKey, Twin>,
     order: Vec<EntityKey>,
     reported: BTreeMap<EntityKey, (Drawable, DAffine3)>,
-    rehung: BTreeSet<EntityKey>,
+    reparented: BTreeSet<EntityKey>,
     looks: [Drawable; 2],
     sizes: BTreeMap<MeshKey, f64>,
 }
@@ -67,7 +67,7 @@ impl Pair {
             twins: BTreeMap::new(),
             order: Vec::new(),
             reported: BTreeMap::new(),
-            rehung: BTreeSet::new(),
+            reparented: BTreeSet::new(),
             looks,
             sizes,
         }
@@ -150,7 +150,7 @@ impl Pair {
                 let cycle = parent.is_some_and(|parent| self.is_below(parent, entity));
                 assert_eq!(self.scene.set_parent(entity, parent).is_err(), cycle);
                 if !cycle {
-                    self.rehung.insert(entity);
+                    self.reparented.insert(entity);
                     self.twins.get_mut(&entity).unwrap().parent = parent;
                 }
             }
@@ -179,13 +179,13 @@ impl Pair {
             assert_eq!(self.scene.world(*entity), Some(*world), "before the update");
         }
         let changes = self.scene.update();
-        let rehung = std::mem::take(&mut self.rehung);
-        let mut expected = Changes {
-            rehung: rehung
+        let reparented = std::mem::take(&mut self.reparented);
+        let mut expected = SceneChanges {
+            reparented: reparented
                 .into_iter()
                 .filter(|entity| self.twins.contains_key(entity))
                 .collect(),
-            ..Changes::default()
+            ..SceneChanges::default()
         };
         let mut now = BTreeMap::new();
         for (entity, world) in worlds {
@@ -347,7 +347,7 @@ fn boxes_follow_an_entity_that_does_not_move() {
     assert!(bounds.is_some());
     scene.set_parent(between, Some(to)).unwrap();
     let changes = scene.update();
-    assert_eq!(changes.rehung, [between]);
+    assert_eq!(changes.reparented, [between]);
     assert!(changes.moved.is_empty(), "nothing drawable moved");
     assert_eq!(scene.subtree_bounds(from), None);
     assert_eq!(scene.subtree_bounds(to), bounds);

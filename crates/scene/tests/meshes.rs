@@ -63,7 +63,7 @@ proptest! {
             indices: corners.as_chunks::<3>().0.as_flattened().iter().map(|c| (c % count) as u32).collect(),
             ..Geometry::default()
         };
-        let options = ProxyOptions { ratio, least_triangles: 4, ..ProxyOptions::default() };
+        let options = ProxyOptions { ratio, min_triangles: 4, ..ProxyOptions::default() };
         let stand_in = proxy(&geometry, &options);
         prop_assert_eq!(stand_in.problem(), None);
         prop_assert!(stand_in.triangle_count() <= geometry.triangle_count());

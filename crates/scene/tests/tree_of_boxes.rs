@@ -2,10 +2,17 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_scene::Aabb;
-use antumbra_scene::hierarchy::{Branches, Hierarchy, HierarchyError, NONE, Shape};
+use antumbra_scene::hierarchy::{
+    GroupTree, GroupedLeaf, Hierarchy, HierarchyError, HierarchyShape, NONE,
+};
 use glam::DVec3;
 use proptest::prelude::*;
 use std::collections::BTreeMap;
+
+/// A leaf in a group.
+fn grouped_leaf(leaf: u32, group: u32) -> GroupedLeaf {
+    GroupedLeaf { leaf, group }
+}
 
 fn cube(at: DVec3, half: f64) -> Aabb {
     Aabb::from_centre(at, DVec3::splat(half))
@@ -58,7 +65,7 @@ proptest! {
         around in prop::collection::vec(any::<prop::sample::Index>(), 0..12),
         placed in prop::collection::vec((boxes(), any::<prop::sample::Index>(), any::<bool>()), 0..80),
         later in prop::collection::vec((0..100u32, prop::option::of(boxes())), 0..40),
-        shape in prop::sample::select(Shape::ALL.to_vec()),
+        shape in prop::sample::select(HierarchyShape::ALL.to_vec()),
     ) {
         // A group lies in one before it, or in none.
         let groups: Vec<u32> = around.iter().enumerate().map(|(i, at)| match at.index(i + 1) {
@@ -69,10 +76,10 @@ proptest! {
         let mut hung = Vec::new();
         for ((bounds, group, grouped), leaf) in placed.iter().zip((0u32..).step_by(2)) {
             let group = if *grouped && !groups.is_empty() { group.index(groups.len()) as u32 } else { NONE };
-            hung.push((leaf, group));
+            hung.push(grouped_leaf(leaf, group));
             leaves.insert(leaf, *bounds);
         }
-        let branches = Branches { groups: &groups, leaves: &hung };
+        let branches = GroupTree { groups: &groups, leaves: &hung };
         let mut tree = Hierarchy::new(branches, shape, |leaf| leaves[&leaf]).unwrap();
         check(&tree, &leaves);
         for change in later.chunks(7) {
@@ -90,7 +97,7 @@ proptest! {
 
 #[test]
 fn a_flat_scene_is_divided_and_a_nested_one_is_not() {
-    let leaves: Vec<(u32, u32)> = (0..1000).map(|leaf| (leaf, NONE)).collect();
+    let leaves: Vec<GroupedLeaf> = (0..1000).map(|leaf| grouped_leaf(leaf, NONE)).collect();
     let bounds = |leaf: u32| {
         cube(
             DVec3::new(
@@ -102,7 +109,7 @@ fn a_flat_scene_is_divided_and_a_nested_one_is_not() {
         )
     };
     let widest = |shape| {
-        let branches = Branches {
+        let branches = GroupTree {
             groups: &[],
             leaves: &leaves,
         };
@@ -116,24 +123,24 @@ fn a_flat_scene_is_divided_and_a_nested_one_is_not() {
                 .sum::<f64>(),
         )
     };
-    assert_eq!(widest(Shape::Groups).0, 1000);
-    let (children, _) = widest(Shape::Divided);
-    assert!(children <= Shape::WIDE);
-    assert_eq!(widest(Shape::Divided), widest(Shape::Boxes));
+    assert_eq!(widest(HierarchyShape::Groups).0, 1000);
+    let (children, _) = widest(HierarchyShape::Divided);
+    assert!(children <= HierarchyShape::MAX_UNDIVIDED);
+    assert_eq!(widest(HierarchyShape::Divided), widest(HierarchyShape::Bvh));
     // Eight of each group stay as they are.
-    let nested: Vec<(u32, u32)> = (0..80).map(|leaf| (leaf, leaf % 10)).collect();
-    let branches = Branches {
+    let nested: Vec<GroupedLeaf> = (0..80).map(|leaf| grouped_leaf(leaf, leaf % 10)).collect();
+    let branches = GroupTree {
         groups: &[NONE; 10],
         leaves: &nested,
     };
-    let tree = Hierarchy::new(branches, Shape::Divided, bounds).unwrap();
+    let tree = Hierarchy::new(branches, HierarchyShape::Divided, bounds).unwrap();
     assert_eq!(tree.nodes().len(), 1 + 10 + 80);
 }
 
 #[test]
 fn neighbours_come_together() {
     // Two clouds far apart, their leaves in turns.
-    let leaves: Vec<(u32, u32)> = (0..64).map(|leaf| (leaf, NONE)).collect();
+    let leaves: Vec<GroupedLeaf> = (0..64).map(|leaf| grouped_leaf(leaf, NONE)).collect();
     let bounds = |leaf: u32| {
         cube(
             DVec3::new(f64::from(leaf % 2) * 1e6, f64::from(leaf), 0.0),
@@ -141,11 +148,11 @@ fn neighbours_come_together() {
         )
     };
     let tree = Hierarchy::new(
-        Branches {
+        GroupTree {
             groups: &[],
             leaves: &leaves,
         },
-        Shape::Boxes,
+        HierarchyShape::Bvh,
         bounds,
     )
     .unwrap();
@@ -163,18 +170,18 @@ fn a_hundred_thousand_deep_is_no_deeper_than_another() {
         .map(|i| i.checked_sub(1).unwrap_or(NONE))
         .collect();
     let bounds = |leaf: u32| cube(DVec3::X * f64::from(leaf), 1.0);
-    let chain = Branches {
+    let chain = GroupTree {
         groups: &groups,
-        leaves: &[(7, deep - 1)],
+        leaves: &[grouped_leaf(7, deep - 1)],
     };
-    let tree = Hierarchy::new(chain, Shape::Divided, bounds).unwrap();
+    let tree = Hierarchy::new(chain, HierarchyShape::Divided, bounds).unwrap();
     assert_eq!(tree.nodes().len(), 1);
-    let hung: Vec<(u32, u32)> = (0..deep).map(|leaf| (leaf, leaf)).collect();
-    let comb = Branches {
+    let hung: Vec<GroupedLeaf> = (0..deep).map(|leaf| grouped_leaf(leaf, leaf)).collect();
+    let comb = GroupTree {
         groups: &groups,
         leaves: &hung,
     };
-    let mut tree = Hierarchy::new(comb, Shape::Groups, bounds).unwrap();
+    let mut tree = Hierarchy::new(comb, HierarchyShape::Groups, bounds).unwrap();
     assert_eq!(tree.nodes().len(), deep as usize * 2 - 1);
     assert_eq!(tree.leaves_below(0).count(), deep as usize);
     tree.refit([(deep - 1, cube(DVec3::NEG_X, 5.0))]);
@@ -185,7 +192,9 @@ fn a_hundred_thousand_deep_is_no_deeper_than_another() {
 fn what_is_no_tree_is_refused_by_number() {
     let fine = |_| cube(DVec3::ZERO, 1.0);
     let refused = |groups: &[u32], leaves: &[(u32, u32)]| {
-        Hierarchy::new(Branches { groups, leaves }, Shape::Divided, fine).unwrap_err()
+        let leaves: Vec<_> = leaves.iter().map(|at| grouped_leaf(at.0, at.1)).collect();
+        let leaves = &leaves;
+        Hierarchy::new(GroupTree { groups, leaves }, HierarchyShape::Divided, fine).unwrap_err()
     };
     assert_eq!(refused(&[0], &[]), HierarchyError::Cycle { group: 0 });
     // 3 and 4 lie in each other; 0 lies in 3 and is no part of the ring.
@@ -210,7 +219,7 @@ fn what_is_no_tree_is_refused_by_number() {
     ));
     assert_eq!(
         refused(&[NONE], &[(5, 0), (5, NONE)]),
-        HierarchyError::Twice { leaf: 5 }
+        HierarchyError::DuplicateLeaf { leaf: 5 }
     );
     for bad in [
         Aabb {
@@ -226,49 +235,49 @@ fn what_is_no_tree_is_refused_by_number() {
             max: DVec3::INFINITY,
         },
     ] {
-        let branches = Branches {
+        let branches = GroupTree {
             groups: &[],
-            leaves: &[(3, NONE)],
+            leaves: &[grouped_leaf(3, NONE)],
         };
-        let error = Hierarchy::new(branches, Shape::Boxes, |_| bad).unwrap_err();
+        let error = Hierarchy::new(branches, HierarchyShape::Bvh, |_| bad).unwrap_err();
         assert!(
-            matches!(error, HierarchyError::InsideOut { leaf: 3, .. }),
+            matches!(error, HierarchyError::InvalidBounds { leaf: 3, .. }),
             "{error}"
         );
     }
     // Nothing to draw is nothing wrong.
-    let branches = Branches {
+    let branches = GroupTree {
         groups: &[NONE, 0],
-        leaves: &[(3, 1)],
+        leaves: &[grouped_leaf(3, 1)],
     };
-    let tree = Hierarchy::new(branches, Shape::Divided, |_| Aabb::EMPTY).unwrap();
+    let tree = Hierarchy::new(branches, HierarchyShape::Divided, |_| Aabb::EMPTY).unwrap();
     assert_eq!((tree.nodes().len(), tree.roots().count()), (0, 0));
 }
 
 #[test]
 fn it_says_when_it_is_worn() {
-    let leaves: Vec<(u32, u32)> = (0..1000).map(|leaf| (leaf, NONE)).collect();
+    let leaves: Vec<GroupedLeaf> = (0..1000).map(|leaf| grouped_leaf(leaf, NONE)).collect();
     let bounds = |leaf: u32| cube(DVec3::X * f64::from(leaf), 0.5);
     let make = || {
         Hierarchy::new(
-            Branches {
+            GroupTree {
                 groups: &[],
                 leaves: &leaves,
             },
-            Shape::Boxes,
+            HierarchyShape::Bvh,
             bounds,
         )
         .unwrap()
     };
     let mut tree = make();
     tree.refit((0..10).map(|leaf| (leaf, cube(DVec3::X * f64::from(leaf), 0.6))));
-    assert!(!tree.is_worn());
+    assert!(!tree.needs_rebuild());
     tree.refit((0..200).map(|leaf| (leaf + 1000, bounds(leaf))));
-    assert!(tree.is_worn());
+    assert!(tree.needs_rebuild());
     let mut tree = make();
     tree.refit((0..200).map(|leaf| (leaf, Aabb::EMPTY)));
-    assert!(tree.is_worn());
+    assert!(tree.needs_rebuild());
     let mut tree = make();
     tree.refit((0..1000).map(|leaf| (leaf, bounds(leaf * 7919 % 1000))));
-    assert!(tree.is_worn());
+    assert!(tree.needs_rebuild());
 }

@@ -8,7 +8,7 @@ use antumbra_cull::{Tree, Verdicts, outside};
 use antumbra_demo_scenes::{GridOptions, grid};
 use antumbra_draw::boxes::BoxList;
 use antumbra_draw::{AdapterChoice, Gpu, GpuScene, SceneTable, ViewFrame};
-use antumbra_scene::hierarchy::Shape;
+use antumbra_scene::hierarchy::HierarchyShape;
 use antumbra_scene::{Camera, EntityKey, Projection, Scene};
 use antumbra_strategies::occupancy::{BlockRect, OccupancyMap};
 use antumbra_strategies::traversal::{How, LateWalk, Sight, Walk};
@@ -35,7 +35,7 @@ fn prepare(gpu: &Gpu, per_side: u32) -> Prepared {
     .unwrap();
     let gpu = GpuScene::new(gpu, &mut scene).unwrap();
     let mut tree = Tree::default();
-    tree.follow(gpu.table(), Shape::Boxes).unwrap();
+    tree.follow(gpu.table(), HierarchyShape::Bvh).unwrap();
     let projection = Projection::Perspective {
         fov_y: 0.8,
         near: 0.1,
@@ -122,7 +122,8 @@ fn trees(c: &mut Criterion) {
         group.bench_function(BenchmarkId::new("make", leaves), |b| {
             b.iter(|| {
                 let mut tree = Tree::default();
-                tree.follow(prepared.gpu.table(), Shape::Boxes).unwrap();
+                tree.follow(prepared.gpu.table(), HierarchyShape::Bvh)
+                    .unwrap();
                 black_box(tree)
             });
         });
@@ -143,7 +144,7 @@ fn trees(c: &mut Criterion) {
                     let started = std::time::Instant::now();
                     prepared
                         .tree
-                        .follow(prepared.gpu.table(), Shape::Boxes)
+                        .follow(prepared.gpu.table(), HierarchyShape::Bvh)
                         .unwrap();
                     spent += started.elapsed();
                     // What was written waits for a submission, and takes memory meanwhile.

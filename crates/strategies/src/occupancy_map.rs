@@ -6,7 +6,7 @@
 
 mod settings;
 
-use antumbra_scene::hierarchy::Shape;
+use antumbra_scene::hierarchy::HierarchyShape;
 
 use crate::traversal::{Asking, How, Order, Remember, frame_late, same_frame};
 use antumbra_cull::{
@@ -18,7 +18,7 @@ use antumbra_cull::{
 #[derive(Debug, Clone, PartialEq)]
 pub struct Occupancy {
     /// Where the tree's inner nodes come from.
-    pub tree: Shape,
+    pub tree: HierarchyShape,
     /// Pixels along a side of a block of the map: 1 to 256.
     pub block: u32,
     /// Triangles below a node that is not opened: opening it would cost more queries than it can save.
@@ -49,7 +49,7 @@ pub struct Occupancy {
 impl Default for Occupancy {
     fn default() -> Self {
         Self {
-            tree: Shape::Divided,
+            tree: HierarchyShape::Divided,
             block: 4,
             grain: 200,
             small: 0.0,

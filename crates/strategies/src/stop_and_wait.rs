@@ -14,7 +14,7 @@ use antumbra_cull::{
     Strategy, Tunable, Value, Verdict, Verdicts, ViewNodes, VisibleSet, assign, describe, outside,
     question,
 };
-use antumbra_scene::hierarchy::Shape;
+use antumbra_scene::hierarchy::HierarchyShape;
 
 use crate::traversal::{Asking, How, same_frame, submit_transparent};
 
@@ -24,7 +24,7 @@ pub struct StopAndWait {
     /// Entities asked about between two waits: 1 is the classic. Entities of one batch are not tested against each other.
     pub batch: u32,
     /// A tree to be walked, a query a node; none: a query an entity.
-    pub tree: Option<Shape>,
+    pub tree: Option<HierarchyShape>,
 }
 
 impl Default for StopAndWait {
@@ -49,8 +49,8 @@ const PARAMETERS: &[Parameter<StopAndWait>] = &[
         "tree",
         &["none", "groups", "boxes", "divided"],
         "the tree to traverse with a query a node: the scene's groups, a bounding volume hierarchy, or groups whose wide ones are divided",
-        |s| s.tree.map_or("none", Shape::word),
-        |s, at| s.tree = at.checked_sub(1).map(|at| Shape::ALL[at]),
+        |s| s.tree.map_or("none", HierarchyShape::word),
+        |s, at| s.tree = at.checked_sub(1).map(|at| HierarchyShape::ALL[at]),
     ),
 ];
 

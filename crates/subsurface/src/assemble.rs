@@ -6,11 +6,11 @@ use glam::DVec3;
 use crate::surface::{Surface, SurfaceKind};
 
 /// Metres from the world's zero; what lies further out is no place on Earth, and too coarse in f64 to be drawn.
-pub(crate) const FARTHEST: f64 = 1e12;
+pub(crate) const MAX_COORDINATE: f64 = 1e12;
 
 /// A point that a surface can have.
 pub(crate) fn is_place(point: DVec3) -> bool {
-    point.is_finite() && point.abs().max_element() <= FARTHEST
+    point.is_finite() && point.abs().max_element() <= MAX_COORDINATE
 }
 
 /// All points must be places, and all triangles among them. `plan` is empty or as long as the points.

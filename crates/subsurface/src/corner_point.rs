@@ -6,12 +6,12 @@ mod resample;
 
 use glam::DVec3;
 
-pub use resample::{GridVolume, MOST_SAMPLES};
+pub use resample::{MAX_SAMPLES, PropertyVolume};
 
 /// Cells between pillars. The first index grows along the pillars' first one (east, in a grid that is not turned), the second northwards,
 /// the third upwards.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Grid {
+pub struct CornerPointGrid {
     size: [u32; 3],
     pillars: Vec<Pillar>,
     corners: Vec<[f32; 8]>,
@@ -36,7 +36,7 @@ pub struct CellProperty {
     pub values: Vec<f32>,
 }
 
-impl Grid {
+impl CornerPointGrid {
     /// A pillar more than cells along each side, second index fastest; heights a cell, corner bits east, north, top. The lists must fit
     /// the size.
     pub(crate) fn new(

@@ -15,15 +15,15 @@ impl Surface {
     /// # Errors
     /// [`SubsurfaceError::BadSurface`] for fewer than 2 x 2 nodes, another number of elevations than nodes, steps that are not finite or
     /// span no area, and when there is not one triangle.
-    pub fn over(raster: &Raster, name: &str) -> Result<Self, SubsurfaceError> {
-        Self::over_without(raster, name, |_, _| false)
+    pub fn from_raster(raster: &Raster, name: &str) -> Result<Self, SubsurfaceError> {
+        Self::from_raster_without_cells(raster, name, |_, _| false)
     }
 
     /// The same without the cells that are dropped: `dropped(column, row)` is asked for the cell whose lowest node that is.
     ///
     /// # Errors
-    /// As [`Surface::over`].
-    pub fn over_without(
+    /// As [`Surface::from_raster`].
+    pub fn from_raster_without_cells(
         raster: &Raster,
         name: &str,
         dropped: impl Fn(u32, u32) -> bool,
@@ -36,7 +36,7 @@ impl Surface {
             return Err(bad(problem));
         }
         let origin = raster
-            .middle()
+            .centre()
             .ok_or_else(|| bad("every node is undefined; there is nothing to show".into()))?;
         let mut mesh = Builder::new(raster, origin);
         for row in 0..raster.rows - 1 {
@@ -98,7 +98,7 @@ impl<'a> Builder<'a> {
     fn cell(&mut self, column: u32, row: u32) {
         // Once around, counter-clockwise where the steps are right-handed.
         let corners = [(0, 0), (1, 0), (1, 1), (0, 1)];
-        let [a, b, c, d] = corners.map(|(u, v)| self.field.node(column + u, row + v));
+        let [a, b, c, d] = corners.map(|(u, v)| self.field.position(column + u, row + v));
         let long = |from: Option<DVec3>, to: Option<DVec3>| match (from, to) {
             (Some(from), Some(to)) => from.distance_squared(to),
             _ => f64::INFINITY,
@@ -113,7 +113,7 @@ impl<'a> Builder<'a> {
     }
 
     fn triangle(&mut self, column: u32, row: u32, corners: [(u32, u32); 3]) {
-        let known = |(u, v): (u32, u32)| self.field.at(column + u, row + v).is_some();
+        let known = |(u, v): (u32, u32)| self.field.elevation_at(column + u, row + v).is_some();
         if !corners.into_iter().all(known) {
             return;
         }
@@ -134,7 +134,7 @@ impl<'a> Builder<'a> {
         };
         let slot = made.get_mut(column as usize)?;
         if *slot == UNMADE {
-            let node = self.field.node(column, row)?;
+            let node = self.field.position(column, row)?;
             *slot = u32::try_from(self.geometry.positions.len()).ok()?;
             let position = (node - self.origin).as_vec3();
             self.geometry.positions.push(position.to_array());
@@ -178,7 +178,7 @@ mod tests {
             let mut turned = field(4, 3, |column, row| (column * row) as f32);
             turned.step_u = DVec2::new(20.0 * u, 3.0);
             turned.step_v = DVec2::new(-4.0, 25.0 * v);
-            let surface = Surface::over(&turned, "turned").unwrap();
+            let surface = Surface::from_raster(&turned, "turned").unwrap();
             assert_eq!(surface.geometry.triangle_count(), 12);
             assert!(normals(&surface).iter().all(|normal| normal.y > 0.0));
             assert!(
@@ -196,12 +196,12 @@ mod tests {
         let field = field(5, 6, |column, row| {
             -1000.0 - column as f32 + 2.0 * row as f32
         });
-        let surface = Surface::over(&field, "far").unwrap();
+        let surface = Surface::from_raster(&field, "far").unwrap();
         assert_eq!(surface.geometry.positions.len(), 30);
         for (position, plan) in surface.geometry.positions.iter().zip(&surface.plan) {
             let (column, row) = ((plan[0] * 4.0).round(), (plan[1] * 5.0).round());
             let world = surface.origin + Vec3::from(*position).as_dvec3();
-            let node = field.node(column as u32, row as u32).unwrap();
+            let node = field.position(column as u32, row as u32).unwrap();
             assert!(world.distance(node) < 1e-4, "{world} is not {node}");
         }
     }
@@ -209,7 +209,7 @@ mod tests {
     #[test]
     fn a_plane_has_the_planes_normal_everywhere() {
         let surface =
-            Surface::over(&field(7, 5, |column, _| column as f32 * 20.0), "plane").unwrap();
+            Surface::from_raster(&field(7, 5, |column, _| column as f32 * 20.0), "plane").unwrap();
         let expected = Vec3::new(-1.0, 1.0, 0.0).normalize();
         for normal in surface.geometry.normals {
             assert!(Vec3::from(normal).distance(expected) < 1e-5);
@@ -221,11 +221,11 @@ mod tests {
         for (column, row) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
             let mut one = field(2, 2, |_, _| 1.0);
             one.elevation[row * 2 + column] = f32::NAN;
-            let surface = Surface::over(&one, "three").unwrap();
+            let surface = Surface::from_raster(&one, "three").unwrap();
             assert_eq!(surface.geometry.positions.len(), 3);
             assert!(normals(&surface)[0].y > 0.0);
             one.elevation[(1 - row) * 2 + column] = f32::INFINITY;
-            assert!(Surface::over(&one, "two").is_err());
+            assert!(Surface::from_raster(&one, "two").is_err());
         }
     }
 
@@ -234,7 +234,7 @@ mod tests {
         for heights in [[0.0, 50.0, 50.0, 100.0], [50.0, 0.0, 100.0, 50.0]] {
             let mut tilted = field(2, 2, |_, _| 0.0);
             tilted.elevation = heights.to_vec();
-            let geometry = Surface::over(&tilted, "tilted").unwrap().geometry;
+            let geometry = Surface::from_raster(&tilted, "tilted").unwrap().geometry;
             let high = |i: &u32| geometry.positions[*i as usize][1].abs() < 1e-3;
             let level = geometry.indices.iter().filter(|i| high(i)).count();
             assert_eq!(level, 4, "both triangles share the level diagonal");
@@ -243,10 +243,11 @@ mod tests {
 
     #[test]
     fn dropped_cells_leave_a_hole_and_keep_their_nodes_for_others() {
-        let surface = Surface::over_without(&field(4, 4, |_, _| 0.0), "gap", |column, row| {
-            column == 1 && row == 1
-        })
-        .unwrap();
+        let surface =
+            Surface::from_raster_without_cells(&field(4, 4, |_, _| 0.0), "gap", |column, row| {
+                column == 1 && row == 1
+            })
+            .unwrap();
         assert_eq!(surface.geometry.triangle_count(), 16);
         assert_eq!(surface.geometry.positions.len(), 16);
     }
@@ -257,7 +258,7 @@ mod tests {
         let refused = |change: &dyn Fn(&mut Raster), word: &str| {
             let mut bad = good.clone();
             change(&mut bad);
-            let error = Surface::over(&bad, "bad").unwrap_err().to_string();
+            let error = Surface::from_raster(&bad, "bad").unwrap_err().to_string();
             assert!(error.contains(word), "{error}");
         };
         refused(&|bad| bad.columns = 1, "no cell");

@@ -11,8 +11,8 @@ use antumbra_scene::{Drawable, EntityKey, Scene, SceneError};
 use glam::{DAffine3, DVec3};
 
 use crate::error::SubsurfaceError;
-use crate::slice::Paged;
-use crate::volume::{Axis, Bricks, ColourMap, SampleBox, VolumeLayout, amplitudes};
+use crate::slice::PagingReport;
+use crate::volume::{Axis, BrickCache, ColourMap, SampleBox, VolumeLayout, amplitudes};
 use atlas::Atlas;
 use stack::Stack;
 
@@ -43,29 +43,38 @@ impl Default for LensOptions {
 
 /// From which side a stack of sections is looked at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Facing {
+pub struct StackOrientation {
     /// The axis along which the sections lie behind each other.
     pub axis: Axis,
-    /// Whether the eye is where the axis begins, so that the last section is the farthest and drawn first.
-    pub from_first: bool,
+    /// The end of the axis on whose side the eye is. The section at the other end is the farthest and is drawn first.
+    pub eye_side: AxisEnd,
+}
+
+/// An end of one of a volume's axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum AxisEnd {
+    /// The end with sample 0.
+    First,
+    /// The end with the last sample.
+    Last,
 }
 
 /// A semi-transparent box of a volume: one entity that blends with what is behind it.
 ///
-/// It has a stack of sections along each of the volume's axes and is drawn with one of them at a time, the one that [`Self::face`] chose.
+/// It has a stack of sections along each of the volume's axes and is drawn with one of them at a time, the one that [`Self::orient_to`] chose.
 #[derive(Debug)]
 pub struct Lens {
     entity: EntityKey,
     layout: VolumeLayout,
     area: SampleBox,
     stacks: [Stack; 3],
-    facing: Facing,
+    facing: StackOrientation,
     /// The box in the images.
     shows: Option<SampleBox>,
 }
 
 impl Lens {
-    /// Puts a lens into a scene. It is empty until [`Self::page`] fills it, and to be looked at from above until [`Self::face`] is told where
+    /// Puts a lens into a scene. It is empty until [`Self::page`] fills it, and to be looked at from above until [`Self::orient_to`] is told where
     /// the eye is. `parent` is to be without a transform if the volume is to lie where its layout says.
     ///
     /// # Errors
@@ -114,7 +123,7 @@ impl Lens {
 
     /// The stack that is drawn.
     #[must_use]
-    pub fn facing(&self) -> Facing {
+    pub fn orientation(&self) -> StackOrientation {
         self.facing
     }
 
@@ -129,7 +138,7 @@ impl Lens {
     ///
     /// # Errors
     /// [`SubsurfaceError::Scene`] when the lens is no longer in the scene.
-    pub fn face(&mut self, scene: &mut Scene, eye: DVec3) -> Result<bool, SubsurfaceError> {
+    pub fn orient_to(&mut self, scene: &mut Scene, eye: DVec3) -> Result<bool, SubsurfaceError> {
         let facing = self.facing_from(scene, eye)?;
         if facing == self.facing {
             return Ok(false);
@@ -140,7 +149,7 @@ impl Lens {
         Ok(true)
     }
 
-    fn facing_from(&self, scene: &Scene, eye: DVec3) -> Result<Facing, SubsurfaceError> {
+    fn facing_from(&self, scene: &Scene, eye: DVec3) -> Result<StackOrientation, SubsurfaceError> {
         let world = scene.world(self.entity).ok_or_else(|| {
             let (entity, scene) = (scene.describe(self.entity), scene.name().to_owned());
             SceneError::UnknownEntity { entity, scene }
@@ -158,14 +167,18 @@ impl Lens {
         if side == 0.0 || side.is_nan() {
             return Ok(self.facing);
         }
-        Ok(Facing {
+        Ok(StackOrientation {
             axis,
-            from_first: side < 0.0,
+            eye_side: if side < 0.0 {
+                AxisEnd::First
+            } else {
+                AxisEnd::Last
+            },
         })
     }
 
     /// Gives the lens its samples unless it is hidden or shows them already. The bricks of a hidden lens are not read, those of a shown one
-    /// each once. [`Paged`] counts its images, one for each axis.
+    /// each once. [`PagingReport`] counts its images, one for each axis.
     ///
     /// # Errors
     /// [`SubsurfaceError::OtherVolume`] for bricks of another volume; what their source says; [`SubsurfaceError::Scene`] when the lens is no
@@ -173,19 +186,19 @@ impl Lens {
     pub fn page(
         &mut self,
         scene: &mut Scene,
-        bricks: &mut Bricks,
-        hidden: bool,
-    ) -> Result<Paged, SubsurfaceError> {
+        bricks: &mut BrickCache,
+        is_hidden: &dyn Fn(EntityKey) -> bool,
+    ) -> Result<PagingReport, SubsurfaceError> {
         self.layout.same_as(bricks.layout())?;
-        let mut paged = Paged::default();
+        let mut paged = PagingReport::default();
         if self.shows == Some(self.area) {
             return Ok(paged);
         }
-        if hidden {
+        if is_hidden(self.entity) {
             paged.skipped = self.stacks.len();
             return Ok(paged);
         }
-        let before = bricks.counters().read;
+        let before = bricks.stats().read;
         let wanted: Vec<_> = self.bricks().collect();
         let mut pixels = (self.stacks.each_ref()).map(|stack| stack.atlas.blank());
         let (stacks, area, edge) = (&self.stacks, self.area, self.layout.brick);
@@ -196,10 +209,10 @@ impl Lens {
         })?;
         for (stack, pixels) in self.stacks.iter().zip(pixels) {
             scene.set_image(stack.image, stack.atlas.image(pixels))?;
-            paged.read += 1;
+            paged.updated += 1;
         }
         self.shows = Some(self.area);
-        paged.bricks = bricks.counters().read - before;
+        paged.bricks_read = bricks.stats().read - before;
         Ok(paged)
     }
 
@@ -226,9 +239,9 @@ impl Lens {
 }
 
 /// What a new lens is drawn with.
-const FIRST: Facing = Facing {
+const FIRST: StackOrientation = StackOrientation {
     axis: Axis::Time,
-    from_first: true,
+    eye_side: AxisEnd::First,
 };
 
 fn furnish(

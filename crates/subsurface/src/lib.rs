@@ -4,22 +4,22 @@
 //! Applications*, 2004.
 //!
 //! - [`read`] takes surfaces and cell properties out of files; a [`Surface`] is a horizon or a fault at full resolution, wherever it came from.
-//! - [`prepare`](prepare()) cuts horizons into tiles, each with levels of detail and a stand-in for tests; [`Prepared::show`] puts them into a scene.
-//! - [`VolumeFile`], [`Bricks`]: seismic volumes of any size under a budget; [`Slice`] and [`Lens`] show sections of them, [`Sections`] several.
+//! - [`prepare_surface`] cuts horizons into tiles, each with levels of detail and a stand-in for tests; [`PreparedSurface::spawn`] puts them into a scene.
+//! - [`VolumeFile`], [`BrickCache`]: seismic volumes of any size under a budget; [`Slice`] and [`Lens`] show sections of them, [`VolumeSections`] several.
 //!
 //! ```no_run
-//! use antumbra_subsurface::{PrepareOptions, add_lamps, prepare_all, read, surface_material};
+//! use antumbra_subsurface::{PrepareOptions, add_default_lights, prepare_surfaces, read, surface_material};
 //!
 //! let surfaces = read::surfaces("top.gri".as_ref(), &Default::default(), &mut |_, _| ())?;
-//! let prepared = prepare_all(&surfaces, &PrepareOptions::default(), &|_| ())?;
+//! let prepared = prepare_surfaces(&surfaces, &PrepareOptions::default(), &|_| ())?;
 //! let mut scene = antumbra_scene::Scene::new();
 //! for (index, surface) in prepared.into_iter().enumerate() {
 //!     let material = scene.add_material(surface_material(&surface.name, surface.kind, index));
-//!     let shown = surface.show(&mut scene, None, material)?;
+//!     let shown = surface.spawn(&mut scene, None, material)?;
 //!     // Moving or removing shown.root moves or removes the whole surface, while the program runs.
 //!     println!("{} in {} tiles", shown.name, shown.tiles.len());
 //! }
-//! add_lamps(&mut scene)?;
+//! add_default_lights(&mut scene)?;
 //! # Ok::<(), antumbra_subsurface::SubsurfaceError>(())
 //! ```
 
@@ -39,13 +39,15 @@ mod surface;
 mod volume;
 
 pub use error::SubsurfaceError;
-pub use lens::{Facing, Lens, LensOptions};
-pub use prepare::{PrepareOptions, Prepared, Tile, prepare, prepare_all};
-pub use sections::{SectionPlaces, Sections};
-pub use show::{ShownSurface, add_lamps, surface_material};
-pub use slice::{Paged, Slice, SliceOptions, SliceTile};
+pub use lens::{AxisEnd, Lens, LensOptions, StackOrientation};
+pub use prepare::{
+    PrepareOptions, PreparedSurface, SurfaceTile, prepare_surface, prepare_surfaces,
+};
+pub use sections::{SectionPositions, SlicePosition, VolumeSections};
+pub use show::{SurfaceEntities, add_default_lights, surface_material};
+pub use slice::{PagingReport, Slice, SliceOptions, SliceTile};
 pub use surface::{Surface, SurfaceKind};
 pub use volume::{
-    Axis, BrickCounters, BrickSource, Bricks, ColourMap, SampleBox, VolumeFile, VolumeLayout,
+    Axis, BrickCache, BrickCacheStats, BrickSource, ColourMap, SampleBox, VolumeFile, VolumeLayout,
     write_volume,
 };

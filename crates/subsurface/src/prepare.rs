@@ -83,7 +83,7 @@ impl PrepareOptions {
 
 /// A surface ready to be drawn and culled.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Prepared {
+pub struct PreparedSurface {
     /// The surface's name.
     pub name: String,
     /// What it is.
@@ -91,7 +91,7 @@ pub struct Prepared {
     /// Where the meshes' zero lies in the world. All tiles share it: borders that are the same in the meshes are the same on the screen.
     pub origin: DVec3,
     /// The tiles of a horizon that hold anything, row by row; one for a fault.
-    pub tiles: Vec<Tile>,
+    pub tiles: Vec<SurfaceTile>,
     /// Triangles of the low-resolution version that lie upside down in plan, which edge collapses may bring about; 0 but for very rugged
     /// horizons.
     pub flipped: usize,
@@ -99,14 +99,14 @@ pub struct Prepared {
 
 /// One tile of a horizon, or a fault.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Tile {
+pub struct SurfaceTile {
     /// Column and row.
-    pub place: [u32; 2],
+    pub cell: [u32; 2],
     /// Levels of detail, and the stand-in for tests.
     pub mesh: Mesh,
 }
 
-impl Prepared {
+impl PreparedSurface {
     /// Triangles of the high-resolution version.
     #[must_use]
     pub fn triangles(&self) -> usize {
@@ -131,15 +131,15 @@ impl Prepared {
 ///
 /// # Errors
 /// [`SubsurfaceError::Setting`] for an option out of range, [`SubsurfaceError::BadSurface`] for a surface that does not fit together.
-pub fn prepare_all(
+pub fn prepare_surfaces(
     surfaces: &[Surface],
     options: &PrepareOptions,
     done: &(dyn Fn(usize) + Sync),
-) -> Result<Vec<Prepared>, SubsurfaceError> {
+) -> Result<Vec<PreparedSurface>, SubsurfaceError> {
     let numbered = surfaces.par_iter().enumerate();
     numbered
         .map(|(number, surface)| {
-            let prepared = prepare(surface, options)?;
+            let prepared = prepare_surface(surface, options)?;
             done(number);
             Ok(prepared)
         })
@@ -149,8 +149,11 @@ pub fn prepare_all(
 /// Prepares one surface.
 ///
 /// # Errors
-/// As for [`prepare_all`].
-pub fn prepare(surface: &Surface, options: &PrepareOptions) -> Result<Prepared, SubsurfaceError> {
+/// As for [`prepare_surfaces`].
+pub fn prepare_surface(
+    surface: &Surface,
+    options: &PrepareOptions,
+) -> Result<PreparedSurface, SubsurfaceError> {
     options.check()?;
     surface.check()?;
     let thinned;
@@ -172,7 +175,7 @@ pub fn prepare(surface: &Surface, options: &PrepareOptions) -> Result<Prepared, 
         SurfaceKind::Horizon => horizon(high, &low.indices, options),
         SurfaceKind::Fault => fault(high, &low.indices, options),
     };
-    Ok(Prepared {
+    Ok(PreparedSurface {
         name: surface.name.clone(),
         kind: surface.kind,
         origin: surface.origin,
@@ -181,7 +184,7 @@ pub fn prepare(surface: &Surface, options: &PrepareOptions) -> Result<Prepared, 
     })
 }
 
-fn horizon(high: &Surface, low: &[u32], options: &PrepareOptions) -> Vec<Tile> {
+fn horizon(high: &Surface, low: &[u32], options: &PrepareOptions) -> Vec<SurfaceTile> {
     let n = options.tiles;
     let pieces = cut::by_centroid(&high.geometry, &high.plan, n);
     let stand_ins = clip::to_tiles(&high.geometry.positions, &high.plan, low, n);
@@ -194,20 +197,20 @@ fn horizon(high: &Surface, low: &[u32], options: &PrepareOptions) -> Vec<Tile> {
     tiles
         .into_par_iter()
         .map(|(number, piece, stand_in)| {
-            let place = [number % n, number / n];
-            let name = format!("{} {},{}", high.name, place[0], place[1]);
+            let cell = [number % n, number / n];
+            let name = format!("{} {},{}", high.name, cell[0], cell[1]);
             // The low-resolution version may have drawn back from a sliver at the border: there the tile stands for itself.
             let proxy = Some(stand_in).filter(|stand_in| !stand_in.indices.is_empty());
             let levels = reduce::levels(piece, options.levels, true);
-            Tile {
-                place,
+            SurfaceTile {
+                cell,
                 mesh: mesh(name, levels, proxy),
             }
         })
         .collect()
 }
 
-fn fault(high: &Surface, low: &[u32], options: &PrepareOptions) -> Vec<Tile> {
+fn fault(high: &Surface, low: &[u32], options: &PrepareOptions) -> Vec<SurfaceTile> {
     let whole = cut::compact(&high.geometry, &high.geometry.indices);
     if whole.indices.is_empty() {
         return Vec::new();
@@ -218,8 +221,8 @@ fn fault(high: &Surface, low: &[u32], options: &PrepareOptions) -> Vec<Tile> {
     };
     let proxy = cut::compact(&bare, low);
     let levels = reduce::levels(whole, options.levels, false);
-    vec![Tile {
-        place: [0, 0],
+    vec![SurfaceTile {
+        cell: [0, 0],
         mesh: mesh(high.name.clone(), levels, Some(proxy)),
     }]
 }

@@ -10,7 +10,7 @@
 //! | picks (`.csv`, `.txt`, `.tsv`, `.dat`) | its ending | a horizon for each surface named |
 //!
 //! Lengths are metres in a projected system; x is east, y north. Files are hostile until read: what they declare is held against how
-//! long they are before any memory is asked for, and none above [`LARGEST_FILE`] is read.
+//! long they are before any memory is asked for, and none above [`MAX_FILE_BYTES`] is read.
 
 mod bytes;
 mod drape;
@@ -26,26 +26,26 @@ mod triangles;
 use std::fs::File;
 use std::path::Path;
 
-use antumbra_formats::{RasterError, RasterFormat, load_raster_slice, whole_file};
+use antumbra_formats::{RasterError, RasterFormat, load_raster_slice, read_whole_file};
 use antumbra_scene::Raster;
 
-use crate::corner_point::{CellProperty, Grid};
+use crate::corner_point::{CellProperty, CornerPointGrid};
 use crate::error::SubsurfaceError;
 use crate::surface::{Surface, SurfaceKind};
 
 /// Bytes; no larger file is read.
-pub const LARGEST_FILE: u64 = 4 << 30;
+pub const MAX_FILE_BYTES: u64 = 4 << 30;
 
 /// Which way a file's third coordinate grows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Positive {
+pub enum ZPositive {
     /// Depths.
     Down,
     /// Elevations.
     Up,
 }
 
-impl Positive {
+impl ZPositive {
     /// Metres upwards, of what is written in the file.
     pub(crate) fn up(self, z: f64) -> f64 {
         match self {
@@ -60,7 +60,7 @@ impl Positive {
 pub struct ReadOptions {
     /// Which way z grows. `None` is the format's custom: down in Irap, ROFF and faultroom files and in picks whose column is called a
     /// depth; what the file says in GOCAD; up in rasters and other picks.
-    pub positive: Option<Positive>,
+    pub z_positive: Option<ZPositive>,
     /// What the surfaces of a triangle file (GOCAD, faultroom) are. `None` is a fault; as horizons they must be height fields.
     pub kind: Option<SurfaceKind>,
     /// Metres; triangles between picks with a longer edge are left out, so that holes and a concave outline stay. `None` is four times
@@ -89,14 +89,14 @@ pub fn surfaces(
     options: &ReadOptions,
     progress: Progress<'_>,
 ) -> Result<Vec<Surface>, SubsurfaceError> {
-    surfaces_in(path, &contents(path)?, options, progress)
+    surfaces_from_bytes(path, &contents(path)?, options, progress)
 }
 
 /// The same of a file's contents; the path gives names, and the format where the contents do not.
 ///
 /// # Errors
 /// As [`surfaces`].
-pub fn surfaces_in(
+pub fn surfaces_from_bytes(
     path: &Path,
     bytes: &[u8],
     options: &ReadOptions,
@@ -104,10 +104,10 @@ pub fn surfaces_in(
 ) -> Result<Vec<Surface>, SubsurfaceError> {
     let format = Format::of(path, bytes).ok_or_else(|| unknown(path))?;
     let stem = stem(path);
-    let down = options.positive.unwrap_or(Positive::Down);
-    let up = options.positive.unwrap_or(Positive::Up);
+    let down = options.z_positive.unwrap_or(ZPositive::Down);
+    let up = options.z_positive.unwrap_or(ZPositive::Up);
     let horizon = |raster: Result<Raster, String>| {
-        let surface = Surface::over(&raster?, &stem).map_err(|error| error.to_string());
+        let surface = Surface::from_raster(&raster?, &stem).map_err(|error| error.to_string());
         surface.map(|surface| vec![surface])
     };
     let raster = |format| {
@@ -115,7 +115,7 @@ pub fn surfaces_in(
             RasterError::Format { problem, .. } => problem,
             other => other.to_string(),
         })?;
-        if up == Positive::Down {
+        if up == ZPositive::Down {
             raster
                 .elevation
                 .iter_mut()
@@ -133,7 +133,7 @@ pub fn surfaces_in(
             let surfaces = grid.surfaces(&stem, progress);
             surfaces.map_err(|error| error.to_string())
         }),
-        Format::Gocad => gocad::read(bytes, &stem, options.positive, kind),
+        Format::Gocad => gocad::read(bytes, &stem, options.z_positive, kind),
         Format::Faultroom => faultroom::read(bytes, down, kind),
         Format::Picks => picks::read(bytes, &stem, options, progress),
     };
@@ -147,8 +147,8 @@ pub fn surfaces_in(
 ///
 /// # Errors
 /// As [`surfaces`].
-pub fn grid(path: &Path, options: &ReadOptions) -> Result<Grid, SubsurfaceError> {
-    let positive = options.positive.unwrap_or(Positive::Down);
+pub fn grid(path: &Path, options: &ReadOptions) -> Result<CornerPointGrid, SubsurfaceError> {
+    let positive = options.z_positive.unwrap_or(ZPositive::Down);
     let bytes = contents(path)?;
     roff_grid::grid(&bytes, positive).map_err(|problem| Format::Roff.error(path, problem))
 }
@@ -158,14 +158,14 @@ pub fn grid(path: &Path, options: &ReadOptions) -> Result<Grid, SubsurfaceError>
 /// # Errors
 /// As [`surfaces`].
 pub fn property(path: &Path) -> Result<CellProperty, SubsurfaceError> {
-    property_in(path, &contents(path)?)
+    property_from_bytes(path, &contents(path)?)
 }
 
 /// The same of a file's contents.
 ///
 /// # Errors
 /// As [`surfaces`].
-pub fn property_in(path: &Path, bytes: &[u8]) -> Result<CellProperty, SubsurfaceError> {
+pub fn property_from_bytes(path: &Path, bytes: &[u8]) -> Result<CellProperty, SubsurfaceError> {
     let error = |problem| SubsurfaceError::Format {
         path: path.into(),
         format: "ROFF parameter",
@@ -273,5 +273,5 @@ fn contents(path: &Path) -> Result<Vec<u8>, SubsurfaceError> {
         }
     };
     let file = File::open(path).map_err(failed("open"))?;
-    whole_file(file, LARGEST_FILE).map_err(failed("read"))
+    read_whole_file(file, MAX_FILE_BYTES).map_err(failed("read"))
 }

@@ -7,29 +7,38 @@ use glam::DVec3;
 
 use crate::error::SubsurfaceError;
 use crate::lens::{Lens, LensOptions};
-use crate::slice::{Paged, Slice, SliceOptions};
-use crate::volume::{Axis, BrickSource, Bricks, SampleBox};
+use crate::slice::{PagingReport, Slice, SliceOptions};
+use crate::volume::{Axis, BrickCache, BrickSource, SampleBox};
 
 /// The slices and lenses of one volume in a scene.
-pub struct Sections {
+pub struct VolumeSections {
     /// The slices.
     pub slices: Vec<Slice>,
     /// The lenses.
     pub lenses: Vec<Lens>,
     /// The volume's bricks in memory.
-    pub bricks: Bricks,
+    pub bricks: BrickCache,
 }
 
 /// Which slices and lenses to show.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct SectionPlaces {
-    /// Axis and index of each slice.
-    pub slices: Vec<(Axis, u32)>,
+pub struct SectionPositions {
+    /// The position of each slice.
+    pub slices: Vec<SlicePosition>,
     /// The box of each lens.
     pub lenses: Vec<SampleBox>,
 }
 
-impl SectionPlaces {
+/// Where a slice cuts a volume.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct SlicePosition {
+    /// The axis that the slice is perpendicular to.
+    pub axis: Axis,
+    /// The sample along that axis, counted from 0.
+    pub index: u32,
+}
+
+impl SectionPositions {
     /// Three slices across the middle of a volume, one along each axis, and no lens.
     #[must_use]
     pub fn middle(source: &dyn BrickSource) -> Self {
@@ -37,31 +46,34 @@ impl SectionPlaces {
         Self {
             slices: Axis::ALL
                 .into_iter()
-                .map(|axis| (axis, axis.of(size).saturating_sub(1) / 2))
+                .map(|axis| SlicePosition {
+                    axis,
+                    index: axis.of(size).saturating_sub(1) / 2,
+                })
                 .collect(),
             lenses: Vec::new(),
         }
     }
 }
 
-impl Sections {
+impl VolumeSections {
     /// Puts slices and lenses into a scene; they are empty until they are [paged](Self::page). At most `budget` bytes of bricks are kept.
     ///
     /// # Errors
-    /// Whatever [`Bricks::new`], [`Slice::spawn`] and [`Lens::spawn`] refuse.
+    /// Whatever [`BrickCache::new`], [`Slice::spawn`] and [`Lens::spawn`] refuse.
     pub fn spawn(
         scene: &mut Scene,
         source: Arc<dyn BrickSource>,
-        places: &SectionPlaces,
+        places: &SectionPositions,
         budget: usize,
     ) -> Result<Self, SubsurfaceError> {
         let layout = *source.layout();
         let mut sections = Self {
             slices: Vec::with_capacity(places.slices.len()),
             lenses: Vec::with_capacity(places.lenses.len()),
-            bricks: Bricks::new(source, budget)?,
+            bricks: BrickCache::new(source, budget)?,
         };
-        for (axis, index) in &places.slices {
+        for SlicePosition { axis, index } in &places.slices {
             let options = SliceOptions::default();
             let slice = Slice::spawn(scene, None, &layout, *axis, *index, &options)?;
             sections.slices.push(slice);
@@ -83,19 +95,18 @@ impl Sections {
         &mut self,
         scene: &mut Scene,
         is_hidden: &dyn Fn(EntityKey) -> bool,
-    ) -> Result<Paged, SubsurfaceError> {
-        let mut sum = Paged::default();
-        let mut add = |paged: Paged| {
-            sum.read += paged.read;
+    ) -> Result<PagingReport, SubsurfaceError> {
+        let mut sum = PagingReport::default();
+        let mut add = |paged: PagingReport| {
+            sum.updated += paged.updated;
             sum.skipped += paged.skipped;
-            sum.bricks += paged.bricks;
+            sum.bricks_read += paged.bricks_read;
         };
         for slice in &mut self.slices {
             add(slice.page(scene, &mut self.bricks, is_hidden)?);
         }
         for lens in &mut self.lenses {
-            let hidden = is_hidden(lens.entity());
-            add(lens.page(scene, &mut self.bricks, hidden)?);
+            add(lens.page(scene, &mut self.bricks, is_hidden)?);
         }
         Ok(sum)
     }
@@ -103,11 +114,11 @@ impl Sections {
     /// Turns the lenses' stacks towards an eye; whether any of them changed.
     ///
     /// # Errors
-    /// As for [`Lens::face`].
-    pub fn face(&mut self, scene: &mut Scene, eye: DVec3) -> Result<bool, SubsurfaceError> {
+    /// As for [`Lens::orient_to`].
+    pub fn orient_to(&mut self, scene: &mut Scene, eye: DVec3) -> Result<bool, SubsurfaceError> {
         let mut changed = false;
         for lens in &mut self.lenses {
-            changed |= lens.face(scene, eye)?;
+            changed |= lens.orient_to(scene, eye)?;
         }
         Ok(changed)
     }

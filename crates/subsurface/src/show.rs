@@ -5,33 +5,33 @@ use glam::{DAffine3, DVec3};
 
 use crate::colour::colour;
 use crate::error::SubsurfaceError;
-use crate::prepare::Prepared;
+use crate::prepare::PreparedSurface;
 use crate::surface::SurfaceKind;
 
 /// A surface in a scene. Moving or removing `root` moves or removes the whole of it, at any time.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ShownSurface {
+pub struct SurfaceEntities {
     /// The surface's name.
     pub name: String,
     /// What it is.
     pub kind: SurfaceKind,
     /// The entity that all tiles hang below; named as the surface.
     pub root: EntityKey,
-    /// The tiles, in the order of [`Prepared::tiles`].
+    /// The tiles, in the order of [`PreparedSurface::tiles`].
     pub tiles: Vec<EntityKey>,
 }
 
-impl Prepared {
+impl PreparedSurface {
     /// Puts the surface into a scene, below `parent` or as a root.
     ///
     /// # Errors
     /// [`SubsurfaceError::Scene`] for an unknown parent or material, or a mesh that no scene takes.
-    pub fn show(
+    pub fn spawn(
         self,
         scene: &mut Scene,
         parent: Option<EntityKey>,
         material: MaterialKey,
-    ) -> Result<ShownSurface, SubsurfaceError> {
+    ) -> Result<SurfaceEntities, SubsurfaceError> {
         // One transform for all tiles: what meets in the meshes meets on the screen.
         let root = scene.spawn(parent, DAffine3::from_translation(self.origin))?;
         scene.set_entity_name(root, self.name.as_str())?;
@@ -43,7 +43,7 @@ impl Prepared {
             scene.set_drawable(entity, Drawable { mesh, material })?;
             tiles.push(entity);
         }
-        Ok(ShownSurface {
+        Ok(SurfaceEntities {
             name: self.name,
             kind: self.kind,
             root,
@@ -68,7 +68,7 @@ pub fn surface_material(name: &str, kind: SurfaceKind, index: usize) -> Material
 ///
 /// # Errors
 /// [`SubsurfaceError::Scene`] when the scene is full.
-pub fn add_lamps(scene: &mut Scene) -> Result<(), SubsurfaceError> {
+pub fn add_default_lights(scene: &mut Scene) -> Result<(), SubsurfaceError> {
     scene.update();
     let Some(bounds) = scene.bounds() else {
         return Ok(());

@@ -12,10 +12,10 @@ use antumbra_scene::{EntityKey, Image, Sampler, Scene, Wrap};
 use glam::{DAffine3, DVec3};
 
 use crate::error::SubsurfaceError;
-use crate::volume::{Axis, Bricks, ColourMap, SampleBox, VolumeLayout};
+use crate::volume::{Axis, BrickCache, ColourMap, SampleBox, VolumeLayout};
 
 /// The longest side of a tile's image, in pixels: more than any graphics card must take.
-const LARGEST_TILE: u32 = 4096;
+const MAX_TILE_SIDE: u32 = 4096;
 
 /// How a slice is cut and what its samples look like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,13 +37,13 @@ impl Default for SliceOptions {
 
 /// What a call to page did.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Paged {
+pub struct PagingReport {
     /// Images that got their samples.
-    pub read: usize,
+    pub updated: usize,
     /// Images that are out of date and stay so, since nobody sees them.
     pub skipped: usize,
     /// Bricks that had to be read for it; others were in memory.
-    pub bricks: u64,
+    pub bricks_read: u64,
 }
 
 /// An opaque section through a volume: an entity with a tile below it for every few bricks.
@@ -77,8 +77,8 @@ impl Slice {
         layout.validate()?;
         check(layout, axis, index)?;
         let side = options.tile_bricks.saturating_mul(layout.brick);
-        if side == 0 || side > LARGEST_TILE {
-            let most = LARGEST_TILE / layout.brick;
+        if side == 0 || side > MAX_TILE_SIDE {
+            let most = MAX_TILE_SIDE / layout.brick;
             return Err(SubsurfaceError::Setting {
                 what: "the bricks along a tile of a slice",
                 value: options.tile_bricks.to_string(),
@@ -177,12 +177,12 @@ impl Slice {
     pub fn page(
         &mut self,
         scene: &mut Scene,
-        bricks: &mut Bricks,
+        bricks: &mut BrickCache,
         is_hidden: &dyn Fn(EntityKey) -> bool,
-    ) -> Result<Paged, SubsurfaceError> {
+    ) -> Result<PagingReport, SubsurfaceError> {
         self.layout.same_as(bricks.layout())?;
-        let before = bricks.counters().read;
-        let mut paged = Paged::default();
+        let before = bricks.stats().read;
+        let mut paged = PagingReport::default();
         let (axis, index) = (self.axis, self.index);
         for tile in &mut self.tiles {
             if tile.shows == Some(index) {
@@ -203,9 +203,9 @@ impl Slice {
             let image = picture(size, pixels.collect::<Vec<_>>().into_flattened());
             scene.set_image(tile.image, image)?;
             tile.shows = Some(index);
-            paged.read += 1;
+            paged.updated += 1;
         }
-        paged.bricks = bricks.counters().read - before;
+        paged.bricks_read = bricks.stats().read - before;
         Ok(paged)
     }
 

@@ -6,7 +6,7 @@ mod file;
 mod format;
 mod write;
 
-pub use bricks::{BrickCounters, Bricks};
+pub use bricks::{BrickCache, BrickCacheStats};
 pub use colours::ColourMap;
 pub(crate) use colours::{UNKNOWN, amplitudes};
 pub use file::VolumeFile;
@@ -35,11 +35,11 @@ pub struct VolumeLayout {
 
 impl VolumeLayout {
     /// The most samples along an axis.
-    pub const MOST_SAMPLES: u32 = 1 << 20;
+    pub const MAX_SAMPLES: u32 = 1 << 20;
     /// The most samples along an edge of a brick.
-    pub const LARGEST_BRICK: u32 = 256;
+    pub const MAX_BRICK_EDGE: u32 = 256;
     /// How far from zero the numbers of a place or a step may be, in metres.
-    pub const FARTHEST: f64 = 1e12;
+    pub const MAX_COORDINATE: f64 = 1e12;
 
     /// Bricks along each axis.
     #[must_use]
@@ -87,16 +87,16 @@ impl VolumeLayout {
     pub fn problem(&self) -> Option<String> {
         for axis in Axis::ALL {
             let size = axis.of(self.size);
-            if size == 0 || size > Self::MOST_SAMPLES {
-                let most = Self::MOST_SAMPLES;
+            if size == 0 || size > Self::MAX_SAMPLES {
+                let most = Self::MAX_SAMPLES;
                 return Some(format!("{size} samples {axis}: 1 to {most} are possible"));
             }
         }
-        if self.brick == 0 || self.brick > Self::LARGEST_BRICK {
+        if self.brick == 0 || self.brick > Self::MAX_BRICK_EDGE {
             return Some(format!(
                 "bricks of {} samples an edge: 1 to {} are possible",
                 self.brick,
-                Self::LARGEST_BRICK
+                Self::MAX_BRICK_EDGE
             ));
         }
         if (self.total_bytes()).is_none_or(|bytes| isize::try_from(bytes).is_err()) {
@@ -107,9 +107,9 @@ impl VolumeLayout {
         let places = [("an origin", self.origin), ("a far corner", corner)];
         let numbers = (steps.into_iter().chain(places))
             .flat_map(|(what, place)| place.to_array().map(|number| (what, number)));
-        let far = |number: f64| number.is_nan() || number.abs() > Self::FARTHEST;
+        let far = |number: f64| number.is_nan() || number.abs() > Self::MAX_COORDINATE;
         if let Some((what, number)) = numbers.into_iter().find(|(_, number)| far(*number)) {
-            let most = Self::FARTHEST;
+            let most = Self::MAX_COORDINATE;
             return Some(format!(
                 "{what} with {number:e} m: finite numbers up to {most:e} m are possible"
             ));

@@ -7,8 +7,8 @@ use std::sync::Arc;
 
 use antumbra_scene::{AlphaMode, Geometry, Scene};
 use antumbra_subsurface::{
-    Axis, Bricks, ColourMap, Facing, Lens, LensOptions, Paged, SampleBox, SubsurfaceError,
-    VolumeLayout,
+    Axis, AxisEnd, BrickCache, ColourMap, Lens, LensOptions, PagingReport, SampleBox,
+    StackOrientation, SubsurfaceError, VolumeLayout,
 };
 use glam::{DAffine3, DVec3};
 use proptest::prelude::*;
@@ -22,7 +22,7 @@ const AREA: SampleBox = SampleBox {
 struct Stage {
     scene: Scene,
     rule: Arc<Rule>,
-    bricks: Bricks,
+    bricks: BrickCache,
     lens: Lens,
 }
 
@@ -36,7 +36,7 @@ fn stage_of(rule: Rule, area: SampleBox, budget: usize, options: &LensOptions) -
     let lens = Lens::spawn(&mut scene, None, &rule.layout, area, options).unwrap();
     Stage {
         scene,
-        bricks: Bricks::new(rule.clone(), budget).unwrap(),
+        bricks: BrickCache::new(rule.clone(), budget).unwrap(),
         rule,
         lens,
     }
@@ -97,12 +97,16 @@ fn from_each_of_six_sides_the_farthest_is_drawn_first() {
             let normal = right.cross(down).normalize();
             let normal = normal * normal.dot(axis.of(steps)).signum();
             let eye = stage.middle() + normal * side * 2000.0;
-            stage.lens.face(&mut stage.scene, eye).unwrap();
+            stage.lens.orient_to(&mut stage.scene, eye).unwrap();
             assert_eq!(
-                stage.lens.facing(),
-                Facing {
+                stage.lens.orientation(),
+                StackOrientation {
                     axis,
-                    from_first: side < 0.0
+                    eye_side: if side < 0.0 {
+                        AxisEnd::First
+                    } else {
+                        AxisEnd::Last
+                    }
                 }
             );
 
@@ -129,17 +133,22 @@ fn only_a_change_of_side_is_a_change() {
     let mut stage = stage(&LensOptions::default());
     let above = stage.middle() + DVec3::new(10.0, 3000.0, -20.0);
     // It is made to be looked at from above.
-    assert!(!stage.lens.face(&mut stage.scene, above).unwrap());
+    assert!(!stage.lens.orient_to(&mut stage.scene, above).unwrap());
     stage.scene.update();
-    assert!(!stage.lens.face(&mut stage.scene, above + DVec3::X).unwrap());
+    assert!(
+        !stage
+            .lens
+            .orient_to(&mut stage.scene, above + DVec3::X)
+            .unwrap()
+    );
     assert!(stage.scene.update().is_empty());
     let below = stage.middle() - DVec3::new(10.0, 3000.0, -20.0);
-    assert!(stage.lens.face(&mut stage.scene, below).unwrap());
+    assert!(stage.lens.orient_to(&mut stage.scene, below).unwrap());
     assert_eq!(stage.scene.update().added, [stage.lens.entity()]);
     // From its middle, or from no place at all, no side is better than the one it shows.
     let middle = stage.middle();
     for eye in [middle, DVec3::NAN, DVec3::INFINITY] {
-        assert!(!stage.lens.face(&mut stage.scene, eye).unwrap());
+        assert!(!stage.lens.orient_to(&mut stage.scene, eye).unwrap());
     }
 }
 
@@ -150,15 +159,15 @@ fn an_axis_that_is_as_near_changes_nothing() {
     let middle = stage.middle();
     stage
         .lens
-        .face(&mut stage.scene, middle - steps[0] * 900.0)
+        .orient_to(&mut stage.scene, middle - steps[0] * 900.0)
         .unwrap();
-    assert_eq!(stage.lens.facing().axis, Axis::Inline);
+    assert_eq!(stage.lens.orientation().axis, Axis::Inline);
     let between = middle - (steps[0] + steps[1] * 1.000_001) * 900.0;
-    assert!(!stage.lens.face(&mut stage.scene, between).unwrap());
+    assert!(!stage.lens.orient_to(&mut stage.scene, between).unwrap());
     let beyond = middle - (steps[0] + steps[1] * 1.1) * 900.0;
-    assert!(stage.lens.face(&mut stage.scene, beyond).unwrap());
-    assert_eq!(stage.lens.facing().axis, Axis::Crossline);
-    assert!(!stage.lens.face(&mut stage.scene, between).unwrap());
+    assert!(stage.lens.orient_to(&mut stage.scene, beyond).unwrap());
+    assert_eq!(stage.lens.orientation().axis, Axis::Crossline);
+    assert!(!stage.lens.orient_to(&mut stage.scene, between).unwrap());
 }
 
 #[test]
@@ -195,7 +204,7 @@ fn a_lens_blends_and_is_tested_by_its_box() {
     );
     assert_eq!(stage.geometry().bounds(), proxy.bounds());
     let eye = stage.middle() - x * 100.0;
-    stage.lens.face(&mut stage.scene, eye).unwrap();
+    stage.lens.orient_to(&mut stage.scene, eye).unwrap();
     assert_eq!(stage.geometry().bounds(), proxy.bounds());
 }
 
@@ -224,13 +233,16 @@ fn alpha_at(stage: &Stage, uv: [f64; 2]) -> u8 {
 
 /// The corners of every section lie at samples, and their pixels are what these samples look like; how many sections each axis has.
 fn check_corners(stage: &mut Stage) -> [usize; 3] {
-    let paged = (stage.lens.page(&mut stage.scene, &mut stage.bricks, false)).unwrap();
-    assert_eq!((paged.read, paged.skipped), (3, 0));
+    let paged = (stage
+        .lens
+        .page(&mut stage.scene, &mut stage.bricks, &|_| false))
+    .unwrap();
+    assert_eq!((paged.updated, paged.skipped), (3, 0));
     let layout = stage.rule.layout;
     let (mut seen, mut unseen) = (0, 0);
     let sections = Axis::ALL.map(|axis| {
         let eye = stage.middle() - axis.of(layout.steps) * 1000.0;
-        stage.lens.face(&mut stage.scene, eye).unwrap();
+        stage.lens.orient_to(&mut stage.scene, eye).unwrap();
         let drawn = stage.drawn();
         for (place, uv) in &drawn {
             let place = sample_of(&layout, *place);
@@ -281,11 +293,11 @@ fn a_box_that_does_not_fit_its_images_is_thinned_and_stays_where_it_is() {
     for (_, image) in stage.scene.images() {
         assert!((128..=256).contains(&image.width) && (128..=256).contains(&image.height));
     }
-    let counters = stage.bricks.counters();
-    assert_eq!((counters.read, counters.peak_bytes), (13 * 7 * 10, 4096));
+    let stats = stage.bricks.stats();
+    assert_eq!((stats.read, stats.peak_bytes), (13 * 7 * 10, 4096));
     for axis in Axis::ALL {
         let eye = stage.middle() - axis.of(stage.rule.layout.steps) * 1000.0;
-        stage.lens.face(&mut stage.scene, eye).unwrap();
+        stage.lens.orient_to(&mut stage.scene, eye).unwrap();
         let drawable = stage.scene.drawable(stage.lens.entity()).unwrap();
         let mesh = stage.scene.mesh(drawable.mesh).unwrap();
         let proxy = mesh.proxy.as_ref().unwrap();
@@ -298,14 +310,14 @@ fn the_bricks_of_a_hidden_lens_are_not_read_and_of_a_shown_one_once() {
     let mut stage = stage(&LensOptions::default());
     let hidden = stage
         .lens
-        .page(&mut stage.scene, &mut stage.bricks, true)
+        .page(&mut stage.scene, &mut stage.bricks, &|_| true)
         .unwrap();
     assert_eq!(
         hidden,
-        Paged {
-            read: 0,
+        PagingReport {
+            updated: 0,
             skipped: 3,
-            bricks: 0
+            bricks_read: 0
         }
     );
     assert!(stage.rule.take_asked().is_empty());
@@ -313,26 +325,26 @@ fn the_bricks_of_a_hidden_lens_are_not_read_and_of_a_shown_one_once() {
 
     let shown = stage
         .lens
-        .page(&mut stage.scene, &mut stage.bricks, false)
+        .page(&mut stage.scene, &mut stage.bricks, &|_| false)
         .unwrap();
     let mut expected: Vec<_> = stage.lens.bricks().collect();
     expected.sort_unstable();
     assert_eq!(stage.rule.take_asked(), expected);
     assert_eq!(
         shown,
-        Paged {
-            read: 3,
+        PagingReport {
+            updated: 3,
             skipped: 0,
-            bricks: 4 * 3 * 5
+            bricks_read: 4 * 3 * 5
         }
     );
-    assert!(stage.bricks.counters().peak_bytes <= 64 * 4);
+    assert!(stage.bricks.stats().peak_bytes <= 64 * 4);
 
     let again = stage
         .lens
-        .page(&mut stage.scene, &mut stage.bricks, false)
+        .page(&mut stage.scene, &mut stage.bricks, &|_| false)
         .unwrap();
-    assert_eq!(again, Paged::default());
+    assert_eq!(again, PagingReport::default());
 }
 
 #[test]
@@ -340,15 +352,15 @@ fn a_moved_lens_shows_what_is_there() {
     let mut stage = stage(&LensOptions::default());
     stage
         .lens
-        .page(&mut stage.scene, &mut stage.bricks, false)
+        .page(&mut stage.scene, &mut stage.bricks, &|_| false)
         .unwrap();
     stage.lens.move_to(&mut stage.scene, AREA.min).unwrap();
     assert_eq!(
         stage
             .lens
-            .page(&mut stage.scene, &mut stage.bricks, false)
+            .page(&mut stage.scene, &mut stage.bricks, &|_| false)
             .unwrap(),
-        Paged::default()
+        PagingReport::default()
     );
 
     let pixels = |scene: &Scene| {
@@ -360,9 +372,9 @@ fn a_moved_lens_shows_what_is_there() {
     stage.lens.move_to(&mut stage.scene, [8, 7, 0]).unwrap();
     let paged = stage
         .lens
-        .page(&mut stage.scene, &mut stage.bricks, false)
+        .page(&mut stage.scene, &mut stage.bricks, &|_| false)
         .unwrap();
-    assert_eq!(paged.read, 3);
+    assert_eq!(paged.updated, 3);
     // As a lens that was made there.
     let mut scene = Scene::new();
     let mut other = Lens::spawn(
@@ -373,7 +385,9 @@ fn a_moved_lens_shows_what_is_there() {
         &LensOptions::default(),
     )
     .unwrap();
-    other.page(&mut scene, &mut stage.bricks, false).unwrap();
+    other
+        .page(&mut scene, &mut stage.bricks, &|_| false)
+        .unwrap();
     assert_eq!(pixels(&scene), pixels(&stage.scene));
     assert_eq!(
         scene.world(other.entity()),
@@ -405,11 +419,11 @@ fn sections_farther_apart_cover_more() {
     );
     stage
         .lens
-        .page(&mut stage.scene, &mut stage.bricks, false)
+        .page(&mut stage.scene, &mut stage.bricks, &|_| false)
         .unwrap();
     let mut strongest = |axis: Axis| {
         let eye = stage.middle() - axis.of(layout.steps) * 1000.0;
-        stage.lens.face(&mut stage.scene, eye).unwrap();
+        stage.lens.orient_to(&mut stage.scene, eye).unwrap();
         let drawable = stage.scene.drawable(stage.lens.entity()).unwrap();
         let material = stage.scene.material(drawable.material).unwrap();
         let image = stage
@@ -521,11 +535,11 @@ fn wrong_options_and_bricks_are_refused() {
         );
     }
     let mut stage = stage(&good);
-    let mut other = Bricks::new(Arc::new(Rule::new([20, 15, 26], 4)), 1 << 20).unwrap();
-    let refused = stage.lens.page(&mut stage.scene, &mut other, false);
+    let mut other = BrickCache::new(Arc::new(Rule::new([20, 15, 26], 4)), 1 << 20).unwrap();
+    let refused = stage.lens.page(&mut stage.scene, &mut other, &|_| false);
     assert!(matches!(refused, Err(SubsurfaceError::OtherVolume { .. })));
     stage.scene.despawn(stage.lens.entity());
-    let refused = stage.lens.face(&mut stage.scene, DVec3::ZERO);
+    let refused = stage.lens.orient_to(&mut stage.scene, DVec3::ZERO);
     assert!(matches!(refused, Err(SubsurfaceError::Scene(_))));
 }
 
@@ -544,10 +558,10 @@ proptest! {
         let mut scene = Scene::new();
         let parent = scene.spawn(None, DAffine3::from_rotation_z(turn)).unwrap();
         let mut lens = Lens::spawn(&mut scene, Some(parent), &rule.layout, AREA, &LensOptions::default()).unwrap();
-        let bricks = Bricks::new(rule.clone(), 1 << 20).unwrap();
+        let bricks = BrickCache::new(rule.clone(), 1 << 20).unwrap();
         let middle = scene.world(lens.entity()).unwrap().translation;
         let eye = middle + direction.normalize() * 5000.0;
-        lens.face(&mut scene, eye).unwrap();
+        lens.orient_to(&mut scene, eye).unwrap();
         let stage = Stage { scene, rule, bricks, lens };
         // How far each section's plane is from the eye.
         let drawn = stage.drawn();

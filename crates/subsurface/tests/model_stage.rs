@@ -1,7 +1,7 @@
 //! How the built-in model is shown: wells, colours, lamps, views and the flight.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_demo_scenes::subsurface::{Model, ModelOptions};
+use antumbra_demo_scenes::subsurface::{FlightPoint, Model, ModelLight, ModelOptions};
 use antumbra_scene::{Camera, Projection, Scene};
 use glam::{DAffine3, DVec2, DVec3};
 use std::collections::HashMap;
@@ -53,7 +53,7 @@ fn wells_are_closed_tubes_inside_the_volume() {
 #[test]
 fn a_scene_takes_the_lamps() {
     let mut scene = Scene::new();
-    for (position, light) in model(2, 1).lights() {
+    for ModelLight { position, light } in model(2, 1).lights() {
         assert!(position.y > 0.0);
         let lamp = scene
             .spawn(None, DAffine3::from_translation(position))
@@ -88,7 +88,7 @@ fn the_flight_goes_around_and_between_the_layers() {
     for seed in 1..6 {
         let model = model(2, seed);
         let mut between = 0;
-        for (eye, target) in model.flight() {
+        for FlightPoint { eye, target } in model.flight() {
             assert!(eye.distance(target) > 100.0);
             let place = DVec2::new(eye.x, -eye.z);
             if place.abs().cmpgt(DVec2::new(3275.0, 2962.5)).any() {

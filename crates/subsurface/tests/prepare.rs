@@ -5,7 +5,8 @@ use std::collections::{HashMap, HashSet};
 
 use antumbra_scene::{Geometry, Raster};
 use antumbra_subsurface::{
-    PrepareOptions, Prepared, SubsurfaceError, Surface, SurfaceKind, prepare, prepare_all,
+    PrepareOptions, PreparedSurface, SubsurfaceError, Surface, SurfaceKind, prepare_surface,
+    prepare_surfaces,
 };
 use glam::{DVec2, Vec3};
 use proptest::prelude::*;
@@ -27,7 +28,7 @@ fn hills(side: u32, hole: impl Fn(u32, u32) -> bool) -> Surface {
             .map(|(c, r)| if hole(c, r) { f32::NAN } else { height(c, r) })
             .collect(),
     };
-    Surface::over(&raster, "hills").unwrap()
+    Surface::from_raster(&raster, "hills").unwrap()
 }
 
 fn options(tiles: u32, decimation: f64) -> PrepareOptions {
@@ -66,11 +67,11 @@ fn borders<'a>(meshes: impl Iterator<Item = &'a Geometry>) -> HashSet<(Point, Po
         .collect()
 }
 
-fn high(prepared: &Prepared) -> impl Iterator<Item = &Geometry> {
+fn high(prepared: &PreparedSurface) -> impl Iterator<Item = &Geometry> {
     prepared.tiles.iter().map(|tile| tile.mesh.full().unwrap())
 }
 
-fn proxies(prepared: &Prepared) -> impl Iterator<Item = &Geometry> {
+fn proxies(prepared: &PreparedSurface) -> impl Iterator<Item = &Geometry> {
     prepared
         .tiles
         .iter()
@@ -93,7 +94,7 @@ fn plan_area<'a>(meshes: impl Iterator<Item = &'a Geometry>) -> f64 {
 fn the_tiles_hold_every_triangle_once() {
     let surface = hills(61, |c, r| (20..25).contains(&c) && (30..41).contains(&r));
     for tiles in [1, 2, 7, 10] {
-        let prepared = prepare(&surface, &options(tiles, 50.0)).unwrap();
+        let prepared = prepare_surface(&surface, &options(tiles, 50.0)).unwrap();
         assert_eq!(prepared.triangles(), surface.geometry.triangle_count());
         assert_eq!(prepared.tiles.len(), (tiles * tiles) as usize);
         assert_eq!(
@@ -107,18 +108,18 @@ fn the_tiles_hold_every_triangle_once() {
 #[test]
 fn an_empty_tile_is_left_out() {
     let surface = hills(41, |c, _| c < 21);
-    let prepared = prepare(&surface, &options(4, 20.0)).unwrap();
+    let prepared = prepare_surface(&surface, &options(4, 20.0)).unwrap();
     assert_eq!(prepared.tiles.len(), 8);
-    assert!(prepared.tiles.iter().all(|tile| tile.place[0] >= 2));
+    assert!(prepared.tiles.iter().all(|tile| tile.cell[0] >= 2));
 }
 
 #[test]
 fn stand_ins_are_small_cover_their_horizon_and_lie_right_way_up() {
     let surface = hills(101, |_, _| false);
     for (tiles, decimation) in [(1, 25.0), (5, 25.0), (5, 100.0), (10, 100.0)] {
-        let prepared = prepare(&surface, &options(tiles, decimation)).unwrap();
+        let prepared = prepare_surface(&surface, &options(tiles, decimation)).unwrap();
         let full = prepared.triangles() as f64;
-        let uncut = prepare(&surface, &options(1, decimation)).unwrap();
+        let uncut = prepare_surface(&surface, &options(1, decimation)).unwrap();
         assert!((uncut.proxy_triangles() as f64) <= full / decimation * 1.3);
         // Cutting along the borders adds to each triangle that it crosses, and no more than that.
         assert!(prepared.proxy_triangles() < uncut.proxy_triangles() + 12 * 100);
@@ -131,7 +132,7 @@ fn stand_ins_are_small_cover_their_horizon_and_lie_right_way_up() {
 #[test]
 fn every_level_of_a_tile_has_the_same_border() {
     let surface = hills(101, |c, r| c == 50 && r > 20);
-    let prepared = prepare(&surface, &options(3, 100.0)).unwrap();
+    let prepared = prepare_surface(&surface, &options(3, 100.0)).unwrap();
     for tile in &prepared.tiles {
         let levels = &tile.mesh.levels;
         // One that would be little else than its border is not worth having.
@@ -151,7 +152,7 @@ fn a_fault_stays_whole() {
         plan: Vec::new(),
         ..hills(41, |_, _| false)
     };
-    let prepared = prepare(&surface, &options(10, 10.0)).unwrap();
+    let prepared = prepare_surface(&surface, &options(10, 10.0)).unwrap();
     assert_eq!(prepared.tiles.len(), 1);
     assert_eq!(prepared.triangles(), 3200);
     assert!((300..=400).contains(&prepared.proxy_triangles()));
@@ -166,7 +167,7 @@ fn what_is_too_small_to_simplify_stands_for_itself() {
             kind,
             ..one.clone()
         };
-        let prepared = prepare(&surface, &options(1, 100.0)).unwrap();
+        let prepared = prepare_surface(&surface, &options(1, 100.0)).unwrap();
         assert_eq!((prepared.triangles(), prepared.proxy_triangles()), (1, 1));
     }
 }
@@ -178,7 +179,7 @@ fn thinning_keeps_neighbours_together() {
         thinning: 2.5,
         ..options(5, 100.0)
     };
-    let prepared = prepare(&surface, &thinned).unwrap();
+    let prepared = prepare_surface(&surface, &thinned).unwrap();
     let left = prepared.triangles() as f64 / surface.geometry.triangle_count() as f64;
     assert!((0.38..=0.45).contains(&left), "{left}");
     // The outline of a height field without holes: one closed line, no border within.
@@ -219,7 +220,7 @@ fn options_out_of_range_are_refused_by_name() {
         ),
     ];
     for (options, word) in cases {
-        let error = prepare(&surface, &options).unwrap_err();
+        let error = prepare_surface(&surface, &options).unwrap_err();
         assert!(matches!(error, SubsurfaceError::Setting { .. }), "{error}");
         assert!(error.to_string().contains(word), "{error}");
     }
@@ -235,7 +236,8 @@ fn a_surface_that_does_not_fit_together_is_refused_by_name() {
     let mut torn = good.clone();
     torn.geometry.indices[0] = 9999;
     for (surface, word) in [(short, "plan"), (outside, "vertex 3"), (torn, "9999")] {
-        let error = prepare_all(&[good.clone(), surface], &options(2, 10.0), &|_| {}).unwrap_err();
+        let error =
+            prepare_surfaces(&[good.clone(), surface], &options(2, 10.0), &|_| {}).unwrap_err();
         assert!(error.to_string().contains("hills"), "{error}");
         assert!(error.to_string().contains(word), "{error}");
     }
@@ -249,7 +251,7 @@ proptest! {
     #[test]
     fn stand_ins_meet_without_cracks(side in 12u32..50, tiles in 1u32..13, decimation in 2.0f64..60.0) {
         let surface = hills(side, |c, r| c % 17 == 5 && r % 13 < 4);
-        let prepared = prepare(&surface, &options(tiles, decimation)).unwrap();
+        let prepared = prepare_surface(&surface, &options(tiles, decimation)).unwrap();
         // A tile without a triangle of the horizon is left out, and with it its part of the low-resolution version.
         prop_assume!(prepared.tiles.len() == (tiles * tiles) as usize);
         // Along the cut each piece of an edge must have its twin: what is left is the outline alone, which is as long as the uncut one's.
@@ -262,7 +264,7 @@ proptest! {
                 })
                 .sum()
         };
-        let uncut = prepare(&surface, &options(1, decimation)).unwrap();
+        let uncut = prepare_surface(&surface, &options(1, decimation)).unwrap();
         let (cut, whole) = (length(borders(proxies(&prepared))), length(borders(proxies(&uncut))));
         prop_assert!((cut - whole).abs() < 1e-3 * whole, "{cut} m of border, {whole} m before the cut");
     }

@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use antumbra_subsurface::read::{self, Positive, ReadOptions};
+use antumbra_subsurface::read::{self, ReadOptions, ZPositive};
 use antumbra_subsurface::{SubsurfaceError, Surface, SurfaceKind};
 use glam::{DVec3, Vec3};
 
@@ -13,7 +13,7 @@ mod files;
 use files::{SOUTH, WEST};
 
 fn read(name: &str, bytes: &[u8], options: &ReadOptions) -> Result<Vec<Surface>, SubsurfaceError> {
-    read::surfaces_in(Path::new(name), bytes, options, &mut |_, _| ())
+    read::surfaces_from_bytes(Path::new(name), bytes, options, &mut |_, _| ())
 }
 
 fn surfaces(name: &str, bytes: &[u8]) -> Vec<Surface> {
@@ -85,7 +85,7 @@ fn the_same_raster_in_every_format() {
 #[test]
 fn a_raster_may_be_told_to_be_positive_the_other_way() {
     let options = |positive| ReadOptions {
-        positive: Some(positive),
+        z_positive: Some(positive),
         ..ReadOptions::default()
     };
     let first = DVec3::new(WEST, 1500.0, -SOUTH);
@@ -93,11 +93,11 @@ fn a_raster_may_be_told_to_be_positive_the_other_way() {
         (
             "a.gri",
             files::irap(4, 3, &files::depths(), 0.0),
-            Positive::Up,
+            ZPositive::Up,
         ),
-        ("a.irap", files::irap_ascii().into_bytes(), Positive::Up),
-        ("a.asc", files::esri().into_bytes(), Positive::Down),
-        ("a.tif", files::geotiff(&[]), Positive::Down),
+        ("a.irap", files::irap_ascii().into_bytes(), ZPositive::Up),
+        ("a.asc", files::esri().into_bytes(), ZPositive::Down),
+        ("a.tif", files::geotiff(&[]), ZPositive::Down),
     ];
     for (name, bytes, positive) in cases {
         let surfaces = read(name, &bytes, &options(positive)).unwrap();
@@ -190,7 +190,7 @@ fn gocad_objects_become_faults() {
         "an ATOM, and z up"
     );
     let told = ReadOptions {
-        positive: Some(Positive::Up),
+        z_positive: Some(ZPositive::Up),
         ..ReadOptions::default()
     };
     let faults = read("all.ts", files::gocad().as_bytes(), &told).unwrap();

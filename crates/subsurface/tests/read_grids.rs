@@ -4,8 +4,8 @@
 
 use std::path::Path;
 
-use antumbra_subsurface::corner_point::{CellProperty, Grid};
-use antumbra_subsurface::read::{self, Positive, ReadOptions};
+use antumbra_subsurface::corner_point::{CellProperty, CornerPointGrid};
+use antumbra_subsurface::read::{self, ReadOptions, ZPositive};
 use antumbra_subsurface::{BrickSource, SubsurfaceError, Surface};
 use glam::{DVec3, Vec3};
 
@@ -14,7 +14,7 @@ mod roff;
 use roff::{GridFile, Way, parameter};
 
 fn surfaces(bytes: &[u8]) -> Vec<Surface> {
-    let read = read::surfaces_in(
+    let read = read::surfaces_from_bytes(
         Path::new("field.roff"),
         bytes,
         &ReadOptions::default(),
@@ -23,7 +23,7 @@ fn surfaces(bytes: &[u8]) -> Vec<Surface> {
     read.unwrap()
 }
 
-fn grid(bytes: &[u8]) -> Grid {
+fn grid(bytes: &[u8]) -> CornerPointGrid {
     let file = tempfile::NamedTempFile::new().unwrap();
     std::fs::write(file.path(), bytes).unwrap();
     read::grid(file.path(), &ReadOptions::default()).unwrap()
@@ -171,7 +171,7 @@ fn inactive_cells_are_holes_and_their_active_neighbours_still_shown() {
     let lower = surfaces(&file(|cell| cell[2] == 0).write(level));
     assert_eq!(lower.len(), 2, "the top of the inactive layer has no cell");
     let none = file(|_| false).write(level);
-    let read = read::surfaces_in(
+    let read = read::surfaces_from_bytes(
         Path::new("f.roff"),
         &none,
         &ReadOptions::default(),
@@ -227,10 +227,11 @@ fn a_mirrored_grid_still_looks_up() {
 fn depths_can_be_told_to_be_elevations() {
     let bytes = GridFile::new([1, 1, 1]).write(level);
     let options = ReadOptions {
-        positive: Some(Positive::Up),
+        z_positive: Some(ZPositive::Up),
         ..ReadOptions::default()
     };
-    let read = read::surfaces_in(Path::new("f.roff"), &bytes, &options, &mut |_, _| ()).unwrap();
+    let read =
+        read::surfaces_from_bytes(Path::new("f.roff"), &bytes, &options, &mut |_, _| ()).unwrap();
     assert_eq!(read[0].origin.y, 1990.0);
 }
 
@@ -249,7 +250,7 @@ fn undefined_values_of_every_kind_are_nan() {
         if way == Way::Ascii && kind == "double" {
             continue; // ASCII has no word for NaN.
         }
-        let property = read::property_in(
+        let property = read::property_from_bytes(
             Path::new("p.roff"),
             &parameter(way, [1, 2, 2], kind, &values),
         )

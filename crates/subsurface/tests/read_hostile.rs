@@ -17,7 +17,7 @@ use roff::{GridFile, Roff, Way, parameter};
 
 fn read(name: &str, bytes: &[u8]) -> Result<Vec<Surface>, SubsurfaceError> {
     let options = ReadOptions::default();
-    read::surfaces_in(Path::new(name), bytes, &options, &mut |_, _| ())
+    read::surfaces_from_bytes(Path::new(name), bytes, &options, &mut |_, _| ())
 }
 
 fn refused(name: &str, bytes: &[u8], word: &str) {
@@ -97,7 +97,7 @@ fn a_truncated_binary_file_is_an_error_wherever_it_ends() {
     }
     let property = parameter(Way::Little, [2, 2, 2], "float", &[1.0; 8]);
     for end in 0..property.len() - 7 {
-        assert!(read::property_in(Path::new("p.roff"), &property[..end]).is_err());
+        assert!(read::property_from_bytes(Path::new("p.roff"), &property[..end]).is_err());
     }
 }
 
@@ -214,7 +214,7 @@ fn roff_tags_out_of_order_or_missing_are_named() {
         }
         refused("a.roff", &many.word("endtag").end(), "more than 65536 keys");
         let short = parameter(way, [2, 2, 2], "float", &[1.0; 7]);
-        let error = read::property_in(Path::new("p.roff"), &short).unwrap_err();
+        let error = read::property_from_bytes(Path::new("p.roff"), &short).unwrap_err();
         assert!(error.to_string().contains("should have 8"));
     }
 }
@@ -249,7 +249,7 @@ fn only_undefined_nodes_are_an_error_that_says_so() {
         "no cell is active and has all its corners",
     );
     let property = parameter(Way::Little, [1, 1, 2], "int", &[-999.0; 2]);
-    let error = read::property_in(Path::new("p.roff"), &property).unwrap_err();
+    let error = read::property_from_bytes(Path::new("p.roff"), &property).unwrap_err();
     assert!(error.to_string().contains("undefined"));
 }
 
@@ -313,7 +313,7 @@ fn files_that_are_no_files_are_said_to_be_none() {
     assert!(matches!(read(&empty), Err(SubsurfaceError::Format { .. })));
     let huge = folder.path().join("huge.gri");
     let file = std::fs::File::create(&huge).unwrap();
-    if file.set_len(read::LARGEST_FILE + 1).is_ok() {
+    if file.set_len(read::MAX_FILE_BYTES + 1).is_ok() {
         assert!(read(&huge).unwrap_err().to_string().contains("larger than"));
     }
 }
@@ -327,7 +327,7 @@ proptest! {
         if let Ok(surfaces) = read(name, &[head, &noise].concat()) {
             assert_sound(&surfaces);
         }
-        let _ = read::property_in(Path::new(name), &[head, &noise].concat());
+        let _ = read::property_from_bytes(Path::new(name), &[head, &noise].concat());
     }
 
     #[test]
@@ -349,7 +349,7 @@ proptest! {
         }
         let kind = as_horizon.then_some(SurfaceKind::Horizon);
         let options = ReadOptions { kind, ..ReadOptions::default() };
-        if let Ok(surfaces) = read::surfaces_in(Path::new(name), &bytes, &options, &mut |_, _| ()) {
+        if let Ok(surfaces) = read::surfaces_from_bytes(Path::new(name), &bytes, &options, &mut |_, _| ()) {
             assert_sound(&surfaces);
         }
     }
@@ -370,7 +370,7 @@ proptest! {
         std::fs::write(file.path(), &bytes).unwrap();
         let grid = read::grid(file.path(), &ReadOptions::default()).unwrap();
         let property = parameter(Way::Little, [2, 2, 2], "float", &[1.0; 8]);
-        let property = read::property_in(Path::new("p.roff"), &property).unwrap();
+        let property = read::property_from_bytes(Path::new("p.roff"), &property).unwrap();
         if let Ok(volume) = grid.volume(&property, [9, 8, 7], &mut |_, _| ()) {
             prop_assert!(volume.sample([8, 7, 6]).is_some());
         }
@@ -386,7 +386,7 @@ proptest! {
             text += &format!("{},{},{z}\n", f64::from(*x) * scale + 5e5, f64::from(*y) * scale + 6e6);
         }
         let options = ReadOptions { longest_edge: Some(f64::INFINITY), ..ReadOptions::default() };
-        let read = read::surfaces_in(Path::new("p.csv"), text.as_bytes(), &options, &mut |_, _| ());
+        let read = read::surfaces_from_bytes(Path::new("p.csv"), text.as_bytes(), &options, &mut |_, _| ());
         if let Ok(surfaces) = read {
             assert_sound(&surfaces);
             let geometry = &surfaces[0].geometry;

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use antumbra_scene::{AlphaMode, EntityKey, Scene};
 use antumbra_subsurface::{
-    Axis, Bricks, ColourMap, Paged, Slice, SliceOptions, SliceTile, SubsurfaceError,
+    Axis, BrickCache, ColourMap, PagingReport, Slice, SliceOptions, SliceTile, SubsurfaceError,
 };
 use glam::{DAffine3, DVec3};
 use volume_rule::{Rule, layout, sample_at};
@@ -18,7 +18,7 @@ const BRICK: u32 = 4;
 struct Stage {
     scene: Scene,
     rule: Arc<Rule>,
-    bricks: Bricks,
+    bricks: BrickCache,
 }
 
 impl Stage {
@@ -26,7 +26,7 @@ impl Stage {
         let rule = Arc::new(Rule::new(SIZE, BRICK));
         Self {
             scene: Scene::new(),
-            bricks: Bricks::new(rule.clone(), 1 << 20).unwrap(),
+            bricks: BrickCache::new(rule.clone(), 1 << 20).unwrap(),
             rule,
         }
     }
@@ -44,7 +44,7 @@ impl Stage {
         .unwrap()
     }
 
-    fn page(&mut self, slice: &mut Slice, is_hidden: &dyn Fn(EntityKey) -> bool) -> Paged {
+    fn page(&mut self, slice: &mut Slice, is_hidden: &dyn Fn(EntityKey) -> bool) -> PagingReport {
         (slice.page(&mut self.scene, &mut self.bricks, is_hidden)).unwrap()
     }
 
@@ -70,7 +70,7 @@ fn every_pixel_of_every_tile_is_its_sample() {
         let mut stage = Stage::new();
         let mut slice = stage.slice(axis, index);
         let paged = stage.page(&mut slice, &seen);
-        assert_eq!((paged.read, paged.skipped), (slice.tiles().len(), 0));
+        assert_eq!((paged.updated, paged.skipped), (slice.tiles().len(), 0));
         let colours = ColourMap::Seismic.table(&stage.rule.layout);
         let [right, down] = axis.plane().map(|along| along.of(SIZE));
         let mut shown = 0;
@@ -157,7 +157,7 @@ fn the_bricks_of_hidden_tiles_are_not_read() {
     let before = stage.scene.image(slice.tiles()[0].image()).cloned();
 
     let paged = stage.page(&mut slice, &|entity| hidden.contains(&entity));
-    assert_eq!((paged.read, paged.skipped), (3, 3));
+    assert_eq!((paged.updated, paged.skipped), (3, 3));
     let shown = slice
         .tiles()
         .iter()
@@ -165,19 +165,19 @@ fn the_bricks_of_hidden_tiles_are_not_read() {
     let mut expected: Vec<_> = shown.flat_map(|tile| slice.bricks(tile)).collect();
     expected.sort_unstable();
     assert_eq!(stage.rule.take_asked(), expected);
-    assert_eq!(paged.bricks, expected.len() as u64);
+    assert_eq!(paged.bricks_read, expected.len() as u64);
     assert_eq!(stage.scene.image(slice.tiles()[0].image()).cloned(), before);
-    assert_eq!(slice.tiles()[0].shows(), None);
+    assert_eq!(slice.tiles()[0].shown_section(), None);
 
     // They come when they are seen, and nothing else is read again.
     let paged = stage.page(&mut slice, &seen);
-    assert_eq!((paged.read, paged.skipped), (3, 0));
+    assert_eq!((paged.updated, paged.skipped), (3, 0));
     let mut expected: Vec<_> = (slice.tiles().iter().step_by(2))
         .flat_map(|tile| slice.bricks(tile))
         .collect();
     expected.sort_unstable();
     assert_eq!(stage.rule.take_asked(), expected);
-    assert_eq!(stage.page(&mut slice, &seen), Paged::default());
+    assert_eq!(stage.page(&mut slice, &seen), PagingReport::default());
 }
 
 #[test]
@@ -190,16 +190,16 @@ fn only_what_a_move_makes_wrong_is_read() {
 
     // To where it is: nothing.
     slice.move_to(&mut stage.scene, 4).unwrap();
-    assert_eq!(stage.page(&mut slice, &seen), Paged::default());
+    assert_eq!(stage.page(&mut slice, &seen), PagingReport::default());
     // Within the same bricks: other pixels, no reading.
     slice.move_to(&mut stage.scene, 7).unwrap();
     let paged = stage.page(&mut slice, &seen);
     assert_eq!(
         paged,
-        Paged {
-            read: tiles,
+        PagingReport {
+            updated: tiles,
             skipped: 0,
-            bricks: 0
+            bricks_read: 0
         }
     );
     assert!(stage.rule.take_asked().is_empty());
@@ -208,14 +208,14 @@ fn only_what_a_move_makes_wrong_is_read() {
     let paged = stage.page(&mut slice, &|_| true);
     assert_eq!(
         paged,
-        Paged {
-            read: 0,
+        PagingReport {
+            updated: 0,
             skipped: tiles,
-            bricks: 0
+            bricks_read: 0
         }
     );
     slice.move_to(&mut stage.scene, 7).unwrap();
-    assert_eq!(stage.page(&mut slice, &seen), Paged::default());
+    assert_eq!(stage.page(&mut slice, &seen), PagingReport::default());
 }
 
 #[test]
@@ -314,7 +314,7 @@ fn wrong_options_bricks_and_scenes_are_refused() {
         assert!(matches!(refused, Err(SubsurfaceError::Setting { .. })));
     }
     let mut slice = stage.slice(Axis::Time, 0);
-    let mut other = Bricks::new(Arc::new(Rule::new([22, 13, 9], BRICK)), 1 << 20).unwrap();
+    let mut other = BrickCache::new(Arc::new(Rule::new([22, 13, 9], BRICK)), 1 << 20).unwrap();
     let refused = slice.page(&mut stage.scene, &mut other, &seen);
     assert!(matches!(refused, Err(SubsurfaceError::OtherVolume { .. })));
     stage.scene.despawn(slice.entity());
@@ -331,7 +331,7 @@ fn a_volume_of_one_sheet_has_sections() {
         layout: layout([30, 1, 40], 8),
         asked: Default::default(),
     });
-    let mut bricks = Bricks::new(rule.clone(), 1 << 20).unwrap();
+    let mut bricks = BrickCache::new(rule.clone(), 1 << 20).unwrap();
     let mut scene = Scene::new();
     for axis in Axis::ALL {
         let mut slice = Slice::spawn(

@@ -5,7 +5,7 @@ mod volume_rule;
 
 use std::sync::Arc;
 
-use antumbra_subsurface::{Axis, Bricks, SubsurfaceError};
+use antumbra_subsurface::{Axis, BrickCache, SubsurfaceError};
 use proptest::prelude::*;
 use proptest::sample::select;
 use volume_rule::{Rule, sample_at};
@@ -27,14 +27,14 @@ proptest! {
     fn a_section_is_its_samples((size, axis, index, [right, down]) in sections(), brick in 1u32..12, room in 1usize..20) {
         let rule = Arc::new(Rule::new(size, brick));
         let budget = rule.layout.brick_bytes() * room;
-        let mut bricks = Bricks::new(rule, budget).unwrap();
+        let mut bricks = BrickCache::new(rule, budget).unwrap();
         let mut got = vec![0xaa; right.len() * down.len()];
         bricks.section(axis, index, [right.clone(), down.clone()], &mut got).unwrap();
         let expected: Vec<u8> = down
             .flat_map(|v| right.clone().map(move |u| sample_at(axis.place(index, [u, v]))))
             .collect();
         prop_assert_eq!(got, expected);
-        prop_assert!(bricks.counters().peak_bytes <= budget);
+        prop_assert!(bricks.stats().peak_bytes <= budget);
     }
 }
 
@@ -44,24 +44,24 @@ fn memory_stays_within_the_budget_and_every_sample_is_right() {
     let brick = rule.layout.brick_bytes();
     // A volume of 9 x 5 x 8 bricks, and room for a tenth of them and a bit.
     let budget = brick * 36 + brick / 2;
-    let mut bricks = Bricks::new(rule, budget).unwrap();
+    let mut bricks = BrickCache::new(rule, budget).unwrap();
     for (x, y, z) in
         (0..37).flat_map(|z| (0..23).flat_map(move |y| (0..41).map(move |x| (x, y, z))))
     {
         assert_eq!(bricks.sample([x, y, z]).unwrap(), sample_at([x, y, z]));
-        assert!(bricks.counters().bytes <= budget);
+        assert!(bricks.stats().bytes <= budget);
     }
-    let counters = bricks.counters();
-    assert_eq!(counters.peak_bytes, brick * 36);
-    assert_eq!((counters.resident, counters.bytes), (36, brick * 36));
-    assert_eq!(counters.read, counters.dropped + 36);
-    assert_eq!(counters.read + counters.hits, 41 * 23 * 37);
+    let stats = bricks.stats();
+    assert_eq!(stats.peak_bytes, brick * 36);
+    assert_eq!((stats.resident, stats.bytes), (36, brick * 36));
+    assert_eq!(stats.read, stats.evicted + 36);
+    assert_eq!(stats.read + stats.hits, 41 * 23 * 37);
 }
 
 #[test]
 fn what_was_not_used_for_longest_goes_first() {
     let rule = Arc::new(Rule::new([8, 1, 1], 2));
-    let mut bricks = Bricks::new(rule.clone(), 16).unwrap();
+    let mut bricks = BrickCache::new(rule.clone(), 16).unwrap();
     for x in [0, 2, 0, 4, 0, 2] {
         bricks.sample([x, 0, 0]).unwrap();
     }
@@ -70,14 +70,14 @@ fn what_was_not_used_for_longest_goes_first() {
         *rule.asked.lock().unwrap(),
         [[0, 0, 0], [1, 0, 0], [2, 0, 0], [1, 0, 0]]
     );
-    let counters = bricks.counters();
-    assert_eq!((counters.hits, counters.dropped), (2, 2));
+    let stats = bricks.stats();
+    assert_eq!((stats.hits, stats.evicted), (2, 2));
 }
 
 #[test]
 fn a_section_reads_each_of_its_bricks_once_and_no_other() {
     let rule = Arc::new(Rule::new([40, 40, 40], 8));
-    let mut bricks = Bricks::new(rule.clone(), 512 * 9).unwrap();
+    let mut bricks = BrickCache::new(rule.clone(), 512 * 9).unwrap();
     let mut samples = vec![0; 16 * 16];
     let area = [8..24, 16..32];
     bricks
@@ -89,12 +89,12 @@ fn a_section_reads_each_of_its_bricks_once_and_no_other() {
     );
     bricks.section(Axis::Time, 0, area, &mut samples).unwrap();
     assert!(rule.take_asked().is_empty());
-    assert_eq!(bricks.counters().hits, 4);
+    assert_eq!(bricks.stats().hits, 4);
 }
 
 #[test]
 fn what_is_not_there_is_refused_and_said() {
-    let mut bricks = Bricks::new(Arc::new(Rule::new([10, 20, 30], 4)), 64).unwrap();
+    let mut bricks = BrickCache::new(Arc::new(Rule::new([10, 20, 30], 4)), 64).unwrap();
     let said = bricks.sample([0, 20, 0]).unwrap_err().to_string();
     assert!(
         said.contains("crossline") && said.contains("0 to 19"),
@@ -125,12 +125,12 @@ fn what_is_not_there_is_refused_and_said() {
             actual: 4
         })
     ));
-    assert_eq!(bricks.counters().read, 0);
+    assert_eq!(bricks.stats().read, 0);
 }
 
 #[test]
 fn a_budget_below_a_brick_is_refused() {
-    let small = Bricks::new(Arc::new(Rule::new([10; 3], 4)), 63);
+    let small = BrickCache::new(Arc::new(Rule::new([10; 3], 4)), 63);
     assert!(matches!(
         small.err(),
         Some(SubsurfaceError::SmallBudget {

@@ -8,7 +8,7 @@ mod volume_rule;
 use std::path::Path;
 use std::sync::Arc;
 
-use antumbra_subsurface::{Axis, Bricks, VolumeFile, write_volume};
+use antumbra_subsurface::{Axis, BrickCache, VolumeFile, write_volume};
 use volume_rule::{Rule, sample_at};
 
 /// Bytes of a mapped file that are in memory on this process' account.
@@ -29,7 +29,7 @@ fn a_file_ten_times_the_budget_stays_within_it() {
     let path = folder.path().join("large.volume");
     write_volume(&path, "large", &rule, &mut |_, _| {}).unwrap();
     let budget = all / 10;
-    let mut bricks = Bricks::new(Arc::new(VolumeFile::open(&path).unwrap()), budget).unwrap();
+    let mut bricks = BrickCache::new(Arc::new(VolumeFile::open(&path).unwrap()), budget).unwrap();
     let mut samples = vec![0; 256 * 256];
     for z in 0..320 {
         (bricks.section(Axis::Time, z, [0..256, 0..256], &mut samples)).unwrap();
@@ -38,9 +38,9 @@ fn a_file_ten_times_the_budget_stays_within_it() {
             samples.iter().copied().eq(places.map(sample_at)),
             "time {z}"
         );
-        assert!(bricks.counters().bytes <= budget);
+        assert!(bricks.stats().bytes <= budget);
     }
-    assert!(bricks.counters().peak_bytes <= budget);
+    assert!(bricks.stats().peak_bytes <= budget);
     // The header's page, and what the system maps around it.
     let held = mapped(&path);
     assert!(

@@ -36,7 +36,7 @@ mod shown;
 use std::path::Path;
 use std::sync::Arc;
 
-use antumbra_formats::{Attachment, LoadOptions, load_with, save_glb_with};
+use antumbra_formats::{Attachment, LoadOptions, load_with_attachments, save_glb_with_attachments};
 use antumbra_scene::{EntityKey, Scene};
 use glam::{DVec2, DVec3};
 
@@ -72,7 +72,7 @@ impl PreparedScene {
     /// # Errors
     /// [`TerrainError::Load`], [`TerrainError::NotPrepared`], and as [`Terrain::read`].
     pub fn load(path: &Path, options: &LoadOptions) -> Result<Self, TerrainError> {
-        let loaded = load_with(path, options, &[EXTENSION])?;
+        let loaded = load_with_attachments(path, options, &[EXTENSION])?;
         let attachment = loaded.attachments.into_iter().next();
         let attachment = attachment.ok_or(TerrainError::NotPrepared)??;
         let (terrain, shown) = Terrain::read(&loaded.scene, &attachment)?;
@@ -118,11 +118,11 @@ impl Terrain {
         path: &Path,
     ) -> Result<(), TerrainError> {
         shown::agrees(self, scene, shown)?;
-        save_glb_with(scene, &[self.attachment(shown)?], path)?;
+        save_glb_with_attachments(scene, &[self.attachment(shown)?], path)?;
         Ok(())
     }
 
-    /// All that is known of the terrain and of who shows what of it, for [`save_glb_with`].
+    /// All that is known of the terrain and of who shows what of it, for [`save_glb_with_attachments`].
     ///
     /// # Errors
     /// [`TerrainError::BadFile`] for a block with a margin: a file holds nothing of the neighbours that it rests on.
@@ -178,7 +178,7 @@ impl Terrain {
         Ok(Attachment {
             name: EXTENSION.to_owned(),
             entities,
-            facts: layout.facts(),
+            properties: layout.facts(),
             bytes: out.bytes,
         })
     }
@@ -192,7 +192,7 @@ impl Terrain {
         scene: &Scene,
         attachment: &Attachment,
     ) -> Result<(Self, ShownTerrain), TerrainError> {
-        let layout = Layout::read(&attachment.facts)?;
+        let layout = Layout::read(&attachment.properties)?;
         layout.fits(attachment.bytes.len())?;
         let mut rest = Reader::new(&attachment.bytes);
         let origin = rest.row(1)?.into_iter().next().unwrap_or_default();

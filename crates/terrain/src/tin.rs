@@ -36,7 +36,7 @@ impl Field {
         if let Some(problem) = raster.problem() {
             return Err(bad(problem));
         }
-        if raster.middle().is_none() {
+        if raster.centre().is_none() {
             return Err(bad("every node is unknown".to_owned()));
         }
         let setting = |what, value: String, problem| {
@@ -93,8 +93,8 @@ fn full(raster: &Raster) -> Result<Field, TerrainError> {
 
 /// Metres east, north and up; NaN up where nothing is known.
 fn place(raster: &Raster, column: u32, row: u32) -> DVec3 {
-    let height = raster.at(column, row).map_or(f64::NAN, f64::from);
-    raster.plan(column, row).extend(height)
+    let height = raster.elevation_at(column, row).map_or(f64::NAN, f64::from);
+    raster.plan_position(column, row).extend(height)
 }
 
 /// A field of the triangles whose corners are known.
@@ -139,7 +139,7 @@ impl<'a> Greedy<'a> {
         let at = |column: i64, row: i64| {
             let inside = (0..size[0]).contains(&column) && (0..size[1]).contains(&row);
             inside
-                .then(|| raster.at(column as u32, row as u32))
+                .then(|| raster.elevation_at(column as u32, row as u32))
                 .flatten()
         };
         let known = raster.elevation.iter().map(|height| f64::from(*height));

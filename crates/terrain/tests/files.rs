@@ -170,8 +170,8 @@ fn a_file_of_the_first_version_has_one_reach() {
     let mut scene = Scene::new();
     let shown = terrain.show_lit(&mut scene).unwrap();
     let mut said = terrain.attachment(&shown).unwrap();
-    said.facts.insert("version".to_owned(), 1.into());
-    said.facts.remove("reaches");
+    said.properties.insert("version".to_owned(), 1.into());
+    said.properties.remove("reaches");
     let (read, _) = Terrain::read(&scene, &said).unwrap();
     assert!(read.groups() == terrain.groups());
 }
@@ -195,7 +195,7 @@ fn facts_that_cannot_be_are_refused() {
     assert!(Terrain::read(&MADE.scene, &MADE.said).is_ok());
     let set = |name: &'static str, value: serde_json::Value| {
         move |_: &mut Scene, said: &mut Attachment| {
-            said.facts.insert(name.to_owned(), value);
+            said.properties.insert(name.to_owned(), value);
         }
     };
     refuses("version 3", set("version", 3.into()));
@@ -211,7 +211,7 @@ fn facts_that_cannot_be_are_refused() {
     refuses("where it counts", set("reaches", 3.into()));
     refuses("where it counts", set("version", 1.into()));
     refuses("no number \"reaches\"", |_, said| {
-        said.facts.remove("reaches");
+        said.properties.remove("reaches");
     });
     for name in [
         "vertices",
@@ -228,7 +228,7 @@ fn facts_that_cannot_be_are_refused() {
         refuses("where it counts", set(name, 0.into()));
         refuses("no number", set(name, (-1).into()));
         refuses("no number", set(name, 1.5.into()));
-        refuses("no number", |_, said| drop(said.facts.remove(name)));
+        refuses("no number", |_, said| drop(said.properties.remove(name)));
     }
     refuses("where it counts", |_, said| said.bytes.truncate(100));
     refuses("where it counts", |_, said| said.bytes.clear());
@@ -467,9 +467,9 @@ proptest! {
         } else {
             bytes[at] ^= flip;
         }
-        let format = antumbra_formats::Format::Gltf;
+        let format = antumbra_formats::SceneFormat::Gltf;
         let options = LoadOptions::default();
-        let loaded = antumbra_formats::load_slice_with(format, &bytes, None, &options, &[EXTENSION]);
+        let loaded = antumbra_formats::load_slice_with_attachments(format, &bytes, None, &options, &[EXTENSION]);
         prop_assert!(!(cut && loaded.is_ok()));
         for found in loaded.map(|loaded| (loaded.scene, loaded.attachments)).into_iter() {
             let (scene, attachments) = found;

@@ -74,9 +74,9 @@ fn no_post_is_farther_away_than_asked_for() {
         let ground = Ground::new(&field);
         for row in 0..raster.rows {
             for column in 0..raster.columns {
-                let place = raster.plan(column, row) - field.origin().truncate();
+                let place = raster.plan_position(column, row) - field.origin().truncate();
                 let (_, height) = ground.below(&field, place).unwrap();
-                let post = f64::from(raster.at(column, row).unwrap()) - field.origin().z;
+                let post = f64::from(raster.elevation_at(column, row).unwrap()) - field.origin().z;
                 assert!((height - post).abs() <= error + 1e-3);
             }
         }
@@ -111,11 +111,11 @@ fn unknown_posts_are_holes_with_their_whole_rim() {
         let ground = Ground::new(&field);
         for row in 0..33 {
             for column in 0..33 {
-                let place = raster.plan(column, row) - field.origin().truncate();
+                let place = raster.plan_position(column, row) - field.origin().truncate();
                 let below = ground.below(&field, place);
                 assert_eq!(
                     below.is_some(),
-                    raster.at(column, row).is_some(),
+                    raster.elevation_at(column, row).is_some(),
                     "{column} {row}"
                 );
             }

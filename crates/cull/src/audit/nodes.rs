@@ -5,7 +5,7 @@ use std::sync::Arc;
 use antumbra_draw::patches::{Cover, MARK_BYTES, PATCH_BYTES, PATCH_SIDE, PatchList, patch_pass};
 use antumbra_draw::{Detail, PipelineKind, SceneTable, ViewFrame};
 use antumbra_graph::{BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext, HostRef};
-use antumbra_scene::hierarchy::Shape;
+use antumbra_scene::hierarchy::HierarchyShape;
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
@@ -229,10 +229,14 @@ impl FrameGraph<'_> {
 
     /// A tree that is kept anyway, or one of boxes, which the audit has to pay for.
     fn any_tree(&mut self, view: &ViewNodes) -> Host<Tree> {
-        let kept = [Shape::Divided, Shape::Boxes, Shape::Groups]
-            .into_iter()
-            .find(|shape| self.keeps_tree(*shape));
-        self.tree_for(view, kept.unwrap_or(Shape::Boxes), AUDIT)
+        let kept = [
+            HierarchyShape::Divided,
+            HierarchyShape::Bvh,
+            HierarchyShape::Groups,
+        ]
+        .into_iter()
+        .find(|shape| self.keeps_tree(*shape));
+        self.tree_for(view, kept.unwrap_or(HierarchyShape::Bvh), AUDIT)
     }
 }
 

@@ -14,12 +14,11 @@ mod stage;
 mod volume;
 mod wells;
 
-pub use fault::Fault;
-pub use stage::View;
+pub use fault::ModelFault;
+pub use stage::{FlightPoint, ModelLight, Viewpoint};
 pub use volume::ModelVolume;
 pub use wells::Well;
 
-use antumbra_scene::Light;
 use antumbra_subsurface::{SubsurfaceError, Surface};
 use fault::displace;
 use glam::{DVec2, DVec3};
@@ -62,7 +61,7 @@ impl Default for ModelOptions {
 pub struct Model {
     options: ModelOptions,
     layers: Layers,
-    faults: Vec<Fault>,
+    faults: Vec<ModelFault>,
 }
 
 impl Model {
@@ -103,7 +102,7 @@ impl Model {
 
     /// The faults, oldest first.
     #[must_use]
-    pub fn faults(&self) -> &[Fault] {
+    pub fn faults(&self) -> &[ModelFault] {
         &self.faults
     }
 
@@ -161,20 +160,20 @@ impl Model {
 
     /// Two lamps above the field and where they are, with intensities for its size.
     #[must_use]
-    pub fn lights(&self) -> [(DVec3, Light); 2] {
+    pub fn lights(&self) -> [ModelLight; 2] {
         stage::lights()
     }
 
     /// `open`, from above the cut-outs with many layers in sight, and `occluded`, from where the upper horizons and the
     /// slices hide most.
     #[must_use]
-    pub fn views(&self) -> [View; 2] {
+    pub fn views(&self) -> [Viewpoint; 2] {
         stage::views()
     }
 
     /// A closed flight around and into the model: eye and target of each control point.
     #[must_use]
-    pub fn flight(&self) -> Vec<(DVec3, DVec3)> {
+    pub fn flight(&self) -> Vec<FlightPoint> {
         stage::flight(self)
     }
 

@@ -4,7 +4,7 @@
 use super::boundary::{self, Surface};
 use super::document::{CityObject, Document, Geometry as Source, Transform};
 use super::look::{self, Looks};
-use super::surface::{MOST_CORNERS, Triangulator};
+use super::surface::{MAX_CORNERS, Triangulator};
 use super::tree::Tree;
 use super::{broken, shorten};
 use crate::budget::Budget;
@@ -192,9 +192,9 @@ impl<'a> Placer<'a> {
         let is_tinted = shapes.iter().any(|shape| shape.is_tinted);
         let mut level = Geometry::default();
         for (surface, tint) in surfaces() {
-            if corners(surface) > MOST_CORNERS {
+            if corners(surface) > MAX_CORNERS {
                 let problem = format!(
-                    "a surface has {} corners; at most {MOST_CORNERS} are read: divide it",
+                    "a surface has {} corners; at most {MAX_CORNERS} are read: divide it",
                     corners(surface)
                 );
                 return Err(broken(site.name(id), problem));

@@ -18,10 +18,10 @@ pub(super) struct Triangulator {
 
 /// The most corners a surface may have. Clipping ears takes a time that grows with their square where the rings cross each
 /// other; here it is seconds.
-pub(super) const MOST_CORNERS: usize = 1 << 13;
+pub(super) const MAX_CORNERS: usize = 1 << 13;
 
 /// A surface with a smaller area than this part of the square of its extent is a line.
-const LEAST_AREA: f64 = 1e-12;
+const MIN_AREA: f64 = 1e-12;
 
 impl Triangulator {
     pub(super) fn new() -> Self {
@@ -118,7 +118,7 @@ fn normal(ring: &[DVec3]) -> Option<DVec3> {
         extent = extent.max(corner.length_squared());
         before = corner;
     }
-    (sum.length() > extent * LEAST_AREA).then(|| sum.normalize())
+    (sum.length() > extent * MIN_AREA).then(|| sum.normalize())
 }
 
 /// A point seen against the normal along the closest axis: what runs counter-clockwise about the normal still does.

@@ -95,7 +95,7 @@ pub enum SaveProblem {
 /// [`SaveProblem::TooLarge`] beyond 4 GiB, a number of a material that is not finite, a uv transform that shears,
 /// an off-axis camera (glTF has none, and a camera on the axis would see something else), and what the system says.
 pub fn save_glb(scene: &Scene, path: &Path) -> Result<(), SaveError> {
-    save_glb_with(scene, &[], path)
+    save_glb_with_attachments(scene, &[], path)
 }
 
 /// As [`save_glb`], with what others have to say of the scene.
@@ -103,7 +103,7 @@ pub fn save_glb(scene: &Scene, path: &Path) -> Result<(), SaveError> {
 /// # Errors
 /// As [`save_glb`]; [`SaveProblem::BadAttachment`] for one whose name is taken, that speaks of an entity which is not in the scene, or has facts
 /// of names that are not theirs.
-pub fn save_glb_with(
+pub fn save_glb_with_attachments(
     scene: &Scene,
     attachments: &[Attachment],
     path: &Path,

@@ -3,10 +3,10 @@
 use glam::DVec2;
 
 use super::Raster;
-use super::words::{Words, number, text};
+use super::text::{Tokens, decode, parse_number};
 
 pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
-    let text = text(bytes);
+    let text = decode(bytes);
     let (header, rest) = header(&text)?;
     let columns = header.count("ncols")?;
     let rows = header.count("nrows")?;
@@ -27,8 +27,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
     // What the format's own description gives for a raster without the line.
     let nodata = header.get("nodata_value").unwrap_or(-9999.0) as f32;
     // As f32, since some write the header's number with fewer digits than the values.
-    let values = Words::new(rest)
-        .field(columns, rows, rest.len(), |value| value as f32 == nodata)
+    let values = Tokens::new(rest)
+        .grid(columns, rows, rest.len(), |value| value as f32 == nodata)
         .map_err(|problem| format!("after the header of {} lines: {problem}", header.lines))?;
     Ok(Raster {
         columns,
@@ -70,7 +70,7 @@ fn header(text: &str) -> Result<(Header<'_>, &str), String> {
     };
     let mut rest = text;
     // `nan` and `inf` are values, and no keys of any raster.
-    let is_key = |word: &str| number(word).is_none();
+    let is_key = |word: &str| parse_number(word).is_none();
     while header.lines < 16 {
         let (line, after) = rest.split_once('\n').unwrap_or((rest, ""));
         let mut words = line.split_whitespace();
@@ -79,7 +79,7 @@ fn header(text: &str) -> Result<(Header<'_>, &str), String> {
         };
         header.lines += 1;
         let value = words.next().unwrap_or_default();
-        let parsed = number(value)
+        let parsed = parse_number(value)
             .ok_or_else(|| format!("line {}: {key} is `{value}`, no number", header.lines))?;
         header.keys.push((key, parsed));
         rest = after;

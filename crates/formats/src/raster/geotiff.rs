@@ -7,11 +7,11 @@ use tiff::decoder::{Decoder, DecodingResult, Limits};
 use tiff::tags::Tag;
 
 use super::Raster;
-use super::words::{nodes, number};
+use super::text::{node_count, parse_number};
 
 /// Bytes of a decoded raster, and how many of them a byte of a compressed one can stand for.
-const MOST_BYTES: usize = 1 << 30;
-const MOST_PACKED: usize = 4096;
+const MAX_BYTES: usize = 1 << 30;
+const MAX_PACKED: usize = 4096;
 
 /// Numbers of keys in the directory that GeoTIFF keeps in a tag of its own, and of their values.
 const MODEL_TYPE: u16 = 1024;
@@ -22,14 +22,14 @@ const PIXEL_IS_POINT: u16 = 2;
 pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
     let text = |error: tiff::TiffError| error.to_string();
     let mut limits = Limits::default();
-    limits.decoding_buffer_size = MOST_BYTES;
-    limits.intermediate_buffer_size = MOST_BYTES;
+    limits.decoding_buffer_size = MAX_BYTES;
+    limits.intermediate_buffer_size = MAX_BYTES;
     let mut file = Decoder::new(Cursor::new(bytes))
         .map_err(text)?
         .with_limits(limits);
     let (columns, rows) = file.dimensions().map_err(text)?;
-    let most = bytes.len().saturating_mul(MOST_PACKED).min(MOST_BYTES);
-    let nodes = nodes(columns, rows, most)?;
+    let most = bytes.len().saturating_mul(MAX_PACKED).min(MAX_BYTES);
+    let nodes = node_count(columns, rows, most)?;
     let samples = file.find_tag_unsigned::<u16>(Tag::SamplesPerPixel);
     let bands = samples.map_err(text)?.unwrap_or(1);
     if bands != 1 {
@@ -37,7 +37,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
     }
     let placed = Placed::of(&mut file)?;
     let nodata = file.get_tag_ascii_string(Tag::GdalNodata).ok();
-    let nodata = nodata.and_then(|text| number(text.trim_matches(['\0', ' '])));
+    let nodata = nodata.and_then(|text| parse_number(text.trim_matches(['\0', ' '])));
     // As f32, since the tag is text, with as many digits as its writer saw fit.
     let nodata = nodata.map(|value| value as f32);
     let height = |value: f64| match nodata == Some(value as f32) {

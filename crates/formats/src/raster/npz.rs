@@ -11,13 +11,13 @@ use glam::DVec2;
 use zip::ZipArchive;
 
 use super::Raster;
-use super::words::nodes;
+use super::text::node_count;
 
 /// Bytes of a decoded array, and how many of them a byte of a compressed one can stand for.
-const MOST_BYTES: u64 = 1 << 30;
-const MOST_PACKED: u64 = 1100;
+const MAX_BYTES: u64 = 1 << 30;
+const MAX_PACKED: u64 = 1100;
 /// The most numbers of an array.
-const MOST_NUMBERS: usize = 1 << 27;
+const MAX_NUMBERS: usize = 1 << 27;
 /// Metres of a degree on a great circle.
 const DEGREE: f64 = 6_371_008.8 * std::f64::consts::PI / 180.0;
 
@@ -39,8 +39,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
         };
         let most = entry
             .compressed_size()
-            .saturating_mul(MOST_PACKED)
-            .min(MOST_BYTES);
+            .saturating_mul(MAX_PACKED)
+            .min(MAX_BYTES);
         let size = entry.size();
         if size > most {
             return Err(format!(
@@ -101,9 +101,9 @@ pub(super) fn array(bytes: &[u8]) -> Result<Array, String> {
             data.len()
         ));
     }
-    if data.len() / size > MOST_NUMBERS {
+    if data.len() / size > MAX_NUMBERS {
         return Err(format!(
-            "an array of {shape:?} has more than {MOST_NUMBERS} numbers; cut it into parts"
+            "an array of {shape:?} has more than {MAX_NUMBERS} numbers; cut it into parts"
         ));
     }
     let values = data.chunks_exact(size).map(read).collect();
@@ -138,7 +138,7 @@ fn raster(arrays: &[(String, Array)]) -> Result<Raster, String> {
     };
     let size = |of: usize| u32::try_from(heights.shape[of]).map_err(|error| error.to_string());
     let (rows, columns) = (size(0)?, size(1)?);
-    nodes(columns, rows, heights.values.len())?;
+    node_count(columns, rows, heights.values.len())?;
     let named = |names: &[&str]| {
         let mut found = arrays.iter().filter(|(name, array)| {
             names.iter().any(|known| known.eq_ignore_ascii_case(name)) && !array.values.is_empty()

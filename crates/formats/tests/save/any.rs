@@ -26,7 +26,7 @@ prop_compose! {
         // Every vertex is used: a reader need not keep others.
         let mut indices: Vec<u32> = (0..positions.len() as u32).collect();
         indices.extend(&more);
-        indices.truncate(positions.len().next_multiple_of(topology.indices_each()));
+        indices.truncate(positions.len().next_multiple_of(topology.indices_per_primitive()));
         Geometry { topology, positions, normals: Vec::new(), uvs, colours, indices }
     }
 }

@@ -55,7 +55,7 @@ pub fn assert_same(a: &Scene, b: &Scene) {
     let lights = |scene: &Scene| -> Vec<(String, Light)> {
         let lights = scene.lights();
         let mut lights: Vec<_> = lights
-            .map(|(e, light, _)| (scene.entity_name(e).to_owned(), light))
+            .map(|placed| (scene.entity_name(placed.entity).to_owned(), placed.light))
             .collect();
         lights.sort_by(|a, b| a.0.cmp(&b.0));
         lights

@@ -1,6 +1,6 @@
 //! What was handed in, checked and tidied: no rings, no empty groups, no groups of one.
 
-use super::{Branches, HierarchyError, NONE};
+use super::{GroupTree, GroupedLeaf, HierarchyError, NONE};
 use crate::bounds::Aabb;
 
 /// A member of a group.
@@ -25,7 +25,7 @@ pub(super) struct Tidy {
 impl Tidy {
     /// Checks and tidies. Without `grouped` all leaves are members of one group.
     pub(super) fn new(
-        branches: Branches<'_>,
+        branches: GroupTree<'_>,
         grouped: bool,
         bounds: &impl Fn(u32) -> Aabb,
     ) -> Result<Self, HierarchyError> {
@@ -38,20 +38,20 @@ impl Tidy {
             false => count,
         };
         let mut seen = Vec::new();
-        for &(leaf, group) in branches.leaves {
+        for &GroupedLeaf { leaf, group } in branches.leaves {
             known("leaf", leaf, group, count)?;
             let own = bounds(leaf);
             if own == Aabb::EMPTY {
                 continue;
             }
             if own.is_empty() || !own.is_finite() {
-                return Err(HierarchyError::InsideOut { leaf, bounds: own });
+                return Err(HierarchyError::InvalidBounds { leaf, bounds: own });
             }
             if seen.len() <= leaf as usize {
                 seen.resize(leaf as usize + 1, false);
             }
             if std::mem::replace(&mut seen[leaf as usize], true) {
-                return Err(HierarchyError::Twice { leaf });
+                return Err(HierarchyError::DuplicateLeaf { leaf });
             }
             members[place(group)].push((Member::Leaf(leaf), own));
         }

@@ -1,7 +1,7 @@
 //! Wide groups divided by a bounding volume hierarchy over their members: parallel locally ordered clustering (Meister and Bittner, 2018),
 //! as the crate `obvhs` builds it, its pairs gathered into nodes of a few children.
 
-use super::Shape;
+use super::HierarchyShape;
 use super::branches::{Member, Members, Tidy};
 use crate::bounds::Aabb;
 use glam::{DVec3, Vec3A};
@@ -11,7 +11,7 @@ use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
 /// Children of a node that comes of a division: with fewer, more boxes are asked about on the way down; with more, more in vain.
 const CHILDREN: usize = 4;
 
-/// Divides every group with more than [`Shape::WIDE`] members.
+/// Divides every group with more than [`HierarchyShape::MAX_UNDIVIDED`] members.
 pub(super) fn divide(tidy: &mut Tidy) {
     let mut builder = PlocBuilder::new();
     let groups = std::mem::take(&mut tidy.groups);
@@ -26,7 +26,7 @@ pub(super) fn divide(tidy: &mut Tidy) {
         for (member, _) in &mut members {
             renumber(member, &renumbered);
         }
-        let members = match members.len() > Shape::WIDE {
+        let members = match members.len() > HierarchyShape::MAX_UNDIVIDED {
             true => divided(tidy, &mut builder, &members),
             false => members,
         };

@@ -35,7 +35,7 @@ impl Hierarchy {
 
     /// Whether so much came, went or moved that a tree made anew would be a better one.
     #[must_use]
-    pub fn is_worn(&self) -> bool {
+    pub fn needs_rebuild(&self) -> bool {
         let loose = self.nodes.len() as u32 - self.loose_from;
         let changed = loose + self.gone;
         (changed > 64 && changed > self.loose_from / 8) || self.area > self.area_when_made * 2.0

@@ -8,7 +8,7 @@ use slotmap::SecondaryMap;
 
 /// What changed among the drawable entities since the last [`Scene::update`], each list in arena order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Changes {
+pub struct SceneChanges {
     /// Became drawable, or got another mesh, material or role in tests (then also in `removed`).
     pub added: Vec<EntityKey>,
     /// Are no longer drawable or gone, or got another mesh, material or role in tests.
@@ -16,21 +16,21 @@ pub struct Changes {
     /// Were drawable and stay so, but stand elsewhere.
     pub moved: Vec<EntityKey>,
     /// Hang below another parent, or below none; drawable or not.
-    pub rehung: Vec<EntityKey>,
+    pub reparented: Vec<EntityKey>,
     /// Images that hold other pixels now.
     pub images: Vec<ImageKey>,
     /// Whether the scene has another environment, or none any more. One whose image was repainted is the same: see `images`.
     pub environment: bool,
 }
 
-impl Changes {
+impl SceneChanges {
     /// Whether nothing changed.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.added.is_empty()
             && self.removed.is_empty()
             && self.moved.is_empty()
-            && self.rehung.is_empty()
+            && self.reparented.is_empty()
             && self.images.is_empty()
             && !self.environment
     }
@@ -49,15 +49,15 @@ pub(super) struct Ledger {
     reported: SecondaryMap<EntityKey, Shown>,
     touched: Vec<EntityKey>,
     gone: Vec<EntityKey>,
-    rehung: Vec<EntityKey>,
+    reparented: Vec<EntityKey>,
     repainted: Vec<ImageKey>,
     surrounded: bool,
 }
 
 impl Ledger {
     /// The entity hangs below another parent.
-    pub(super) fn rehung(&mut self, entity: EntityKey) {
-        self.rehung.push(entity);
+    pub(super) fn reparented(&mut self, entity: EntityKey) {
+        self.reparented.push(entity);
     }
 
     /// The image got other pixels.
@@ -85,22 +85,22 @@ impl Ledger {
 
 impl Scene {
     /// Brings world transforms and boxes up to date and says what changed since the last call.
-    pub fn update(&mut self) -> Changes {
+    pub fn update(&mut self) -> SceneChanges {
         let moved = self.propagate();
         let Ledger {
             reported,
             touched,
             gone,
-            rehung,
+            reparented,
             repainted,
             surrounded,
         } = &mut self.ledger;
-        let mut changes = Changes {
+        let mut changes = SceneChanges {
             removed: std::mem::take(gone),
-            rehung: std::mem::take(rehung),
+            reparented: std::mem::take(reparented),
             images: std::mem::take(repainted),
             environment: std::mem::take(surrounded),
-            ..Changes::default()
+            ..SceneChanges::default()
         };
         // Only who looks as before counts as moved; who looks different is removed and added.
         let shown = |entity: EntityKey| {
@@ -147,10 +147,10 @@ impl Scene {
             }
         }
         changes
-            .rehung
+            .reparented
             .retain(|entity| self.links.get(*entity).is_some());
-        changes.rehung.sort_unstable();
-        changes.rehung.dedup();
+        changes.reparented.sort_unstable();
+        changes.reparented.dedup();
         changes.removed.sort_unstable();
         changes.images.sort_unstable();
         changes.images.dedup();

@@ -9,6 +9,17 @@ use crate::light::Light;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 use slotmap::Key;
 
+/// A light of a scene and where it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlacedLight {
+    /// The entity that carries the light.
+    pub entity: EntityKey,
+    /// The light. It shines from the entity's origin, along the entity's -Z.
+    pub light: Light,
+    /// The transform from the entity's frame to the world.
+    pub world: DAffine3,
+}
+
 impl Scene {
     /// Gives an entity a mesh and a material, or others.
     ///
@@ -116,11 +127,16 @@ impl Scene {
     }
 
     /// Every light with its entity's place in the world, in arena order.
-    pub fn lights(&self) -> impl Iterator<Item = (EntityKey, Light, DAffine3)> + '_ {
+    pub fn lights(&self) -> impl Iterator<Item = PlacedLight> + '_ {
         let mut lights: Vec<_> = self.lights.iter().collect();
         lights.sort_unstable_by_key(|(entity, _)| *entity);
-        (lights.into_iter())
-            .filter_map(|(entity, light)| Some((entity, *light, self.world(entity)?)))
+        (lights.into_iter()).filter_map(|(entity, light)| {
+            Some(PlacedLight {
+                entity,
+                light: *light,
+                world: self.world(entity)?,
+            })
+        })
     }
 
     /// Gives an entity a camera whose pose is relative to the entity.

@@ -1,7 +1,7 @@
 //! The settings of the strategies with occupancy maps.
 
 use antumbra_cull::{Latency, Parameter, shortest};
-use antumbra_scene::hierarchy::Shape;
+use antumbra_scene::hierarchy::HierarchyShape;
 
 use super::{Occupancy, OccupancyMaps};
 
@@ -22,10 +22,10 @@ pub(super) const OF_BATCHES: [&str; 3] = ["least-seen", "together", "worth"];
 pub(super) const PARAMETERS: &[Parameter<Occupancy>] = &[
     Parameter::words(
         "tree",
-        Shape::WORDS,
+        HierarchyShape::WORDS,
         "the scene's groups, a bounding volume hierarchy, or groups whose wide ones are divided",
         |s| s.tree.word(),
-        |s, at| s.tree = Shape::ALL[at],
+        |s, at| s.tree = HierarchyShape::ALL[at],
     ),
     Parameter::whole(
         "block",

@@ -2,7 +2,7 @@
 
 use antumbra_draw::boxes::{SubmittedBoxes, box_query_pass};
 use antumbra_graph::BufferDesc;
-use antumbra_scene::hierarchy::Shape;
+use antumbra_scene::hierarchy::HierarchyShape;
 
 use super::late_walk::{AskedNodes, LateWalk};
 use super::looking::Looking;
@@ -16,7 +16,7 @@ use antumbra_draw::passes::Submitted;
 pub fn frame_late(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
-    shape: Shape,
+    shape: HierarchyShape,
     how: How,
 ) -> VisibleSet {
     let looking = Looking::new(g, view, shape, how);

@@ -4,7 +4,7 @@ use antumbra_draw::passes::ViewInputs;
 use antumbra_draw::{Class, ViewFrame};
 use antumbra_graph::{BodyError, Host, HostBuilder, HostContext};
 use antumbra_scene::Topology;
-use antumbra_scene::hierarchy::Shape;
+use antumbra_scene::hierarchy::HierarchyShape;
 
 use super::left::Left;
 use super::sight::Sight;
@@ -24,7 +24,7 @@ pub(super) struct Looking {
 }
 
 impl Looking {
-    pub fn new(g: &mut FrameGraph<'_>, view: &ViewNodes, shape: Shape, how: How) -> Self {
+    pub fn new(g: &mut FrameGraph<'_>, view: &ViewNodes, shape: HierarchyShape, how: How) -> Self {
         let line_like = |class: Class| class.topology() != Topology::Triangles;
         let thin = g.scene_layout().classes().any(line_like);
         let tree = g.tree(view, shape);

@@ -4,7 +4,7 @@ use antumbra_draw::boxes::{SubmittedBoxes, box_query_pass};
 use antumbra_draw::passes::{self, Submitted};
 use antumbra_draw::{Detail, DrawList, SceneTable};
 use antumbra_graph::{BufferDesc, Host};
-use antumbra_scene::hierarchy::Shape;
+use antumbra_scene::hierarchy::HierarchyShape;
 
 use super::looking::Looking;
 use super::walk::{Asking, How, Order, Walk};
@@ -23,7 +23,7 @@ struct Ends {
 pub fn same_frame(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
-    shape: Shape,
+    shape: HierarchyShape,
     how: How,
 ) -> VisibleSet {
     let looking = Looking::new(g, view, shape, how);

@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 
-use super::Grid;
+use super::CornerPointGrid;
 use crate::assemble;
 use crate::error::SubsurfaceError;
 use crate::read::Progress;
@@ -13,7 +13,7 @@ use crate::surface::{Surface, SurfaceKind};
 /// Metres; heights on a pillar that differ by less are one corner.
 const AGREE: f64 = 1e-3;
 
-impl Grid {
+impl CornerPointGrid {
     /// The top of every layer and the base of the lowest, from the top down; those without an active cell are left out. A cell's top is
     /// there where the cell is active, or else the base of the cell above it where that one is.
     ///
@@ -71,7 +71,7 @@ impl Grid {
 type Parts = (Vec<DVec3>, Vec<[u32; 3]>, Vec<[f32; 2]>);
 
 struct Border<'a> {
-    grid: &'a Grid,
+    grid: &'a CornerPointGrid,
     /// The border is the base of this layer and the top of the one before it.
     above: u32,
     is_mirrored: bool,
@@ -85,7 +85,7 @@ struct Border<'a> {
 const UNMADE: u32 = u32::MAX;
 
 impl<'a> Border<'a> {
-    fn new(grid: &'a Grid, above: u32) -> Self {
+    fn new(grid: &'a CornerPointGrid, above: u32) -> Self {
         Self {
             grid,
             above,

@@ -5,29 +5,29 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{CellProperty, Grid};
+use super::{CellProperty, CornerPointGrid};
 use crate::error::SubsurfaceError;
 use crate::read::Progress;
 use crate::volume::{BrickSource, VolumeLayout};
 
-/// Samples, and bytes, that a [`GridVolume`] may have: it is held in memory as a whole.
-pub const MOST_SAMPLES: u64 = 1 << 31;
+/// Samples, and bytes, that a [`PropertyVolume`] may have: it is held in memory as a whole.
+pub const MAX_SAMPLES: u64 = 1 << 31;
 
 /// Samples along an edge of a brick.
 const BRICK: u32 = 32;
 
 /// How many times over the cells may cover the plan, layer for layer, before they are taken to be no grid.
-const MOST_COVER: u64 = 64;
+const MAX_COVER: u64 = 64;
 
-/// A cell property on a regular grid, in memory: a byte a sample, [`MOST_SAMPLES`] at most.
+/// A cell property on a regular grid, in memory: a byte a sample, [`MAX_SAMPLES`] at most.
 #[derive(Debug, Clone, PartialEq)]
-pub struct GridVolume {
+pub struct PropertyVolume {
     name: String,
     layout: VolumeLayout,
     samples: Vec<u8>,
 }
 
-impl GridVolume {
+impl PropertyVolume {
     /// The property's name; may be empty.
     #[must_use]
     pub fn name(&self) -> &str {
@@ -45,7 +45,7 @@ impl GridVolume {
     }
 }
 
-impl BrickSource for GridVolume {
+impl BrickSource for PropertyVolume {
     fn layout(&self) -> &VolumeLayout {
         &self.layout
     }
@@ -68,11 +68,11 @@ impl BrickSource for GridVolume {
     }
 }
 
-impl Grid {
+impl CornerPointGrid {
     /// A property on `size` samples: the inline axis east, the crossline axis north, the third down, over the box around the active
     /// cells, each sample in the middle of its share. The range is that of the active cells' values.
     ///
-    /// Memory: a byte a sample, [`MOST_SAMPLES`] at most.
+    /// Memory: a byte a sample, [`MAX_SAMPLES`] at most.
     ///
     /// # Errors
     /// [`SubsurfaceError::BadLayout`] for a property of another grid, a size of zero or above the most, a grid without an active cell that
@@ -82,7 +82,7 @@ impl Grid {
         property: &CellProperty,
         size: [u32; 3],
         progress: Progress<'_>,
-    ) -> Result<GridVolume, SubsurfaceError> {
+    ) -> Result<PropertyVolume, SubsurfaceError> {
         let bad = |problem: String| SubsurfaceError::BadLayout { problem };
         if property.size != self.size || property.values.len() != self.corners.len() {
             return Err(bad(format!(
@@ -92,10 +92,10 @@ impl Grid {
         }
         let mut samples = size.iter().map(|&side| u64::from(side));
         let samples = samples.try_fold(1_u64, u64::checked_mul);
-        let samples = samples.filter(|samples| (1..=MOST_SAMPLES).contains(samples));
+        let samples = samples.filter(|samples| (1..=MAX_SAMPLES).contains(samples));
         let samples = samples.ok_or_else(|| {
             bad(format!(
-                "{size:?} samples; at least one along each axis and at most {MOST_SAMPLES} in all are possible"
+                "{size:?} samples; at least one along each axis and at most {MAX_SAMPLES} in all are possible"
             ))
         })?;
         let (layout, filled) = self.box_around(property, size).ok_or_else(|| {
@@ -105,7 +105,7 @@ impl Grid {
             ))
         })?;
         layout.validate()?;
-        let mut volume = GridVolume {
+        let mut volume = PropertyVolume {
             name: property.name.clone(),
             layout,
             samples: Vec::new(),
@@ -116,7 +116,7 @@ impl Grid {
         let plan = u64::from(size[0]) * u64::from(size[1]);
         // A cell's box in the plan is larger than the cell, by a sample at each side at least.
         let cover = plan * u64::from(self.size[2]) + 16 * filled + samples;
-        let mut budget = cover.saturating_mul(MOST_COVER);
+        let mut budget = cover.saturating_mul(MAX_COVER);
         for i in 0..self.size[0] {
             progress(u64::from(i), u64::from(self.size[0]));
             for (cell, value) in self.filled(property, i) {
@@ -126,7 +126,7 @@ impl Grid {
                 });
                 let Some(spent) = spent else {
                     return Err(bad(format!(
-                        "the cells cover the plan more than {MOST_COVER} times a layer; they are no grid"
+                        "the cells cover the plan more than {MAX_COVER} times a layer; they are no grid"
                     )));
                 };
                 budget -= spent;
@@ -186,7 +186,7 @@ impl Grid {
     }
 }
 
-impl GridVolume {
+impl PropertyVolume {
     /// What stands for a value within the range.
     fn byte(&self, value: f32) -> u8 {
         let [low, high] = self.layout.range.map(f64::from);
@@ -236,7 +236,7 @@ impl Prism {
     }
 
     /// Fills the samples inside; says how many it looked at, or nothing when they are more than it may.
-    fn fill(&self, byte: u8, volume: &mut GridVolume, budget: u64) -> Option<u64> {
+    fn fill(&self, byte: u8, volume: &mut PropertyVolume, budget: u64) -> Option<u64> {
         let [east, north, deep] = volume.layout.size;
         let mut spent = 0;
         for corners in TRIANGLES {

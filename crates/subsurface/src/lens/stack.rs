@@ -5,8 +5,8 @@ use antumbra_scene::{
 };
 use glam::{DMat3, DVec3};
 
-use super::Facing;
 use super::atlas::Atlas;
+use super::{AxisEnd, StackOrientation};
 use crate::error::SubsurfaceError;
 use crate::slice::picture;
 use crate::volume::{SampleBox, VolumeLayout};
@@ -67,11 +67,10 @@ impl Stack {
     }
 
     /// What to draw when the stack is looked at from one side.
-    pub(super) fn drawable(&self, facing: Facing) -> Drawable {
-        let mesh = if facing.from_first {
-            self.downwards
-        } else {
-            self.upwards
+    pub(super) fn drawable(&self, facing: StackOrientation) -> Drawable {
+        let mesh = match facing.eye_side {
+            AxisEnd::First => self.downwards,
+            AxisEnd::Last => self.upwards,
         };
         let material = self.material;
         Drawable { mesh, material }

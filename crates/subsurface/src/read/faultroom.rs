@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 use serde::Deserialize;
 
-use super::{Positive, triangles};
+use super::{ZPositive, triangles};
 use crate::surface::{Surface, SurfaceKind};
 
 #[derive(Deserialize)]
@@ -33,7 +33,7 @@ struct Shape {
 /// A surface for each fault, in the order in which the file first names them.
 pub(super) fn read(
     bytes: &[u8],
-    positive: Positive,
+    positive: ZPositive,
     kind: SurfaceKind,
 ) -> Result<Vec<Surface>, String> {
     let file: Collection = serde_json::from_slice(bytes).map_err(|error| error.to_string())?;

@@ -2,20 +2,20 @@
 
 use std::collections::HashMap;
 
-use antumbra_formats::raster::words::{number, text};
+use antumbra_formats::raster::text::{decode, parse_number};
 use glam::DVec3;
 
-use super::Positive;
+use super::ZPositive;
 use super::triangles;
 use crate::surface::{Surface, SurfaceKind};
 
 pub(super) fn read(
     bytes: &[u8],
     stem: &str,
-    positive: Option<Positive>,
+    positive: Option<ZPositive>,
     kind: SurfaceKind,
 ) -> Result<Vec<Surface>, String> {
-    let text = text(bytes);
+    let text = decode(bytes);
     let mut surfaces = Vec::new();
     let mut open: Option<Object> = None;
     for (line, words) in text.lines().enumerate() {
@@ -50,8 +50,8 @@ pub(super) fn read(
 struct Object {
     name: Option<String>,
     /// What the reader is told overrules what the file says.
-    told: Option<Positive>,
-    said: Positive,
+    told: Option<ZPositive>,
+    said: ZPositive,
     /// As the file has them.
     points: Vec<DVec3>,
     /// A vertex's number in the file, and its place among the points.
@@ -60,11 +60,11 @@ struct Object {
 }
 
 impl Object {
-    fn new(told: Option<Positive>) -> Self {
+    fn new(told: Option<ZPositive>) -> Self {
         Self {
             name: None,
             told,
-            said: Positive::Up,
+            said: ZPositive::Up,
             points: Vec::new(),
             numbers: HashMap::new(),
             triangles: Vec::new(),
@@ -81,8 +81,8 @@ impl Object {
             "ZPOSITIVE" => {
                 let which = words.next().unwrap_or_default();
                 self.said = match which.to_ascii_lowercase().as_str() {
-                    "depth" => Positive::Down,
-                    "elevation" => Positive::Up,
+                    "depth" => ZPositive::Down,
+                    "elevation" => ZPositive::Up,
                     _ => return Err(format!("ZPOSITIVE is `{which}`, not Depth or Elevation")),
                 };
             }
@@ -90,7 +90,7 @@ impl Object {
                 let id = id(words.next())?;
                 let mut coordinate = |axis: &str| {
                     let word = words.next().unwrap_or_default();
-                    let value = number(word).filter(|value| value.is_finite());
+                    let value = parse_number(word).filter(|value| value.is_finite());
                     value.ok_or_else(|| format!("vertex {id}: {axis} is `{word}`, no number"))
                 };
                 let point = DVec3::new(coordinate("x")?, coordinate("y")?, coordinate("z")?);

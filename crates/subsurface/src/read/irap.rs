@@ -3,11 +3,11 @@
 //! Three records of header (-996, rows, box, steps; columns, rotation and its centre; seven integers), then the values, columns
 //! fastest, in as many records as the writer liked.
 
-use antumbra_formats::raster::words::nodes;
+use antumbra_formats::raster::text::node_count;
 use antumbra_scene::Raster;
 use glam::DVec2;
 
-use super::Positive;
+use super::ZPositive;
 use super::bytes::Bytes;
 
 /// The first record's length and the format's number.
@@ -16,7 +16,7 @@ pub(super) const MAGIC: [u8; 8] = [0, 0, 0, 32, 0xff, 0xff, 0xfc, 0x1c];
 /// From here on a value means that there is none.
 pub(super) const UNDEFINED: f64 = 9_999_900.0;
 
-pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<Raster, String> {
+pub(super) fn read(bytes: &[u8], positive: ZPositive) -> Result<Raster, String> {
     if !bytes.starts_with(&MAGIC) {
         return Err("it does not begin with a record of 32 bytes and -996".into());
     }
@@ -30,7 +30,7 @@ pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<Raster, String> {
     let [degrees, centre_x, centre_y] = numbers(&mut turn_record)?;
     record(&mut file, Some(28), "the third record")?;
     let [columns, rows] = [columns, rows].map(|side| u32::try_from(side).unwrap_or_default());
-    let nodes = nodes(columns, rows, bytes.len() / 4)?;
+    let nodes = node_count(columns, rows, bytes.len() / 4)?;
     let mut elevation = Vec::with_capacity(nodes);
     while !file.is_at_end() {
         let at = file.at();
@@ -88,7 +88,7 @@ impl Placed {
 }
 
 /// The elevation of a value; NaN for an undefined one.
-pub(super) fn height(value: f64, positive: Positive) -> f32 {
+pub(super) fn height(value: f64, positive: ZPositive) -> f32 {
     if value >= UNDEFINED {
         f32::NAN
     } else {

@@ -1,15 +1,15 @@
 //! Irap ASCII surfaces: 19 numbers of header (`-996 rows step step`, the box, `columns rotation centre`, seven integers), then the values.
 
-use antumbra_formats::raster::words::{Words, text};
+use antumbra_formats::raster::text::{Tokens, decode};
 use antumbra_scene::Raster;
 use glam::DVec2;
 
-use super::Positive;
+use super::ZPositive;
 use super::irap::{Placed, height};
 
-pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<Raster, String> {
-    let text = text(bytes);
-    let mut words = Words::new(&text);
+pub(super) fn read(bytes: &[u8], positive: ZPositive) -> Result<Raster, String> {
+    let text = decode(bytes);
+    let mut words = Tokens::new(&text);
     if words.number("the format's number")? != -996.0 {
         return Err("it does not begin with -996".into());
     }
@@ -23,7 +23,7 @@ pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<Raster, String> {
     for _ in 0..7 {
         words.number("one of seven integers")?;
     }
-    let values = words.field(columns, rows, text.len(), |_| false)?;
+    let values = words.grid(columns, rows, text.len(), |_| false)?;
     let placed = Placed {
         corner: DVec2::new(west, south),
         steps,
@@ -34,6 +34,6 @@ pub(super) fn read(bytes: &[u8], positive: Positive) -> Result<Raster, String> {
     Ok(placed.field(columns, rows, heights.collect()))
 }
 
-fn pair(words: &mut Words<'_>, what: &str) -> Result<DVec2, String> {
+fn pair(words: &mut Tokens<'_>, what: &str) -> Result<DVec2, String> {
     Ok(DVec2::new(words.number(what)?, words.number(what)?))
 }

@@ -2,10 +2,10 @@
 
 use std::collections::HashMap;
 
-use antumbra_formats::raster::words::{number, text};
+use antumbra_formats::raster::text::{decode, parse_number};
 use glam::DVec3;
 
-use super::{Positive, Progress, ReadOptions, drape};
+use super::{Progress, ReadOptions, ZPositive, drape};
 use crate::assemble;
 use crate::surface::Surface;
 
@@ -35,7 +35,7 @@ pub(super) fn read(
             "a longest edge of {longest} m leaves no triangle; give a positive length"
         ));
     }
-    let text = text(bytes);
+    let text = decode(bytes);
     let mut table = csv::ReaderBuilder::new()
         .delimiter(separator(&text))
         .trim(csv::Trim::All)
@@ -97,7 +97,7 @@ struct Columns {
     east: usize,
     north: usize,
     third: usize,
-    positive: Positive,
+    positive: ZPositive,
     surface: Vec<usize>,
 }
 
@@ -116,8 +116,8 @@ impl Columns {
         };
         let (elevation, depth) = (any(&ELEVATION), any(&DEPTH));
         let custom = match (elevation, depth) {
-            (None, Some(_)) => Positive::Down,
-            _ => Positive::Up,
+            (None, Some(_)) => ZPositive::Down,
+            _ => ZPositive::Up,
         };
         let surface = match &options.surface_column {
             Some(name) => vec![find(name).ok_or_else(|| missing(&[name.as_str()]))?],
@@ -129,7 +129,7 @@ impl Columns {
             third: elevation
                 .or(depth)
                 .ok_or_else(|| missing(&[&ELEVATION[..], &DEPTH].concat()))?,
-            positive: options.positive.unwrap_or(custom),
+            positive: options.z_positive.unwrap_or(custom),
             surface,
         })
     }
@@ -144,7 +144,7 @@ impl Columns {
         let line = row.position().map_or(0, csv::Position::line);
         let coordinate = |at: usize, what: &str| {
             let word = row.get(at).unwrap_or("");
-            number(word).ok_or_else(|| format!("line {line}: {what} is `{word}`, no number"))
+            parse_number(word).ok_or_else(|| format!("line {line}: {what} is `{word}`, no number"))
         };
         let (x, y) = (coordinate(self.east, "x")?, coordinate(self.north, "y")?);
         let z = coordinate(self.third, "z")?;

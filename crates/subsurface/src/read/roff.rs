@@ -3,12 +3,12 @@
 //! A value here is still the file's own bytes (or, in ASCII, its words), so that what is declared has been held against what is there
 //! before memory is asked for.
 
-use antumbra_formats::raster::words::{number, text};
+use antumbra_formats::raster::text::{decode, parse_number};
 
 use super::bytes::Bytes;
 
 /// Keys in all tags together; real files have some dozens.
-const MOST_KEYS: usize = 1 << 16;
+const MAX_KEYS: usize = 1 << 16;
 
 /// A file's tags, in its order.
 pub(super) struct Roff<'a> {
@@ -118,7 +118,7 @@ impl<'a> Roff<'a> {
             return binary(bytes);
         }
         if bytes.trim_ascii_start().starts_with(b"roff-asc") {
-            return ascii(&text(bytes));
+            return ascii(&decode(bytes));
         }
         Err("it begins neither with `roff-bin` nor with `roff-asc`".into())
     }
@@ -149,8 +149,8 @@ impl<'a> Roff<'a> {
     }
 
     fn key(&mut self, name: String, value: Value<'a>, count: usize) -> Result<(), String> {
-        if count >= MOST_KEYS {
-            return Err(format!("it has more than {MOST_KEYS} keys"));
+        if count >= MAX_KEYS {
+            return Err(format!("it has more than {MAX_KEYS} keys"));
         }
         if let Some(tag) = self.tags.last_mut() {
             tag.keys.push((name, value));
@@ -159,8 +159,8 @@ impl<'a> Roff<'a> {
     }
 
     fn tag(&mut self, name: String) -> Result<(), String> {
-        if self.tags.len() >= MOST_KEYS {
-            return Err(format!("it has more than {MOST_KEYS} tags"));
+        if self.tags.len() >= MAX_KEYS {
+            return Err(format!("it has more than {MAX_KEYS} tags"));
         }
         let keys = Vec::new();
         self.tags.push(Tag { name, keys });
@@ -304,7 +304,7 @@ fn ascii(text: &str) -> Result<Roff<'static>, String> {
                 }
                 let value = |_| {
                     let word = words.next(name)?;
-                    let value = number(word).map(|value| value as f32);
+                    let value = parse_number(word).map(|value| value as f32);
                     value.ok_or_else(|| format!("tag {tag}: `{name}` has `{word}`, no number"))
                 };
                 let values = (0..count).map(value).collect::<Result<_, String>>()?;

@@ -7,16 +7,16 @@
 
 use glam::DVec3;
 
-use super::Positive;
+use super::ZPositive;
 use super::roff::{Roff, Value};
-use crate::corner_point::{CellProperty, Grid, Pillar};
+use crate::corner_point::{CellProperty, CornerPointGrid, Pillar};
 
 /// Parameters write -999, 255 in bytes, or one of two huge numbers where they have no value.
 const NO_VALUE: f32 = -999.0;
 const NO_CODE: f32 = 2e9;
 const NO_BYTE: f32 = 255.0;
 
-pub(super) fn grid(bytes: &[u8], positive: Positive) -> Result<Grid, String> {
+pub(super) fn grid(bytes: &[u8], positive: ZPositive) -> Result<CornerPointGrid, String> {
     let roff = Roff::parse(bytes)?;
     if roff.text("filedata", "filetype").as_deref() == Some("parameter") {
         return Err("it holds a parameter of a grid's cells; give the grid".into());
@@ -67,7 +67,7 @@ pub(super) fn grid(bytes: &[u8], positive: Positive) -> Result<Grid, String> {
     }
     let is_on = |values: &Value<'_>| values.numbers().iter().map(|&v| v != 0.0).collect();
     let active = active.map_or_else(|| vec![true; cells], is_on);
-    Ok(Grid::new(size, pillars, corners, active))
+    Ok(CornerPointGrid::new(size, pillars, corners, active))
 }
 
 pub(super) fn property(bytes: &[u8]) -> Result<CellProperty, String> {
@@ -156,11 +156,11 @@ fn offsets(splits: Option<&Value<'_>>, nodes: usize, heights: usize) -> Result<V
 struct Placed {
     offset: DVec3,
     scale: DVec3,
-    positive: Positive,
+    positive: ZPositive,
 }
 
 impl Placed {
-    fn of(roff: &Roff<'_>, positive: Positive) -> Self {
+    fn of(roff: &Roff<'_>, positive: ZPositive) -> Self {
         let three = |tag: &str, keys: [&str; 3], or: DVec3| {
             let [x, y, z] = keys.map(|key| roff.number(tag, key));
             DVec3::new(x.unwrap_or(or.x), y.unwrap_or(or.y), z.unwrap_or(or.z))

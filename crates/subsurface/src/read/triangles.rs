@@ -6,7 +6,7 @@ use crate::assemble;
 use crate::surface::{Surface, SurfaceKind};
 
 /// Pairs of triangles that are looked at, at most, to see that none lies above another.
-const MOST_PAIRS: usize = 50_000_000;
+const MAX_PAIRS: usize = 50_000_000;
 
 /// Points in the world and triangles between them. Triangles that name a point twice and points that no triangle names are dropped.
 pub(super) fn surface(
@@ -187,7 +187,7 @@ fn overlap(points: &[DVec3], triangles: &[[u32; 3]]) -> Result<(), String> {
                 break;
             }
             looked += 1;
-            if looked > MOST_PAIRS {
+            if looked > MAX_PAIRS {
                 return Err("its triangles are too long and thin to be checked".into());
             }
             if least.y < high.y && low.y < most.y && !is_apart(first, second) {

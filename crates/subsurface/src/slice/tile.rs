@@ -90,7 +90,7 @@ impl SliceTile {
 
     /// The section that its image shows; `None` before it was filled.
     #[must_use]
-    pub fn shows(&self) -> Option<u32> {
+    pub fn shown_section(&self) -> Option<u32> {
         self.shows
     }
 }

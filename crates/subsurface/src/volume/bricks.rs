@@ -16,25 +16,25 @@ use crate::error::SubsurfaceError;
 const BATCH: usize = 64;
 
 /// A volume's bricks, read when they are asked for and kept as long as there is room.
-pub struct Bricks {
+pub struct BrickCache {
     source: Arc<dyn BrickSource>,
     layout: VolumeLayout,
     /// By rank.
     resident: LruCache<u64, Box<[u8]>>,
     /// The most bricks that may be resident.
     room: usize,
-    counters: BrickCounters,
+    stats: BrickCacheStats,
 }
 
 /// What happened to a volume's bricks so far.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct BrickCounters {
+pub struct BrickCacheStats {
     /// Bricks read from the source.
     pub read: u64,
     /// Bricks that were asked for and already there.
     pub hits: u64,
     /// Bricks dropped to make room.
-    pub dropped: u64,
+    pub evicted: u64,
     /// Bricks in memory now.
     pub resident: usize,
     /// Bytes of samples in memory now.
@@ -43,7 +43,7 @@ pub struct BrickCounters {
     pub peak_bytes: usize,
 }
 
-impl Bricks {
+impl BrickCache {
     /// Keeps at most `budget` bytes of samples in memory. Nothing is read yet.
     ///
     /// # Errors
@@ -60,7 +60,7 @@ impl Bricks {
             layout,
             resident: LruCache::unbounded(),
             room: budget / brick,
-            counters: BrickCounters::default(),
+            stats: BrickCacheStats::default(),
         })
     }
 
@@ -72,8 +72,8 @@ impl Bricks {
 
     /// What happened so far.
     #[must_use]
-    pub fn counters(&self) -> BrickCounters {
-        self.counters
+    pub fn stats(&self) -> BrickCacheStats {
+        self.stats
     }
 
     /// A sample.
@@ -177,7 +177,7 @@ impl Bricks {
         for brick in batch {
             let rank = self.layout.rank(*brick)?;
             if self.resident.get(&rank).is_some() || missing.iter().any(|one| one.0 == rank) {
-                self.counters.hits += 1;
+                self.stats.hits += 1;
             } else {
                 missing.push((rank, *brick, Box::default()));
             }
@@ -188,7 +188,7 @@ impl Bricks {
         while self.resident.len() > kept {
             spare.extend(self.resident.pop_lru().map(|(_, samples)| samples));
         }
-        self.counters.dropped += spare.len() as u64;
+        self.stats.evicted += spare.len() as u64;
         let bytes = self.layout.brick_bytes();
         for (.., samples) in &mut missing {
             *samples = (spare.pop()).unwrap_or_else(|| vec![0; bytes].into_boxed_slice());
@@ -197,14 +197,14 @@ impl Bricks {
         let read = (missing.par_iter_mut())
             .try_for_each(|(_, brick, samples)| source.read(*brick, samples));
         if read.is_ok() {
-            self.counters.read += missing.len() as u64;
+            self.stats.read += missing.len() as u64;
             for (rank, _, samples) in missing {
                 self.resident.put(rank, samples);
             }
         }
-        self.counters.resident = self.resident.len();
-        self.counters.bytes = self.resident.len() * bytes;
-        self.counters.peak_bytes = self.counters.peak_bytes.max(self.counters.bytes);
+        self.stats.resident = self.resident.len();
+        self.stats.bytes = self.resident.len() * bytes;
+        self.stats.peak_bytes = self.stats.peak_bytes.max(self.stats.bytes);
         read
     }
 }

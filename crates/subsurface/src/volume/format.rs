@@ -23,7 +23,7 @@ use super::VolumeLayout;
 /// Where the bricks begin: on a border between pages of memory.
 pub(super) const HEADER: usize = 4096;
 /// The longest name, in bytes.
-pub(super) const LONGEST_NAME: usize = 1024;
+pub(super) const MAX_NAME_BYTES: usize = 1024;
 /// What an error calls such a file.
 pub(super) const FORMAT: &str = "Antumbra volume";
 
@@ -33,10 +33,10 @@ const NAME: usize = 136;
 
 /// The header of a volume; `Err` says why there is none.
 pub(super) fn encode(layout: &VolumeLayout, name: &str) -> Result<Vec<u8>, String> {
-    if name.len() > LONGEST_NAME {
+    if name.len() > MAX_NAME_BYTES {
         let length = name.len();
         return Err(format!(
-            "a name of {length} bytes: {LONGEST_NAME} are possible"
+            "a name of {length} bytes: {MAX_NAME_BYTES} are possible"
         ));
     }
     let mut header = Vec::with_capacity(HEADER);
@@ -74,9 +74,9 @@ pub(super) fn decode(bytes: &[u8], length: u64) -> Result<(VolumeLayout, String)
         ));
     }
     let name_length = u32::from_le_bytes(take(&mut rest)) as usize;
-    if name_length > LONGEST_NAME {
+    if name_length > MAX_NAME_BYTES {
         return Err(format!(
-            "byte 12: a name of {name_length} bytes; {LONGEST_NAME} are possible"
+            "byte 12: a name of {name_length} bytes; {MAX_NAME_BYTES} are possible"
         ));
     }
     let size = [(); 3].map(|()| u32::from_le_bytes(take(&mut rest)));

@@ -2,13 +2,13 @@
 
 use std::path::Path as FilePath;
 
-use antumbra::demo_scenes::subsurface::{BuiltInOptions, Model};
+use antumbra::demo_scenes::subsurface::{Model, SubsurfaceSceneOptions};
 use antumbra::formats::save_glb;
 use antumbra::scene::Scene;
-use antumbra::subsurface::read::{self, Positive, ReadOptions};
+use antumbra::subsurface::read::{self, ReadOptions, ZPositive};
 use antumbra::subsurface::{
-    BrickSource, PrepareOptions, Prepared, Surface, SurfaceKind, add_lamps, prepare_all,
-    surface_material, write_volume,
+    BrickSource, PrepareOptions, PreparedSurface, Surface, SurfaceKind, add_default_lights,
+    prepare_surfaces, surface_material, write_volume,
 };
 
 use crate::args::{Kind, PrepareArgs, Way};
@@ -34,12 +34,12 @@ pub fn scene(args: &PrepareArgs) -> Result<(), Failure> {
     }
     let bar = progress::work("preparing", args.quiet);
     bar.set_length(surfaces.len() as u64);
-    let prepared = prepare_all(&surfaces, &options, &|_| bar.inc(1));
+    let prepared = prepare_surfaces(&surfaces, &options, &|_| bar.inc(1));
     bar.finish_and_clear();
     let prepared = prepared?;
     drop(surfaces);
-    let triangles: usize = prepared.iter().map(Prepared::triangles).sum();
-    let proxies: usize = prepared.iter().map(Prepared::proxy_triangles).sum();
+    let triangles: usize = prepared.iter().map(PreparedSurface::triangles).sum();
+    let proxies: usize = prepared.iter().map(PreparedSurface::proxy_triangles).sum();
     let tiles: usize = prepared.iter().map(|surface| surface.tiles.len()).sum();
     let flipped: usize = prepared.iter().map(|surface| surface.flipped).sum();
     let (horizons, faults) = count(&prepared);
@@ -51,9 +51,9 @@ pub fn scene(args: &PrepareArgs) -> Result<(), Failure> {
         let number = &mut numbers[usize::from(surface.kind == SurfaceKind::Fault)];
         let material = scene.add_material(surface_material(&surface.name, surface.kind, *number));
         *number += 1;
-        surface.show(&mut scene, None, material)?;
+        surface.spawn(&mut scene, None, material)?;
     }
-    add_lamps(&mut scene)?;
+    add_default_lights(&mut scene)?;
     save_glb(&scene, &args.output)?;
     if !args.quiet {
         println!(
@@ -67,7 +67,7 @@ pub fn scene(args: &PrepareArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-fn count(prepared: &[Prepared]) -> (usize, usize) {
+fn count(prepared: &[PreparedSurface]) -> (usize, usize) {
     let faults = prepared
         .iter()
         .filter(|surface| surface.kind == SurfaceKind::Fault);
@@ -103,9 +103,9 @@ fn read_surfaces(args: &PrepareArgs, input: &FilePath) -> Result<Vec<Surface>, F
 
 fn read_options(args: &PrepareArgs) -> ReadOptions {
     ReadOptions {
-        positive: args.positive.map(|way| match way {
-            Way::Down => Positive::Down,
-            Way::Up => Positive::Up,
+        z_positive: args.positive.map(|way| match way {
+            Way::Down => ZPositive::Down,
+            Way::Up => ZPositive::Up,
         }),
         kind: args.kind.map(|kind| match kind {
             Kind::Horizon => SurfaceKind::Horizon,
@@ -123,7 +123,7 @@ fn model(input: &FilePath) -> Result<Option<Model>, Failure> {
     if words.next() != Some("subsurface") || input.is_file() {
         return Ok(None);
     }
-    let mut options = BuiltInOptions::default();
+    let mut options = SubsurfaceSceneOptions::default();
     for word in words {
         let (key, value) = word.split_once('=').unwrap_or(("size", word));
         options.set(key, value)?;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use antumbra::demo_scenes::terrain::BuiltInOptions;
+use antumbra::demo_scenes::terrain::TerrainSceneOptions;
 use antumbra::terrain::{Detail, GroupOptions, PreparedScene, Sectors, Terrain, TerrainOptions};
 
 use crate::args::{PrepareArgs, TerrainArgs};
@@ -92,7 +92,7 @@ fn built_in(named: &str, args: &PrepareArgs) -> Result<PreparedScene, Failure> {
             "the built-in terrain has a number of vertices: --error is for rasters".to_owned(),
         ));
     }
-    let mut options = BuiltInOptions::default();
+    let mut options = TerrainSceneOptions::default();
     for word in named.split(':').skip(1) {
         let (key, value) = word.split_once('=').unwrap_or(("size", word));
         options.set(key, value)?;

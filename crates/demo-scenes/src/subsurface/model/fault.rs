@@ -14,7 +14,7 @@ pub(super) const BREAKING: f64 = 2.0;
 
 /// A normal fault. Places are metres east and north of the model's middle, depths metres positive down, angles radians.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Fault {
+pub struct ModelFault {
     /// Middle of the surface, east and north.
     pub centre: DVec2,
     /// Depth of the middle.
@@ -52,7 +52,7 @@ pub(super) struct Local {
     pub(super) across: f64,
 }
 
-impl Fault {
+impl ModelFault {
     /// Half the extent of the surface in depth, in metres.
     pub(super) fn half_depth(&self) -> f64 {
         let [sine, _] = self.slope;
@@ -166,7 +166,7 @@ pub(super) struct Moved {
 }
 
 /// Lets the faults act, oldest first: a younger one displaces what older ones left.
-pub(super) fn displace(faults: &[Fault], place: DVec2, depth: f64) -> Moved {
+pub(super) fn displace(faults: &[ModelFault], place: DVec2, depth: f64) -> Moved {
     let mut moved = Moved {
         depth,
         ..Moved::default()

@@ -1,6 +1,6 @@
 //! Faults of the model as triangles: a grid along strike and dip within the tip line.
 
-use super::fault::{Fault, displace};
+use super::fault::{ModelFault, displace};
 use super::{Model, world};
 use antumbra_scene::Geometry;
 use antumbra_subsurface::{SubsurfaceError, Surface, SurfaceKind};
@@ -14,7 +14,7 @@ const BLUNT: f64 = 0.12;
 
 pub(super) fn surface(model: &Model, number: usize) -> Result<Surface, SubsurfaceError> {
     let name = format!("fault {number}");
-    let Some((fault, younger)) = (model.faults.get(number..)).and_then(<[Fault]>::split_first)
+    let Some((fault, younger)) = (model.faults.get(number..)).and_then(<[ModelFault]>::split_first)
     else {
         return Err(SubsurfaceError::BadSurface {
             surface: name,
@@ -57,13 +57,13 @@ pub(super) fn surface(model: &Model, number: usize) -> Result<Surface, Subsurfac
 }
 
 /// How many triangles that surface has.
-pub(super) fn triangles(model: &Model, fault: &Fault) -> u64 {
+pub(super) fn triangles(model: &Model, fault: &ModelFault) -> u64 {
     let [columns, rows] = cells(model, fault);
     u64::from(columns) * u64::from(rows) * 2
 }
 
 /// Cells along strike and dip.
-fn cells(model: &Model, fault: &Fault) -> [u32; 2] {
+fn cells(model: &Model, fault: &ModelFault) -> [u32; 2] {
     let sides = [fault.half_length, fault.half_height];
     sides.map(|half| ((half * 2.0 / SPACING * model.fineness()).round() as u32).max(2))
 }

@@ -34,7 +34,7 @@ pub(super) fn surface(model: &Model, horizon: usize) -> Result<Surface, Subsurfa
         step_v: DVec2::new(0.0, step.y),
         elevation: elevation.collect(),
     };
-    Surface::over_without(&field, &name, |column, row| grid.is_broken(column, row))
+    Surface::from_raster_without_cells(&field, &name, |column, row| grid.is_broken(column, row))
 }
 
 /// How many triangles that surface has.

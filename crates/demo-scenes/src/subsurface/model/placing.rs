@@ -1,7 +1,7 @@
 //! Where the faults are: drawn by chance, apart from each other, and wholly inside the volume.
 
 use super::chance::{Chance, Part};
-use super::fault::{Fault, displace};
+use super::fault::{ModelFault, displace};
 use super::layers::Layers;
 use super::{DEPTH, HALF};
 use glam::DVec2;
@@ -17,9 +17,9 @@ const MARGIN: f64 = 60.0;
 const CLEARANCE: f64 = 100.0;
 
 /// The faults, oldest and greatest first.
-pub(super) fn faults(seed: u64, layers: &Layers, horizons: usize, count: usize) -> Vec<Fault> {
+pub(super) fn faults(seed: u64, layers: &Layers, horizons: usize, count: usize) -> Vec<ModelFault> {
     let chance = &mut Chance::new(seed, Part::Faults);
-    let mut faults: Vec<Fault> = Vec::with_capacity(count);
+    let mut faults: Vec<ModelFault> = Vec::with_capacity(count);
     for number in 0..count {
         let [least, greatest] = THROWS;
         let share = (number as f64 + chance.between(0.1, 0.9)) / count as f64;
@@ -35,7 +35,7 @@ pub(super) fn faults(seed: u64, layers: &Layers, horizons: usize, count: usize) 
             );
             let horizon = chance.pick(horizons);
             let before = displace(&faults, centre, layers.depth(horizon, centre));
-            let tried = Fault {
+            let tried = ModelFault {
                 centre,
                 horizon,
                 depth: before.depth,
@@ -43,7 +43,7 @@ pub(super) fn faults(seed: u64, layers: &Layers, horizons: usize, count: usize) 
             };
             let others = faults.iter().map(|other| other.centre.distance(centre));
             let mut apart = others.fold(DEPTH, f64::min);
-            let meets = |other: &Fault| {
+            let meets = |other: &ModelFault| {
                 other.passes(centre, before.depth, CLEARANCE)
                     || tried.passes(other.centre, other.depth, CLEARANCE)
             };
@@ -67,7 +67,7 @@ pub(super) fn faults(seed: u64, layers: &Layers, horizons: usize, count: usize) 
 }
 
 /// A fault of this greatest throw around nowhere yet.
-fn unplaced(chance: &mut Chance, throw: f64) -> Fault {
+fn unplaced(chance: &mut Chance, throw: f64) -> ModelFault {
     // Most run about north, some north-east.
     let family: f64 = if chance.pick(4) == 0 { 52.0 } else { 8.0 };
     let turned = if chance.pick(2) == 0 { 0.0 } else { 180.0 };
@@ -75,7 +75,7 @@ fn unplaced(chance: &mut Chance, throw: f64) -> Fault {
     let dip = chance.between(52.0, 68.0).to_radians();
     let half_length = 650.0 + throw * 9.0 + chance.between(0.0, 250.0);
     let ripple = TAU / chance.between(500.0, 900.0);
-    Fault {
+    ModelFault {
         centre: DVec2::ZERO,
         depth: 0.0,
         horizon: 0,
@@ -97,7 +97,7 @@ fn unplaced(chance: &mut Chance, throw: f64) -> Fault {
 }
 
 /// Half the extent of a fault in the plan, east and north, or a little more.
-fn half_extent(fault: &Fault) -> DVec2 {
+fn half_extent(fault: &ModelFault) -> DVec2 {
     let [along, across] = fault.axes;
     let down = fault.half_depth();
     let [_, cotangent] = fault.slope;

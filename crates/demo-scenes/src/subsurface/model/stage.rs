@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 
 /// A named place to look from.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct View {
+pub struct Viewpoint {
     /// What to call it.
     pub name: &'static str,
     /// The eye, in world metres.
@@ -17,7 +17,25 @@ pub struct View {
     pub fov_y: f64,
 }
 
-pub(super) fn lights() -> [(DVec3, Light); 2] {
+/// A light of the model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ModelLight {
+    /// Its position, in world metres.
+    pub position: DVec3,
+    /// The light.
+    pub light: Light,
+}
+
+/// A control point of the flight through the model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FlightPoint {
+    /// The position of the camera, in world metres.
+    pub eye: DVec3,
+    /// The point that the camera looks at, in world metres; +Y is up.
+    pub target: DVec3,
+}
+
+pub(super) fn lights() -> [ModelLight; 2] {
     // Candela: about three lux in the middle of the model from the first, one from the second.
     [
         (DVec3::new(3000.0, 2700.0, 2500.0), [1.0, 0.97, 0.92], 1.0e8),
@@ -34,20 +52,20 @@ pub(super) fn lights() -> [(DVec3, Light); 2] {
             intensity,
             range,
         };
-        (position, light)
+        ModelLight { position, light }
     })
 }
 
-pub(super) fn views() -> [View; 2] {
+pub(super) fn views() -> [Viewpoint; 2] {
     let fov_y = 40f64.to_radians();
     [
-        View {
+        Viewpoint {
             name: "open",
             position: DVec3::new(6900.0, 3500.0, 6500.0),
             target: DVec3::new(350.0, -1700.0, 350.0),
             fov_y,
         },
-        View {
+        Viewpoint {
             name: "occluded",
             position: DVec3::new(-2700.0, 6200.0, -2400.0),
             target: DVec3::new(150.0, -1100.0, 150.0),
@@ -56,7 +74,7 @@ pub(super) fn views() -> [View; 2] {
     ]
 }
 
-pub(super) fn flight(model: &Model) -> Vec<(DVec3, DVec3)> {
+pub(super) fn flight(model: &Model) -> Vec<FlightPoint> {
     let middle = model.options.horizons as usize / 2;
     let centre = DVec3::new(0.0, -1400.0, 0.0);
     // In the widest space about a horizon, at a place given as shares of the field's half.
@@ -70,7 +88,7 @@ pub(super) fn flight(model: &Model) -> Vec<(DVec3, DVec3)> {
         world(place, f64::midpoint(above, below))
     };
     let (upper, lower) = (middle, middle + 2);
-    vec![
+    [
         (DVec3::new(6400.0, 3000.0, 5600.0), centre),
         (DVec3::new(600.0, 2600.0, 7000.0), centre),
         (DVec3::new(-5200.0, 2300.0, 4400.0), centre),
@@ -90,4 +108,6 @@ pub(super) fn flight(model: &Model) -> Vec<(DVec3, DVec3)> {
         (DVec3::new(-2400.0, -900.0, 4600.0), centre),
         (DVec3::new(2800.0, 800.0, 6800.0), centre),
     ]
+    .map(|(eye, target)| FlightPoint { eye, target })
+    .to_vec()
 }

@@ -20,11 +20,11 @@ fn attachment(document: &Document<'_>, name: &str, found: &Value, entities: &Ent
         problem,
     };
     let object = found.as_object();
-    let mut facts = object
+    let mut properties = object
         .cloned()
         .ok_or_else(|| bad("it is no JSON object".to_owned()))?;
     let index = |value: &Value| value.as_u64().and_then(|index| usize::try_from(index).ok());
-    let nodes = match facts.remove(Attachment::NODES) {
+    let nodes = match properties.remove(Attachment::NODES) {
         None => Vec::new(),
         Some(Value::Array(nodes)) => nodes,
         Some(_) => return Err(bad("its nodes are no array".to_owned())),
@@ -33,7 +33,7 @@ fn attachment(document: &Document<'_>, name: &str, found: &Value, entities: &Ent
         let entity = index(node).and_then(|node| entities.get(&node).copied());
         entity.ok_or_else(|| bad(format!("entry {at} of its nodes is no node of the scene")))
     };
-    let bytes = match facts.remove(Attachment::BUFFER_VIEW) {
+    let bytes = match properties.remove(Attachment::BUFFER_VIEW) {
         None => Vec::new(),
         Some(view) => {
             let view = index(&view).ok_or_else(|| bad("its bufferView is no index".to_owned()))?;
@@ -48,7 +48,7 @@ fn attachment(document: &Document<'_>, name: &str, found: &Value, entities: &Ent
             .enumerate()
             .map(entity)
             .collect::<Result<_, _>>()?,
-        facts,
+        properties,
         bytes,
     })
 }

@@ -238,7 +238,7 @@ fn indices(
             )))
         }
     };
-    let each = topology.indices_each();
+    let each = topology.indices_per_primitive();
     let mut found = Vec::with_capacity(count * each);
     for i in 0..count {
         let corners = match mode {

@@ -10,7 +10,7 @@ use super::looks::Looks;
 use super::nodes;
 use crate::attachment::Attachment;
 use antumbra_scene::{
-    Camera, Drawable, EntityKey, Geometry, MaterialKey, MeshKey, Scene, Topology,
+    Camera, Drawable, EntityKey, Geometry, MaterialKey, MeshKey, PlacedLight, Scene, Topology,
 };
 use glam::DAffine3;
 use slotmap::SecondaryMap;
@@ -212,7 +212,7 @@ impl<'a> Gathering<'a> {
     }
 
     fn place_lights(&mut self, numbers: &SecondaryMap<EntityKey, u32>) {
-        for (entity, light, _) in self.scene.lights() {
+        for PlacedLight { entity, light, .. } in self.scene.lights() {
             let node = numbers
                 .get(entity)
                 .and_then(|number| self.nodes.get_mut(*number as usize));
@@ -275,7 +275,7 @@ impl<'a> Gathering<'a> {
             }
             if [Attachment::NODES, Attachment::BUFFER_VIEW]
                 .iter()
-                .any(|fact| attachment.facts.contains_key(*fact))
+                .any(|fact| attachment.properties.contains_key(*fact))
             {
                 return bad(
                     "its nodes and its bufferView are written here; name its facts otherwise",
@@ -289,7 +289,7 @@ impl<'a> Gathering<'a> {
             let bytes = attachment.bytes.as_slice();
             let buffer_view = (!bytes.is_empty()).then(|| self.binary.bytes(bytes));
             let written = super::json::Attachment {
-                facts: &attachment.facts,
+                properties: &attachment.properties,
                 nodes,
                 buffer_view,
             };

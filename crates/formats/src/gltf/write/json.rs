@@ -282,7 +282,7 @@ pub(super) struct RootExtensions<'a> {
 #[serde(rename_all = "camelCase")]
 pub(super) struct Attachment<'a> {
     #[serde(flatten)]
-    pub(super) facts: &'a Map<String, Value>,
+    pub(super) properties: &'a Map<String, Value>,
     pub(super) nodes: Vec<u32>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) buffer_view: Option<u32>,
