@@ -39,6 +39,7 @@ pub struct CellProperty {
 impl CornerPointGrid {
     /// A pillar more than cells along each side, second index fastest; heights a cell, corner bits east, north, top. The lists must fit
     /// the size.
+    #[cfg(feature = "read")]
     pub(crate) fn new(
         size: [u32; 3],
         pillars: Vec<Pillar>,

@@ -30,6 +30,7 @@ mod error;
 mod height_field;
 mod lens;
 mod prepare;
+mod progress;
 #[cfg(feature = "read")]
 pub mod read;
 mod sections;

@@ -29,6 +29,8 @@ use std::path::Path;
 use antumbra_formats::{RasterError, RasterFormat, load_raster_slice, read_whole_file};
 use antumbra_scene::Raster;
 
+pub use crate::progress::Progress;
+
 use crate::corner_point::{CellProperty, CornerPointGrid};
 use crate::error::SubsurfaceError;
 use crate::surface::{Surface, SurfaceKind};
@@ -69,9 +71,6 @@ pub struct ReadOptions {
     /// The column that names a pick's surface. `None` finds it: see [`surfaces`].
     pub surface_column: Option<String>,
 }
-
-/// Told how many of how many parts are done.
-pub type Progress<'a> = &'a mut dyn FnMut(u64, u64);
 
 /// Every surface of a file, in its order; layers of a grid from the top down.
 ///

@@ -36,9 +36,11 @@ pub enum TerrainError {
     #[error(transparent)]
     Scene(#[from] antumbra_scene::SceneError),
     /// A scene file that cannot be read.
+    #[cfg(feature = "files")]
     #[error(transparent)]
     Load(#[from] antumbra_formats::LoadError),
     /// A scene file that cannot be written.
+    #[cfg(feature = "files")]
     #[error(transparent)]
     Save(#[from] antumbra_formats::SaveError),
     /// A scene without what is known of its terrain.

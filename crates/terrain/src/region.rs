@@ -126,6 +126,7 @@ impl Region {
     }
 
     /// What was found before: its corners and its slope, if they can be any region's.
+    #[cfg(feature = "files")]
     pub(crate) fn from_parts(corners: [[f32; 2]; CORNERS], slope: f32) -> Option<Self> {
         let region = Self { corners, slope };
         let finite = corners

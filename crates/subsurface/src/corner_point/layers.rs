@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::CornerPointGrid;
 use crate::assemble;
 use crate::error::SubsurfaceError;
-use crate::read::Progress;
+use crate::progress::Progress;
 use crate::surface::{Surface, SurfaceKind};
 
 /// Metres; heights on a pillar that differ by less are one corner.

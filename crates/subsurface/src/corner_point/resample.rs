@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 
 use super::{CellProperty, CornerPointGrid};
 use crate::error::SubsurfaceError;
-use crate::read::Progress;
+use crate::progress::Progress;
 use crate::volume::{BrickSource, VolumeLayout};
 
 /// Samples, and bytes, that a [`PropertyVolume`] may have: it is held in memory as a whole.
