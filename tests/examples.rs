@@ -13,11 +13,11 @@ mod embed;
 mod explore_subsurface;
 
 use antumbra::cull::{Frustum, Strategy};
-use antumbra::demo_scenes;
-use antumbra::draw::{AdapterChoice, Detail, Gpu};
+use antumbra::draw::Detail;
 use antumbra::measure::compare::{CompareOptions, Contender, compare};
 use antumbra::measure::path::Path;
 use antumbra::verify::kit::{self, Kit};
+use antumbra_testing::{auto, balls, gl};
 use custom_strategy::LargestOccluders;
 
 #[test]
@@ -26,15 +26,14 @@ fn the_strategy_from_outside_conforms() {
     assert!(ours(Detail::Level(0))().conservative());
     kit::assert_conforms(ours(Detail::Level(0)));
     kit::assert_conforms(ours(Detail::Box));
-    // Where queries answer 0 or 1. Without the driver: make test installs it.
-    let gl = Kit::on(AdapterChoice::Named("gl".to_owned()));
-    gl.check(ours(Detail::Level(0))).unwrap();
+    // Where queries answer 0 or 1.
+    let kit = Kit::default();
+    kit.check_on(gl(), ours(Detail::Level(0))).unwrap();
 }
 
 #[test]
 fn the_strategy_from_outside_is_compared() {
-    let gpu = Gpu::open(&AdapterChoice::Auto).unwrap();
-    let mut scene = demo_scenes::by_name("grid", Some(8)).unwrap();
+    let mut scene = balls(8);
     scene.update();
     let path = Path::orbit_around(&scene.bounds().unwrap(), 4.0 / 3.0, 6).unwrap();
     let contenders = [
@@ -46,7 +45,14 @@ fn the_strategy_from_outside_is_compared() {
         least_seconds: 0.0,
         ..CompareOptions::default()
     };
-    let comparison = compare(&gpu, &mut scene, &path, &contenders, &options, &mut |_| ());
+    let comparison = compare(
+        auto(),
+        &mut scene,
+        &path,
+        &contenders,
+        &options,
+        &mut |_| (),
+    );
     let strategies = comparison.unwrap().report.strategies;
     let [frustum, ours] = strategies.as_slice() else {
         panic!("two contenders, two entries");

@@ -12,12 +12,13 @@ use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex};
 
 use antumbra::cull::{
-    DeclareError, FrameGraph, Stage, StageOptions, Strategy, ViewNodes, ViewSpec, VisibleSet,
+    DeclareError, FrameGraph, Stage, StageOptions, Strategy, ViewNodes, VisibleSet,
 };
-use antumbra::draw::{AdapterChoice, Class, Gpu, GpuScene, PipelineKind};
+use antumbra::draw::{Class, GpuScene, PipelineKind};
 use antumbra::graph::Picture;
 use antumbra::scene::Scene;
 use antumbra::strategies::registry;
+use antumbra_testing::{stage_with, views, vulkan};
 use what_it_costs::Part;
 
 /// What every plan of this page is of.
@@ -30,11 +31,6 @@ const STRATEGIES: [&str; 7] = [
     "coherent:latency=same-frame",
     "occupancy-map:latency=same-frame",
 ];
-
-fn gpu() -> Gpu {
-    Gpu::open(&AdapterChoice::Named("vulkan".to_owned()))
-        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
-}
 
 /// Twenty-seven opaque balls under parallel light.
 fn plain() -> Scene {
@@ -61,17 +57,13 @@ impl Plan {
     }
 }
 
-fn stage(scene: &GpuScene, strategy: Box<dyn Strategy>, views: &[&str]) -> Stage {
-    let spec = |name: &&str| ViewSpec {
-        name: (*name).to_owned(),
-        size: [64, 48],
-    };
-    let specs = views.iter().map(spec).collect();
-    Stage::new(scene, strategy, specs, StageOptions::default()).unwrap()
+fn stage(scene: &GpuScene, strategy: Box<dyn Strategy>, names: &[&str]) -> Stage {
+    let views = views(names, [64, 48]);
+    stage_with(scene, strategy, views, StageOptions::default())
 }
 
 fn plan(scene: &mut Scene, text: &str, views: &[&str]) -> Plan {
-    let scene = GpuScene::new(&gpu(), scene).unwrap();
+    let scene = GpuScene::new(vulkan(), scene).unwrap();
     let stage = stage(&scene, registry().parse(text).unwrap(), views);
     let picture = stage.plan().picture(Picture::Json);
     let picture: serde_json::Value = serde_json::from_str(&picture).unwrap();
@@ -115,7 +107,7 @@ impl Strategy for Probe {
 
 /// Whether surfaces are shaded by lights with a place, and whether they reflect an environment.
 fn shading(scene: &mut Scene) -> [bool; 2] {
-    let scene = GpuScene::new(&gpu(), scene).unwrap();
+    let scene = GpuScene::new(vulkan(), scene).unwrap();
     let kinds = Arc::new(Mutex::new(Vec::new()));
     let probe = Probe {
         inner: registry().make("frustum").unwrap(),
@@ -255,7 +247,7 @@ fn distances_to_lights_are_computed_where_a_light_has_a_place() {
 #[test]
 fn a_volume_brings_textures_and_without_one_there_are_none() {
     let textured = |scene: &mut Scene| {
-        let scene = GpuScene::new(&gpu(), scene).unwrap();
+        let scene = GpuScene::new(vulkan(), scene).unwrap();
         let classes = scene.layout().classes().any(Class::textured);
         // One white texel stands for no image.
         assert_eq!(scene.frame().textures.len() > 1, classes);

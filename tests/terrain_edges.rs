@@ -3,15 +3,15 @@
 
 use std::sync::Arc;
 
-use antumbra::draw::{AdapterChoice, Gpu};
 use antumbra::measure::compare::{CompareOptions, Contender, compare};
 use antumbra::measure::path::{Path, Pose};
 use antumbra::measure::report::StrategyReport;
-use antumbra::scene::{Material, Projection, Scene};
+use antumbra::scene::{Material, Scene};
 use antumbra::strategies::registry;
 use antumbra::terrain::{
     Field, GroupOptions, HorizonStrategy, Part, Sectors, ShownTerrain, Terrain, TerrainOptions,
 };
+use antumbra_testing::{auto, perspective};
 use glam::{DVec2, DVec3};
 
 /// Posts along a side, 30 m apart.
@@ -73,16 +73,12 @@ fn compared(
     horizon: HorizonStrategy,
     looks: &[[[f64; 3]; 2]],
 ) -> [StrategyReport; 2] {
-    let projection = Projection::Perspective {
-        fov_y: 0.9,
-        near: 1.0,
-    };
     // East, north, up; the world has Y up and Z south.
     let world = |[east, north, up]: [f64; 3]| DVec3::new(east, up, -north);
     let poses = looks
         .iter()
         .map(|&[eye, target]| Pose::look_at(world(eye), world(target), None).unwrap());
-    let path = Path::new("looks", projection, poses.collect()).unwrap();
+    let path = Path::new("looks", perspective(0.9, 1.0), poses.collect()).unwrap();
     let contenders = [
         Contender::of("", &Arc::new(registry()), "frustum").unwrap(),
         Contender::new("", move || Box::new(horizon.clone())),
@@ -92,8 +88,14 @@ fn compared(
         least_seconds: 0.0,
         ..CompareOptions::default()
     };
-    let gpu = Gpu::open(&AdapterChoice::Auto).unwrap();
-    let found = compare(&gpu, &mut scene, &path, &contenders, &options, &mut |_| ());
+    let found = compare(
+        auto(),
+        &mut scene,
+        &path,
+        &contenders,
+        &options,
+        &mut |_| (),
+    );
     found.unwrap().report.strategies.try_into().unwrap()
 }
 

@@ -1,13 +1,13 @@
 //! Numbers of entities: none, one, just as many as a set has queries, one more, and a hundred thousand.
 
+use antumbra_testing::{SceneBuilder, look_at, perspective_degrees, placed};
 use glam::DVec3;
 
 use crate::play::{Play, strategies};
-use crate::set::{Set, look, perspective, placed};
 
 /// So many squares, most of them behind a wall that covers the left half, looked at head on.
 fn crowd(count: u32) -> Play {
-    let mut set = Set::new();
+    let mut set = SceneBuilder::new();
     let wide = f64::from(count).sqrt().ceil() as u32;
     for number in 0..count {
         let along = |i: u32| (f64::from(i) + 0.5) / f64::from(wide.max(1)) - 0.5;
@@ -21,7 +21,7 @@ fn crowd(count: u32) -> Play {
         };
         set.put(set.square, place);
     }
-    let camera = look(DVec3::ZERO, DVec3::NEG_Z, perspective(60.0, 0.1));
+    let camera = look_at(DVec3::ZERO, DVec3::NEG_Z, perspective_degrees(60.0, 0.1));
     let mut play = Play::new(set.scene, vec![camera; 2]);
     play.apart = 0.0;
     play

@@ -2,10 +2,10 @@
 
 use antumbra::cull::{Verdict, Verdicts};
 use antumbra::scene::EntityKey;
+use antumbra_testing::{SceneBuilder, gpus, over_pixels, placed};
 use glam::DVec3;
 
-use crate::play::{Play, gpus, id_of, strategies};
-use crate::set::{Set, over_pixels};
+use crate::play::{Play, id_of, strategies};
 
 const SIZE: [u32; 2] = [64, 48];
 
@@ -22,7 +22,7 @@ fn slot(play: &Play, entity: EntityKey) -> u32 {
 
 #[test]
 fn an_occluder_that_ends_where_the_occludee_ends() {
-    let mut set = Set::new();
+    let mut set = SceneBuilder::new();
     let size = DVec3::new(20.0, 16.0, 1.0);
     // On the grid of pixels, and off it.
     let mut hidden = Vec::new();
@@ -52,7 +52,7 @@ fn an_occluder_that_ends_where_the_occludee_ends() {
 #[test]
 fn what_shows_through_a_hole_of_one_pixel_is_drawn() {
     // A frame of four walls around the pixel right of the middle and above it.
-    let mut set = Set::new();
+    let mut set = SceneBuilder::new();
     for (x, y, wide, high) in [
         (-10.0, 0.5, 20.0, 41.0),
         (11.0, 0.5, 20.0, 41.0),
@@ -91,14 +91,14 @@ fn what_shows_through_a_hole_of_one_pixel_is_drawn() {
 #[test]
 fn dust_of_a_hundredth_of_a_pixel_adds_up_to_a_surface() {
     // Grains a tenth of a pixel wide, in a sheet of six by six pixels; each overlaps the next by a hundredth, so that snapping leaves no crack.
-    let mut set = Set::plain();
+    let mut set = SceneBuilder::plain();
     let across = 60;
     for row in 0..across {
         for column in 0..across {
             let at = |i: i32| (f64::from(i) + 0.5) * 0.1 - 3.0;
             let place = DVec3::new(at(column), at(row), -20.0);
             let size = DVec3::new(0.11, 0.11, 1.0);
-            set.put(set.square, crate::set::placed(place, size));
+            set.put(set.square, placed(place, size));
         }
     }
     let hidden = set.ball(DVec3::new(0.0, 0.0, -50.0), 5.0);
@@ -127,15 +127,15 @@ fn dust_of_a_hundredth_of_a_pixel_adds_up_to_a_surface() {
 }
 
 /// Surfaces at equal depth: the same place twice, a square flat on a face, two that overlap in one plane; and something behind all of them.
-fn twins(mut set: Set) -> (Play, Vec<EntityKey>, EntityKey) {
+fn twins(mut set: SceneBuilder) -> (Play, Vec<EntityKey>, EntityKey) {
     let size = DVec3::new(12.0, 12.0, 4.0);
     let place = DVec3::new(-16.0, 0.0, -20.0);
     let mut tied = vec![set.cube(place, size), set.cube(place, size)];
     let plane = DVec3::new(8.0, 0.0, -18.0);
     tied.push(set.cube(plane - DVec3::Z * 2.0, size));
-    let flat = crate::set::placed(plane + DVec3::X, DVec3::new(6.0, 6.0, 1.0));
+    let flat = placed(plane + DVec3::X, DVec3::new(6.0, 6.0, 1.0));
     tied.push(set.put(set.square, flat));
-    let beside = crate::set::placed(plane + DVec3::X * 9.0, DVec3::new(10.0, 6.0, 1.0));
+    let beside = placed(plane + DVec3::X * 9.0, DVec3::new(10.0, 6.0, 1.0));
     tied.push(set.put(set.square, beside));
     let hidden = set.ball(place - DVec3::Z * 30.0, 5.0);
     let frames = [0.0, 0.3].map(|x| over_pixels(DVec3::X * x, SIZE));
@@ -146,7 +146,7 @@ fn twins(mut set: Set) -> (Play, Vec<EntityKey>, EntityKey) {
 
 #[test]
 fn twins_in_one_place_and_at_equal_depth() {
-    let (play, tied, hidden) = twins(Set::plain());
+    let (play, tied, hidden) = twins(SceneBuilder::plain());
     let runs = play.is_right();
     let tied: Vec<u32> = tied.into_iter().map(|entity| slot(&play, entity)).collect();
     let hidden = slot(&play, hidden);
@@ -171,7 +171,7 @@ fn twins_in_one_place_and_at_equal_depth() {
 /// In colours that tell the twins apart.
 #[test]
 fn twins_show_the_same_to_all_that_shade_one_list() {
-    let (play, ..) = twins(Set::new());
+    let (play, ..) = twins(SceneBuilder::new());
     let one_list = ["none", "frustum", "ideal", "three-pass"];
     let mut strategies = strategies();
     strategies.retain(|text| one_list.iter().any(|name| text.starts_with(name)));

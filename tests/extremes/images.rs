@@ -1,15 +1,15 @@
 //! Images of one pixel, and of one row as wide as a device can draw.
 
 use antumbra::scene::Projection;
+use antumbra_testing::{SceneBuilder, gpus, look_at, perspective_degrees};
 use glam::DVec3;
 
-use crate::play::{Play, gpus};
-use crate::set::{Set, look, perspective};
+use crate::play::Play;
 
 #[test]
 fn an_image_of_one_pixel() {
     // Three walls with something behind each, looked at one by one, then nothing.
-    let mut set = Set::new();
+    let mut set = SceneBuilder::new();
     for x in [0.0, 8.0, 16.0] {
         set.cube(DVec3::new(x, 0.0, 0.0), DVec3::new(4.0, 4.0, 0.5));
         set.ball(DVec3::new(x, 0.0, -2.0), 3.0);
@@ -17,7 +17,7 @@ fn an_image_of_one_pixel() {
     }
     let frames = [0.0, 8.0, 16.0, 30.0].map(|x| {
         let eye = DVec3::new(x, 0.1, 6.0);
-        look(eye, eye - DVec3::Z, perspective(60.0, 0.125))
+        look_at(eye, eye - DVec3::Z, perspective_degrees(60.0, 0.125))
     });
     let frames = frames.to_vec();
     let mut play = Play::new(set.scene, frames);
@@ -35,7 +35,7 @@ fn an_image_of_16384_pixels_in_one_row() {
         let most = gpu.device.limits().max_texture_dimension_2d;
         // Of a device that draws less, `refusals` says what it answers.
         let width = most.min(WIDE);
-        let mut set = Set::new();
+        let mut set = SceneBuilder::new();
         for column in -20..=20 {
             let x = f64::from(column) * 0.2;
             set.cube(DVec3::new(x, 0.0, -6.0), DVec3::new(0.1, 1.0, 0.5));
@@ -47,7 +47,10 @@ fn an_image_of_16384_pixels_in_one_row() {
             fov_y: 2.0 * (1.0 / f64::from(width)).atan(),
             near: 0.1,
         };
-        let mut play = Play::new(set.scene, vec![look(DVec3::ZERO, DVec3::NEG_Z, projection)]);
+        let mut play = Play::new(
+            set.scene,
+            vec![look_at(DVec3::ZERO, DVec3::NEG_Z, projection)],
+        );
         play.size = [width, 1];
         play.agrees_with_the_twin_on(&[gpu], 0.9, 60);
         for text in crate::play::strategies() {

@@ -1,17 +1,17 @@
 //! Optics: near planes a hair or a kilometre away, telescopes, fish eyes, and views without perspective.
 
 use antumbra::scene::Projection;
+use antumbra_testing::{SceneBuilder, gpus, look_at, perspective_degrees};
 use glam::DVec3;
 
-use crate::play::{Play, gpus};
-use crate::set::{Set, look, perspective};
+use crate::play::Play;
 
 /// The still life and something that the near plane cuts, from six metres; a metre is `metre` metres.
 fn before(near: f64, metre: f64) -> Play {
-    let mut set = Set::still_life(metre, DVec3::ZERO);
+    let mut set = SceneBuilder::still_life(metre, DVec3::ZERO);
     let eye = DVec3::new(0.25, 0.5, 6.0) * metre;
     let target = DVec3::new(0.25, 0.25, 0.0) * metre;
-    let camera = look(eye, target, perspective(60.0, near));
+    let camera = look_at(eye, target, perspective_degrees(60.0, near));
     let cut = eye + (camera.forward() * 1.5 + camera.right() * 1.2) * near;
     set.ball(cut, 1.5 * near);
     set.cube(
@@ -41,11 +41,11 @@ fn a_near_plane_of_a_kilometre() {
 /// The still life from so far away that it fills the view.
 fn filling(degrees: f64) -> Play {
     let away = 2.5 / (degrees.to_radians() * 0.5).tan();
-    let set = Set::still_life(1.0, DVec3::ZERO);
+    let set = SceneBuilder::still_life(1.0, DVec3::ZERO);
     let from = |x: f64| {
         let eye = DVec3::new(x, 0.1, 1.0) * away;
         let target = DVec3::new(0.0, 0.25, 0.0);
-        look(eye, target, perspective(degrees, away * 0.1))
+        look_at(eye, target, perspective_degrees(degrees, away * 0.1))
     };
     Play {
         apart: away * 0.01,
@@ -63,7 +63,7 @@ fn a_field_of_view_of_a_hundredth_of_a_degree() {
 #[test]
 fn a_field_of_view_of_179_degrees() {
     // From within: a wall on every side, something before each, something behind each.
-    let mut set = Set::new();
+    let mut set = SceneBuilder::new();
     for side in [-1.0, 1.0] {
         for axis in DVec3::AXES {
             let aside = if axis == DVec3::Y { DVec3::X } else { DVec3::Y };
@@ -75,10 +75,10 @@ fn a_field_of_view_of_179_degrees() {
         }
     }
     let towards = |x: f64| {
-        look(
+        look_at(
             DVec3::ZERO,
             DVec3::new(x, 0.1, -1.0),
-            perspective(179.0, 0.01),
+            perspective_degrees(179.0, 0.01),
         )
     };
     let mut play = Play::new(set.scene, vec![towards(0.0), towards(0.3)]);
@@ -88,7 +88,7 @@ fn a_field_of_view_of_179_degrees() {
 }
 
 /// The still life without perspective, six metres high; a metre is `metre` metres, and so are `near` and `far`.
-fn parallel(set: Set, metre: f64, near: f64, far: f64) -> Play {
+fn parallel(set: SceneBuilder, metre: f64, near: f64, far: f64) -> Play {
     let set = set.with_still_life(metre, DVec3::ZERO);
     let projection = Projection::Orthographic {
         height: 6.0 * metre,
@@ -97,7 +97,7 @@ fn parallel(set: Set, metre: f64, near: f64, far: f64) -> Play {
     };
     let from = |x: f64| {
         let eye = DVec3::new(x, 0.25, 6.0) * metre;
-        look(eye, eye + DVec3::new(-0.25 * x, 0.0, -1.0), projection)
+        look_at(eye, eye + DVec3::new(-0.25 * x, 0.0, -1.0), projection)
     };
     let mut play = Play::new(set.scene, vec![from(0.0), from(0.5)]);
     play.apart = 0.125 * metre;
@@ -114,7 +114,7 @@ fn parallel_views_of_a_centimetre_and_of_a_thousand_kilometres() {
         (1.0, 6.0, 50.0, 3),
         (1.0, 1.0, 6.0, 6),
     ] {
-        let play = parallel(Set::new(), metre, near, far);
+        let play = parallel(SceneBuilder::new(), metre, near, far);
         play.agrees_with_the_twin(0.7, owners);
         play.is_right();
     }
@@ -123,7 +123,7 @@ fn parallel_views_of_a_centimetre_and_of_a_thousand_kilometres() {
 /// Without perspective, depth tells apart what differs by a 2^24th of what it spans: here, nothing. All that ties is drawn.
 #[test]
 fn a_parallel_view_so_deep_that_all_depths_are_equal() {
-    let play = parallel(Set::plain(), 1e-3, 0.0, 1e12);
+    let play = parallel(SceneBuilder::plain(), 1e-3, 0.0, 1e12);
     for gpu in gpus() {
         for image in play.seen(gpu).1 {
             assert!(image.owners().len() > 5);

@@ -1,30 +1,14 @@
 //! Plays a scene to every strategy, on every backend.
 
-use std::sync::OnceLock;
-
 use antumbra::cull::{Strategy, Verdicts};
-use antumbra::draw::{AdapterChoice, Gpu, GpuScene};
+use antumbra::draw::{Gpu, GpuScene};
 use antumbra::scene::{Camera, EntityKey, Scene};
 use antumbra::strategies::registry;
 use antumbra::verify::kit::Kit;
 use antumbra::verify::{IdImage, Members, Oracle};
+use antumbra_testing::gpus;
 
 use crate::twin::Twin;
-
-/// A device a backend, shared by the tests of this program.
-pub fn gpus() -> [&'static Gpu; 2] {
-    static VULKAN: OnceLock<Gpu> = OnceLock::new();
-    static GL: OnceLock<Gpu> = OnceLock::new();
-    let open = |name: &str| {
-        Gpu::open(&AdapterChoice::Named(name.to_owned())).unwrap_or_else(|error| {
-            panic!("{error}; run make test, which looks for the drivers first")
-        })
-    };
-    [
-        VULKAN.get_or_init(|| open("vulkan")),
-        GL.get_or_init(|| open("gl")),
-    ]
-}
 
 /// Every registered strategy in settings that promise no wrong pixel. One that is registered anew must be given its own here.
 pub fn strategies() -> Vec<String> {

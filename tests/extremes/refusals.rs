@@ -5,10 +5,8 @@ use antumbra::draw::GpuScene;
 use antumbra::measure::path::{Path, Pose};
 use antumbra::scene::{Camera, Geometry, Mesh, Projection, Scene};
 use antumbra::strategies::registry;
+use antumbra_testing::{SceneBuilder, gpus, look_at, perspective_degrees};
 use glam::{DAffine3, DQuat, DVec3};
-
-use crate::play::gpus;
-use crate::set::{Set, look, perspective};
 
 /// A message that holds all of these words.
 fn says(message: impl std::fmt::Display, words: &[&str]) {
@@ -19,8 +17,8 @@ fn says(message: impl std::fmt::Display, words: &[&str]) {
 }
 
 /// A scene with a ball named `ball`.
-fn named() -> (Set, antumbra::scene::EntityKey) {
-    let mut set = Set::new();
+fn named() -> (SceneBuilder, antumbra::scene::EntityKey) {
+    let mut set = SceneBuilder::new();
     let ball = set.ball(DVec3::ZERO, 1.0);
     set.scene.set_entity_name(ball, "ball").unwrap();
     (set, ball)
@@ -93,16 +91,19 @@ fn a_camera_that_cannot_see_names_the_view_and_the_number() {
     let strategy = registry().make("frustum").unwrap();
     let views = vec![ViewSpec::main(64, 48)];
     let mut stage = Stage::new(&scene, strategy, views, StageOptions::default()).unwrap();
-    let good = look(DVec3::Z, DVec3::ZERO, perspective(60.0, 0.1));
+    let good = look_at(DVec3::Z, DVec3::ZERO, perspective_degrees(60.0, 0.1));
     let with = |projection| Camera { projection, ..good };
     let parallel = |height, near, far| Projection::Orthographic { height, near, far };
     for (camera, words) in [
-        (with(perspective(60.0, 0.0)), ["near", "0 m"]),
-        (with(perspective(60.0, -2.5)), ["near", "-2.5 m"]),
-        (with(perspective(60.0, f64::NAN)), ["near", "NaN"]),
-        (with(perspective(0.0, 0.1)), ["fov_y", "0 radians"]),
-        (with(perspective(180.0, 0.1)), ["fov_y", "3.14159"]),
-        (with(perspective(f64::INFINITY, 0.1)), ["fov_y", "inf"]),
+        (with(perspective_degrees(60.0, 0.0)), ["near", "0 m"]),
+        (with(perspective_degrees(60.0, -2.5)), ["near", "-2.5 m"]),
+        (with(perspective_degrees(60.0, f64::NAN)), ["near", "NaN"]),
+        (with(perspective_degrees(0.0, 0.1)), ["fov_y", "0 radians"]),
+        (with(perspective_degrees(180.0, 0.1)), ["fov_y", "3.14159"]),
+        (
+            with(perspective_degrees(f64::INFINITY, 0.1)),
+            ["fov_y", "inf"],
+        ),
         (with(parallel(0.0, 0.0, 1.0)), ["height", "0 m"]),
         (with(parallel(1.0, 2.0, 2.0)), ["far", "2 m"]),
         (with(parallel(1.0, 0.0, f64::INFINITY)), ["far", "inf"]),
@@ -172,10 +173,10 @@ fn a_path_with_nan_names_the_pose_and_the_number() {
         (far, ["position", "-inf"]),
     ] {
         let poses = vec![good, good, bad, good];
-        let error = Path::new("odd", perspective(60.0, 0.1), poses).unwrap_err();
+        let error = Path::new("odd", perspective_degrees(60.0, 0.1), poses).unwrap_err();
         says(&error, &words);
         says(error, &["odd", "pose 2"]);
     }
-    let error = Path::new("flat", perspective(60.0, 0.0), vec![good]).unwrap_err();
+    let error = Path::new("flat", perspective_degrees(60.0, 0.0), vec![good]).unwrap_err();
     says(error, &["flat", "near", "0 m"]);
 }

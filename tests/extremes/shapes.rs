@@ -1,19 +1,19 @@
 //! Shapes by transform and flatness: mirrored, squeezed to nothing, blown up beyond all measure, flat, and as thin as blades.
 
 use antumbra::scene::{Geometry, Mesh};
+use antumbra_testing::{SceneBuilder, look_at, perspective_degrees, placed};
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use crate::play::Play;
-use crate::set::{Set, look, perspective, placed};
 
 /// From before the origin, then a little beside.
-fn before(set: Set) -> Play {
+fn before(set: SceneBuilder) -> Play {
     let from = |x: f64| {
         let eye = DVec3::new(x, 0.25, 6.0);
-        look(
+        look_at(
             eye,
             eye - DVec3::new(0.0, 0.04, 1.0),
-            perspective(60.0, 0.125),
+            perspective_degrees(60.0, 0.125),
         )
     };
     Play::new(set.scene, vec![from(0.0), from(0.4)])
@@ -21,7 +21,7 @@ fn before(set: Set) -> Play {
 
 #[test]
 fn mirrored_turned_and_sheared_shapes_show_their_fronts() {
-    let mut set = Set::still_life(1.0, DVec3::ZERO);
+    let mut set = SceneBuilder::still_life(1.0, DVec3::ZERO);
     for (number, scale) in [
         DVec3::new(-1.0, 1.0, 1.0),
         DVec3::new(1.0, -0.5, 1.0),
@@ -52,7 +52,7 @@ fn mirrored_turned_and_sheared_shapes_show_their_fronts() {
 
 #[test]
 fn scales_of_nothing_of_1e_minus_20_and_of_1e20() {
-    let mut set = Set::still_life(1.0, DVec3::ZERO);
+    let mut set = SceneBuilder::still_life(1.0, DVec3::ZERO);
     let mut place = |scale: DVec3, at: DVec3| {
         set.put(set.cube, placed(at, scale));
         set.put(set.ball, placed(at + DVec3::Y, scale));
@@ -77,14 +77,14 @@ fn scales_of_nothing_of_1e_minus_20_and_of_1e20() {
 }
 
 /// A mesh of its own, put upright.
-fn put_mesh(set: &mut Set, name: &str, geometry: Geometry, place: DAffine3) {
+fn put_mesh(set: &mut SceneBuilder, name: &str, geometry: Geometry, place: DAffine3) {
     let mesh = set.scene.add_mesh(Mesh::new(name, geometry)).unwrap();
     set.put(mesh, place);
 }
 
 #[test]
 fn flat_boxes_face_on_and_edge_on() {
-    let mut set = Set::still_life(1.0, DVec3::ZERO);
+    let mut set = SceneBuilder::still_life(1.0, DVec3::ZERO);
     for (number, size) in [
         DVec3::new(1.0, 1.0, 0.0),
         DVec3::new(1.0, 0.0, 1.0),
@@ -114,7 +114,7 @@ fn flat_boxes_face_on_and_edge_on() {
 
 #[test]
 fn blades_thinner_than_a_pixel_a_hundred_metres_long() {
-    let mut set = Set::still_life(1.0, DVec3::ZERO);
+    let mut set = SceneBuilder::still_life(1.0, DVec3::ZERO);
     let blade = || Geometry {
         positions: vec![[0.0, 0.0, 0.0], [0.01, 0.0, 0.0], [0.0, 0.004, -100.0]],
         indices: vec![0, 1, 2, 0, 2, 1],

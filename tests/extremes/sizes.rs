@@ -1,13 +1,13 @@
 //! Sizes: from what no pixel can show to what fills the sky, in one scene.
 
+use antumbra_testing::{SceneBuilder, gpus, look_at, perspective_degrees};
 use glam::DVec3;
 
 use crate::play::Play;
-use crate::set::{Set, look, perspective};
 
 #[test]
 fn a_scene_of_sizes_a_billion_to_one() {
-    let mut set = Set::new();
+    let mut set = SceneBuilder::new();
     let mut place = |far: f64, x: f64, y: f64, size: f64| {
         let centre = DVec3::new(x, y, -1.0) * far;
         set.ball(centre, size);
@@ -32,13 +32,13 @@ fn a_scene_of_sizes_a_billion_to_one() {
     set.ball(DVec3::new(0.5, -2.49, -10.0), 1e-3);
     let from = |x: f64| {
         let eye = DVec3::X * x;
-        look(eye, eye - DVec3::Z, perspective(60.0, 1e-3))
+        look_at(eye, eye - DVec3::Z, perspective_degrees(60.0, 1e-3))
     };
     let mut play = Play::new(set.scene, vec![from(0.0), from(1e-3)]);
     play.size = [96, 72];
     play.apart = 1e-3;
     // On GL what is farther than a few kilometres ties: see the worlds.
-    let [vulkan, _] = crate::play::gpus();
+    let [vulkan, _] = gpus();
     play.agrees_with_the_twin_on(&[vulkan], 0.7, 15);
     play.is_right();
 }
@@ -46,7 +46,7 @@ fn a_scene_of_sizes_a_billion_to_one() {
 #[test]
 fn objects_of_a_hundredth_of_a_pixel_alone() {
     // None of them is wider than a tenth of a pixel; where a pixel's middle falls into one, it owns that pixel.
-    let mut set = Set::new();
+    let mut set = SceneBuilder::new();
     for number in 0..400 {
         let t = f64::from(number);
         let place = DVec3::new((t * 0.618).fract() - 0.5, (t * 0.414).fract() - 0.5, -1.0);
@@ -58,12 +58,12 @@ fn objects_of_a_hundredth_of_a_pixel_alone() {
     let half = 30_f64.to_radians().tan() / 48.0;
     let hit = set.cube(DVec3::new(half, half, -1.0) * 3.0, DVec3::splat(half * 0.6));
     set.ball(DVec3::new(0.0, -0.2, -60.0), 8.0);
-    let camera = look(DVec3::ZERO, DVec3::NEG_Z, perspective(60.0, 0.1));
+    let camera = look_at(DVec3::ZERO, DVec3::NEG_Z, perspective_degrees(60.0, 0.1));
     let mut play = Play::new(set.scene, vec![camera; 2]);
     play.apart = 0.0;
     play.steps = 2;
     play.agrees_with_the_twin(0.7, 2);
-    let [gpu, _] = crate::play::gpus();
+    let [gpu, _] = gpus();
     let (scene, images) = play.seen(gpu);
     let id = crate::play::id_of(&scene, Some(hit));
     assert_eq!(images[0].ids.iter().filter(|one| **one == id).count(), 1);

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use antumbra::cull::Verdict;
 use antumbra::scene::{Material, Scene};
 use antumbra::terrain::{Field, GroupOptions, HorizonStrategy, Sectors, Terrain, TerrainOptions};
+use antumbra_testing::{gpus, look_at, perspective_degrees};
 use glam::DVec3;
 
-use crate::play::{Play, gpus};
-use crate::set::{look, perspective};
+use crate::play::Play;
 
 /// Posts along a side.
 const POSTS: u32 = 33;
@@ -59,11 +59,11 @@ fn holds(metre: f64, origin: DVec3) -> [usize; 2] {
         let at = origin + DVec3::new(east, north, up) * metre;
         DVec3::new(at.x, at.z, -at.y)
     };
-    let projection = perspective(50.0, 0.03125 * metre);
+    let projection = perspective_degrees(50.0, 0.03125 * metre);
     let frames = vec![
-        look(world(16.0, 6.0, 1.0), world(16.0, 16.0, 1.0), projection),
-        look(world(14.0, -3.0, 1.5), world(16.0, 16.0, 1.0), projection),
-        look(world(14.0, 4.0, 9.0), world(16.0, 16.0, 0.0), projection),
+        look_at(world(16.0, 6.0, 1.0), world(16.0, 16.0, 1.0), projection),
+        look_at(world(14.0, -3.0, 1.5), world(16.0, 16.0, 1.0), projection),
+        look_at(world(14.0, 4.0, 9.0), world(16.0, 16.0, 0.0), projection),
     ];
     let play = Play::new(scene, frames);
     let mut drawn = [0, 0];

@@ -6,10 +6,10 @@ use antumbra::cull::{Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
 use antumbra::draw::{Gpu, GpuScene};
 use antumbra::scene::Camera;
 use antumbra::verify::{Members, Oracle};
+use antumbra_testing::{SceneBuilder, gpus, look_at, perspective_degrees, placed};
 use glam::DVec3;
 
-use crate::play::{Play, gpus, made, strategies};
-use crate::set::{Set, look, perspective, placed};
+use crate::play::{Play, made, strategies};
 
 /// What answers a frame late and errs by its lateness alone.
 const LATE: [&str; 4] = [
@@ -26,10 +26,10 @@ fn late_and_exact() -> Vec<String> {
 
 fn camera(x: f64) -> Camera {
     let eye = DVec3::new(x, 0.5, 6.0);
-    look(
+    look_at(
         eye,
         DVec3::new(x * 0.5, 0.25, 0.0),
-        perspective(60.0, 0.125),
+        perspective_degrees(60.0, 0.125),
     )
 }
 
@@ -76,7 +76,7 @@ fn a_path_flown_back_is_seen_as_it_was_flown() {
     let there: Vec<Camera> = (0..5).map(|i| camera(f64::from(i) * 0.75 - 1.5)).collect();
     let back = there.iter().rev().copied();
     let frames: Vec<Camera> = there.iter().copied().chain(back).collect();
-    let set = Set::still_life(1.0, DVec3::ZERO);
+    let set = SceneBuilder::still_life(1.0, DVec3::ZERO);
     let play = Play {
         apart: 0.0625,
         ..Play::new(set.scene, frames)
@@ -116,7 +116,7 @@ fn a_scene_that_returns_to_what_it_was_is_no_past_state() {
         .filter(|text| !text.contains("stereo"))
     {
         let late = LATE.contains(&text.as_str());
-        let mut set = Set::still_life(1.0, DVec3::ZERO);
+        let mut set = SceneBuilder::still_life(1.0, DVec3::ZERO);
         let hidden = placed(DVec3::new(0.0, -0.5, -1.0), DVec3::splat(0.5));
         let in_sight = placed(DVec3::new(0.0, -0.5, 1.5), DVec3::splat(0.5));
         let moves = set.put(set.cube, hidden);
@@ -155,7 +155,7 @@ fn answers_about_another_scene_are_not_applied() {
     for gpu in [vulkan, gl] {
         // The same slots, and what is hidden in one is in sight in the other.
         let mut sets = [1.0, -1.0].map(|front| {
-            let mut set = Set::still_life(1.0, DVec3::ZERO);
+            let mut set = SceneBuilder::still_life(1.0, DVec3::ZERO);
             for column in -2..=2 {
                 let place = DVec3::new(f64::from(column), -1.0, -1.5 * front);
                 set.cube(place, DVec3::splat(0.5));

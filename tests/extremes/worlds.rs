@@ -1,19 +1,19 @@
 //! Worlds by size and place.
 
+use antumbra_testing::{SceneBuilder, gpus, look_at, perspective_degrees};
 use glam::DVec3;
 
-use crate::play::{Play, gpus};
-use crate::set::{Set, look, perspective};
+use crate::play::Play;
 
 /// The still life, seen from the front and a little beside, in a world where a metre is `metre` metres.
 fn world(metre: f64, origin: DVec3) -> Play {
-    let set = Set::still_life(metre, origin);
+    let set = SceneBuilder::still_life(metre, origin);
     let at = |x: f64, y: f64, z: f64| origin + DVec3::new(x, y, z) * metre;
     let from = |x: f64| {
-        look(
+        look_at(
             at(x, 0.5, 6.0),
             at(x, 0.25, 0.0),
-            perspective(60.0, 0.125 * metre),
+            perspective_degrees(60.0, 0.125 * metre),
         )
     };
     Play {
@@ -50,7 +50,7 @@ fn ten_thousand_kilometres_away_the_verdicts_are_the_same() {
 
 /// Three walls a hundred thousand kilometres apart, each half hidden by the one before it, behind what is as near as a hand.
 fn walls_far_away(near: f64) -> Play {
-    let mut set = Set::new();
+    let mut set = SceneBuilder::new();
     set.cube(
         DVec3::new(-0.5, -0.25, -4.0) * near.max(1.0),
         DVec3::splat(0.5 * near.max(1.0)),
@@ -64,7 +64,7 @@ fn walls_far_away(near: f64) -> Play {
     set.ball(DVec3::new(-0.3e9, 0.0, -1.3e9), 1e8);
     let from = |x: f64| {
         let eye = DVec3::X * x;
-        look(eye, eye - DVec3::Z, perspective(60.0, near))
+        look_at(eye, eye - DVec3::Z, perspective_degrees(60.0, near))
     };
     Play::new(set.scene, vec![from(0.0), from(0.125)])
 }

@@ -3,46 +3,29 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{
-    AUDIT, AuditOptions, DeclareError, Estimate, FrameAudit, FrameGraph, ImportedTargets, Stage,
-    StageOptions, Strategy, Verdict, ViewInput, ViewNodes, ViewSpec, VisibleSet,
+    AUDIT, AuditOptions, DeclareError, Estimate, FrameAudit, FrameGraph, ImportedTargets,
+    StageOptions, Strategy, Verdict, ViewInput, ViewNodes, VisibleSet,
 };
-use antumbra_demo_scenes::{GridOptions, grid};
-use antumbra_draw::{AdapterChoice, DEPTH_FORMAT, Gpu, GpuScene, read_back};
+use antumbra_draw::{DEPTH_FORMAT, Gpu, GpuScene, read_back};
 use antumbra_graph::Mode;
 use antumbra_scene::{
-    AlphaMode, Camera, Drawable, Geometry, Image, Material, Mesh, Projection, Sampler, Scene,
-    Topology, icosphere,
+    AlphaMode, Camera, Drawable, Geometry, Material, Mesh, Scene, Topology, icosphere,
 };
 use antumbra_strategies::registry;
-use antumbra_verify::{Members, Oracle};
+use antumbra_testing::{
+    add, balls_with_proxies, glass, gpus, holes, look_at, perspective, stage_with, views, vulkan,
+    wrong_pixels_percent,
+};
+use antumbra_verify::Oracle;
 use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [150, 110];
-
-fn gpu(name: &str) -> Gpu {
-    Gpu::open(&AdapterChoice::Named(name.to_owned()))
-        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
-}
-
-fn balls(per_side: u32) -> Scene {
-    let mut scene = grid(GridOptions {
-        per_side,
-        ..GridOptions::default()
-    })
-    .unwrap();
-    scene.ensure_proxies(&Default::default());
-    scene
-}
 
 /// Around the scene and into it, a step a frame.
 fn camera(frame: u32, reach: f64) -> Camera {
     let angle = f64::from(frame) * 0.05;
     let eye = DVec3::new(angle.cos(), 0.2, angle.sin()) * reach * (1.2 + 0.5 * (angle * 3.0).sin());
-    let projection = Projection::Perspective {
-        fov_y: 0.9,
-        near: 0.05,
-    };
-    Camera::look_at(eye, DVec3::ZERO, DVec3::Y, projection).unwrap()
+    look_at(eye, DVec3::ZERO, perspective(0.9, 0.05))
 }
 
 fn named(strategy: &str) -> Box<dyn Strategy> {
@@ -62,8 +45,7 @@ fn fly(
         audit: Some(audit),
         ..StageOptions::default()
     };
-    let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
-    let mut stage = Stage::new(scene, strategy, specs, options).unwrap();
+    let mut stage = stage_with(scene, strategy, views(&["main"], SIZE), options);
     let mut oracle = Oracle::new(scene, SIZE);
     let mut truths = Vec::new();
     let mut taken = 0;
@@ -71,13 +53,8 @@ fn fly(
         let camera = camera(frame, reach);
         stage.frame(scene, &[ViewInput::new(camera)]).unwrap();
         scene.gpu().wait().unwrap();
-        let reference = oracle.look(scene, &camera, Members::Frustum).unwrap();
         let verdicts = stage.verdicts(0, scene).unwrap();
-        let drawn = oracle
-            .look(scene, &camera, Members::Drawn(&verdicts))
-            .unwrap();
-        let wrong = reference.wrong_pixels(&drawn) as f64;
-        truths.push(wrong * 100.0 / f64::from(SIZE[0] * SIZE[1]));
+        truths.push(wrong_pixels_percent(&mut oracle, scene, &camera, &verdicts));
         let audit = stage.audit(0).unwrap();
         let fresh = (audit.audited() - taken) as usize;
         taken = audit.audited();
@@ -109,10 +86,10 @@ const AGGRESSIVE: [&str; 8] = [
 
 #[test]
 fn a_census_counts_what_the_oracle_counts() {
-    for adapter in ["vulkan", "gl"] {
-        let gpu = gpu(adapter);
-        let mut scene = balls(7);
-        let scene = GpuScene::new(&gpu, &mut scene).unwrap();
+    for gpu in gpus() {
+        let adapter = gpu.title();
+        let mut scene = balls_with_proxies(7);
+        let scene = GpuScene::new(gpu, &mut scene).unwrap();
         let mut wrong_somewhere = 0;
         for strategy in AGGRESSIVE {
             fly(&scene, named(strategy), CENSUS, 16, 9.0, |found, truth| {
@@ -158,24 +135,6 @@ impl Strategy for Thirds {
     }
 }
 
-/// Half of an image's pixels are holes.
-fn holes() -> Image {
-    let alpha = |i: u8| {
-        if (i + i / 4).is_multiple_of(2) {
-            255
-        } else {
-            0
-        }
-    };
-    Image {
-        name: "holes".to_owned(),
-        width: 4,
-        height: 4,
-        rgba: (0..16).flat_map(|i| [255, 255, 255, alpha(i)]).collect(),
-        sampler: Sampler::default(),
-    }
-}
-
 /// Spheres that are solid, of glass, full of holes, mirrored; and points.
 fn mixed() -> Scene {
     let mut scene = Scene::new();
@@ -194,11 +153,7 @@ fn mixed() -> Scene {
     let image = scene.add_image(holes()).unwrap();
     let materials = [
         Material::default(),
-        Material {
-            alpha: AlphaMode::Blend,
-            base_colour: [1.0, 1.0, 1.0, 0.5],
-            ..Material::default()
-        },
+        glass([1.0, 1.0, 1.0, 0.5]),
         Material {
             alpha: AlphaMode::Mask { cutoff: 0.5 },
             base_colour_image: Some(image),
@@ -215,21 +170,18 @@ fn mixed() -> Scene {
             glam::DQuat::from_rotation_y(x),
             DVec3::new(x, y, z) * 1.4 + shift,
         );
-        let entity = scene.spawn(None, place).unwrap();
         let mesh = if number % 11 == 0 { points } else { sphere };
         let material = materials[number as usize % materials.len()];
-        scene
-            .set_drawable(entity, Drawable { mesh, material })
-            .unwrap();
+        add(&mut scene, place, Drawable { mesh, material });
     }
     scene
 }
 
 #[test]
 fn glass_holes_points_and_mirrored_meshes_are_audited_as_they_are_drawn() {
-    for adapter in ["vulkan", "gl"] {
-        let gpu = gpu(adapter);
-        let scene = GpuScene::new(&gpu, &mut mixed()).unwrap();
+    for gpu in gpus() {
+        let adapter = gpu.title();
+        let scene = GpuScene::new(gpu, &mut mixed()).unwrap();
         fly(&scene, Box::new(Thirds), CENSUS, 10, 7.0, |found, truth| {
             assert!(truth > 5.0, "frame {}: {truth} % are wrong", found.frame);
             let all = found.wrong_pixels_percent();
@@ -244,12 +196,11 @@ fn glass_holes_points_and_mirrored_meshes_are_audited_as_they_are_drawn() {
 
 #[test]
 fn lots_are_right_on_average() {
-    let gpu = gpu("vulkan");
-    let scene = GpuScene::new(&gpu, &mut balls(7)).unwrap();
+    let gpu = vulkan();
+    let scene = GpuScene::new(gpu, &mut balls_with_proxies(7)).unwrap();
     // Nothing moves: the truth is known from one look, and many lots are soon drawn.
     let camera = camera(9, 9.0);
     let mut oracle = Oracle::new(&scene, SIZE);
-    let reference = oracle.look(&scene, &camera, Members::Frustum).unwrap();
     for strategy in [
         "three-pass:latency=same-frame:threshold=20",
         "three-pass:latency=on-gpu:threshold=20",
@@ -262,18 +213,14 @@ fn lots_are_right_on_average() {
             }),
             ..StageOptions::default()
         };
-        let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
-        let mut stage = Stage::new(&scene, named(strategy), specs, options).unwrap();
+        let mut stage = stage_with(&scene, named(strategy), views(&["main"], SIZE), options);
         let frames = 1_500;
         for _ in 0..frames {
             stage.frame(&scene, &[ViewInput::new(camera)]).unwrap();
             gpu.wait().unwrap();
         }
         let verdicts = stage.verdicts(0, &scene).unwrap();
-        let drawn = Members::Drawn(&verdicts);
-        let drawn = oracle.look(&scene, &camera, drawn).unwrap();
-        let wrong = reference.wrong_pixels(&drawn) as f64;
-        let truth = wrong * 100.0 / f64::from(SIZE[0] * SIZE[1]);
+        let truth = wrong_pixels_percent(&mut oracle, &scene, &camera, &verdicts);
         let audit = stage.audit(0).unwrap();
         let found: Vec<f64> = audit
             .frames()
@@ -302,8 +249,8 @@ fn lots_are_right_on_average() {
 
 #[test]
 fn the_truth_lies_within_the_interval_as_often_as_it_says() {
-    let gpu = gpu("vulkan");
-    let scene = GpuScene::new(&gpu, &mut balls(7)).unwrap();
+    let gpu = vulkan();
+    let scene = GpuScene::new(gpu, &mut balls_with_proxies(7)).unwrap();
     for (strategy, often) in [
         ("three-pass", 1.0),
         ("three-pass", 0.25),
@@ -332,15 +279,14 @@ fn the_truth_lies_within_the_interval_as_often_as_it_says() {
 
 #[test]
 fn an_audit_changes_nothing_that_is_drawn_and_is_not_there_unless_asked_for() {
-    let gpu = gpu("vulkan");
-    let scene = GpuScene::new(&gpu, &mut mixed()).unwrap();
+    let gpu = vulkan();
+    let scene = GpuScene::new(gpu, &mut mixed()).unwrap();
     let picture = |audit: Option<AuditOptions>| {
         let options = StageOptions {
             audit,
             ..StageOptions::default()
         };
-        let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
-        let mut stage = Stage::new(&scene, Box::new(Thirds), specs, options).unwrap();
+        let mut stage = stage_with(&scene, Box::new(Thirds), views(&["main"], SIZE), options);
         for frame in 0..3 {
             stage
                 .frame(&scene, &[ViewInput::new(camera(frame, 7.0))])
@@ -353,7 +299,7 @@ fn an_audit_changes_nothing_that_is_drawn_and_is_not_there_unless_asked_for() {
             .filter(|pass| pass.group == Some(AUDIT))
             .count();
         assert_eq!(stage.audit(0).is_some(), audit.is_some());
-        let pixels = read_back::texture(&gpu, stage.colour(0).unwrap()).unwrap();
+        let pixels = read_back::texture(gpu, stage.colour(0).unwrap()).unwrap();
         (pixels, audits)
     };
     let (plain, none) = picture(None);
@@ -364,8 +310,8 @@ fn an_audit_changes_nothing_that_is_drawn_and_is_not_there_unless_asked_for() {
 
 #[test]
 fn the_same_seed_draws_the_same_lots() {
-    let gpu = gpu("vulkan");
-    let scene = GpuScene::new(&gpu, &mut balls(6)).unwrap();
+    let gpu = vulkan();
+    let scene = GpuScene::new(gpu, &mut balls_with_proxies(6)).unwrap();
     let found = |seed| {
         let audit = AuditOptions {
             share: 0.2,
@@ -421,16 +367,15 @@ fn clear(encoder: &mut wgpu::CommandEncoder, depth: &wgpu::Texture, to: f32) {
 
 #[test]
 fn a_frame_inside_somebody_elses_is_audited_against_their_depth() {
-    let gpu = gpu("vulkan");
-    let scene = GpuScene::new(&gpu, &mut balls(7)).unwrap();
+    let gpu = vulkan();
+    let scene = GpuScene::new(gpu, &mut balls_with_proxies(7)).unwrap();
     let options = StageOptions {
         mode: Mode::Embedded,
         audit: Some(CENSUS),
         ..StageOptions::default()
     };
-    let (colour, depth) = theirs(&gpu, options.colour_format);
-    let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
-    let mut stage = Stage::new(&scene, Box::new(Thirds), specs, options).unwrap();
+    let (colour, depth) = theirs(gpu, options.colour_format);
+    let mut stage = stage_with(&scene, Box::new(Thirds), views(&["main"], SIZE), options);
     let mut oracle = Oracle::new(&scene, SIZE);
     let camera = camera(4, 9.0);
     // Nothing of theirs at first; then a wall right before the eye, behind which nothing can be wrong.
@@ -450,13 +395,9 @@ fn a_frame_inside_somebody_elses_is_audited_against_their_depth() {
             gpu.wait().unwrap();
         }
         let verdicts = stage.verdicts(0, &scene).unwrap();
-        let reference = oracle.look(&scene, &camera, Members::Frustum).unwrap();
-        let drawn = Members::Drawn(&verdicts);
-        let drawn = oracle.look(&scene, &camera, drawn).unwrap();
-        let wrong = reference.wrong_pixels(&drawn) as f64;
         let truth = match hidden {
             true => 0.0,
-            false => wrong * 100.0 / f64::from(SIZE[0] * SIZE[1]),
+            false => wrong_pixels_percent(&mut oracle, &scene, &camera, &verdicts),
         };
         assert!(hidden || truth > 5.0, "{truth}");
         let found = stage.audit(0).unwrap().latest().unwrap();
@@ -478,8 +419,7 @@ fn patches_a_frame(scene: &GpuScene, strategy: Box<dyn Strategy>, wall: f32) -> 
         ..StageOptions::default()
     };
     let (colour, depth) = theirs(gpu, options.colour_format);
-    let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
-    let mut stage = Stage::new(scene, strategy, specs, options).unwrap();
+    let mut stage = stage_with(scene, strategy, views(&["main"], SIZE), options);
     for _ in 0..120 {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         clear(&mut encoder, &depth, wall);
@@ -502,9 +442,9 @@ fn patches_a_frame(scene: &GpuScene, strategy: Box<dyn Strategy>, wall: f32) -> 
 
 #[test]
 fn what_the_depth_hides_is_not_drawn_again() {
-    for (adapter, on_gpu) in [("vulkan", false), ("vulkan", true), ("gl", true)] {
-        let gpu = gpu(adapter);
-        let scene = GpuScene::new(&gpu, &mut balls(7)).unwrap();
+    let [vulkan, gl] = gpus();
+    for (gpu, on_gpu) in [(vulkan, false), (vulkan, true), (gl, true)] {
+        let scene = GpuScene::new(gpu, &mut balls_with_proxies(7)).unwrap();
         let strategy = || match on_gpu {
             true => named("three-pass:latency=on-gpu:threshold=20"),
             false => Box::new(Thirds),
@@ -513,7 +453,8 @@ fn what_the_depth_hides_is_not_drawn_again() {
         let hidden = patches_a_frame(&scene, strategy(), 1.0);
         assert!(
             hidden > 3.0 * open,
-            "{adapter}: {hidden} patches behind a wall, {open} without"
+            "{}: {hidden} patches behind a wall, {open} without",
+            gpu.title()
         );
     }
 }

@@ -3,39 +3,22 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{AuditOptions, Budget, Stage, StageError, StageOptions, ViewInput, ViewSpec};
-use antumbra_demo_scenes::{GridOptions, grid};
-use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
-use antumbra_scene::{Camera, Projection, Scene};
+use antumbra_draw::GpuScene;
+use antumbra_scene::Camera;
 use antumbra_strategies::registry;
-use antumbra_verify::{Members, Oracle};
+use antumbra_testing::{
+    balls_with_proxies, look_at, perspective, stage_with, views, vulkan, wrong_pixels_percent,
+};
+use antumbra_verify::Oracle;
 use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [160, 120];
-
-fn gpu() -> Gpu {
-    Gpu::open(&AdapterChoice::Named("vulkan".to_owned()))
-        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
-}
-
-fn balls() -> Scene {
-    let mut scene = grid(GridOptions {
-        per_side: 7,
-        ..GridOptions::default()
-    })
-    .unwrap();
-    scene.ensure_proxies(&Default::default());
-    scene
-}
 
 fn camera(frame: u32) -> Camera {
     // A cut every ninety frames: somewhere else, and on from there.
     let angle = f64::from(frame) * 0.01 + f64::from(frame / 90) * 2.1;
     let eye = DVec3::new(angle.cos(), 0.2, angle.sin()) * 9.0 * (1.2 + 0.3 * (angle * 3.0).sin());
-    let projection = Projection::Perspective {
-        fov_y: 0.9,
-        near: 0.05,
-    };
-    Camera::look_at(eye, DVec3::ZERO, DVec3::Y, projection).unwrap()
+    look_at(eye, DVec3::ZERO, perspective(0.9, 0.05))
 }
 
 /// What came of a flight.
@@ -51,14 +34,14 @@ struct Flown {
 }
 
 fn fly(strategy: &str, budget: Budget, frames: u32) -> Flown {
-    let gpu = gpu();
-    let mut scene = balls();
+    let gpu = vulkan();
+    let mut scene = balls_with_proxies(7);
     let movers: Vec<_> = scene.drawables().map(|(key, _)| key).step_by(9).collect();
     let homes: Vec<DAffine3> = movers
         .iter()
         .map(|key| scene.local(*key).unwrap())
         .collect();
-    let mut on_gpu = GpuScene::new(&gpu, &mut scene).unwrap();
+    let mut on_gpu = GpuScene::new(gpu, &mut scene).unwrap();
     let strategy = registry().parse(strategy).unwrap();
     let options = StageOptions {
         budget: Some(budget),
@@ -70,8 +53,7 @@ fn fly(strategy: &str, budget: Budget, frames: u32) -> Flown {
         }),
         ..StageOptions::default()
     };
-    let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
-    let mut stage = Stage::new(&on_gpu, strategy, specs, options).unwrap();
+    let mut stage = stage_with(&on_gpu, strategy, views(&["main"], SIZE), options);
     let mut oracle = Oracle::new(&on_gpu, SIZE);
     let mut flown = Flown {
         wrong: 0.0,
@@ -94,11 +76,8 @@ fn fly(strategy: &str, budget: Budget, frames: u32) -> Flown {
         };
         stage.frame(&on_gpu, &[input]).unwrap();
         gpu.wait().unwrap();
-        let reference = oracle.look(&on_gpu, &camera, Members::Frustum).unwrap();
         let verdicts = stage.verdicts(0, &on_gpu).unwrap();
-        let drawn = Members::Drawn(&verdicts);
-        let drawn = oracle.look(&on_gpu, &camera, drawn).unwrap();
-        let wrong = reference.wrong_pixels(&drawn) as f64 * 100.0 / f64::from(SIZE[0] * SIZE[1]);
+        let wrong = wrong_pixels_percent(&mut oracle, &on_gpu, &camera, &verdicts);
         flown.wrong += wrong / f64::from(frames);
         flown.worst = flown.worst.max(wrong);
         flown.step = stage.standing().unwrap().0.step;
@@ -178,8 +157,8 @@ fn three_pass_has_a_step_between_full_size_and_a_much_smaller_one() {
 
 #[test]
 fn a_strategy_without_steps_that_errs_cannot_keep_a_budget() {
-    let gpu = gpu();
-    let scene = GpuScene::new(&gpu, &mut balls()).unwrap();
+    let gpu = vulkan();
+    let scene = GpuScene::new(gpu, &mut balls_with_proxies(7)).unwrap();
     let options = StageOptions {
         budget: Some(Budget::WrongPixels(0.1)),
         ..StageOptions::default()

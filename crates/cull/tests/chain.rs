@@ -10,10 +10,10 @@ use antumbra_cull::{
     StageError, StageOptions, Strategy, Tunable, Value, Verdict, ViewInput, ViewNodes, ViewSpec,
     VisibleSet,
 };
-use antumbra_demo_scenes::{GridOptions, grid};
-use antumbra_draw::{AdapterChoice, Gpu, GpuScene, SceneTable, ViewFrame};
-use antumbra_scene::{Camera, Projection};
+use antumbra_draw::{GpuScene, SceneTable, ViewFrame};
+use antumbra_scene::Camera;
 use antumbra_strategies::registry;
+use antumbra_testing::{balls, look_at, perspective, stage_with, views, vulkan};
 use antumbra_verify::kit::{Case, Kit};
 use glam::DVec3;
 
@@ -143,14 +143,8 @@ fn all() -> Vec<String> {
     all
 }
 
-fn gpu() -> Gpu {
-    Gpu::open(&AdapterChoice::Named("vulkan".to_owned()))
-        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
-}
-
 #[test]
 fn whoever_is_taken_away_is_not_drawn_by_any_strategy() {
-    let gpu = gpu();
     let kit = Kit {
         size: [64, 48],
         scenes: 1,
@@ -163,7 +157,7 @@ fn whoever_is_taken_away_is_not_drawn_by_any_strategy() {
         ..Kit::default()
     };
     for text in all() {
-        kit.check_on(&gpu, || Box::new(Outer::before(&text, Takes::Third)))
+        kit.check_on(vulkan(), || Box::new(Outer::before(&text, Takes::Third)))
             .unwrap_or_else(|failure| panic!("{text}: {failure}"));
     }
 }
@@ -176,20 +170,12 @@ struct Play {
 }
 
 impl Play {
-    fn new(gpu: &Gpu, outer: Outer) -> Self {
-        let options = GridOptions {
-            per_side: 3,
-            ..Default::default()
-        };
-        let scene = GpuScene::new(gpu, &mut grid(options).unwrap()).unwrap();
-        let projection = Projection::Perspective {
-            fov_y: 0.9,
-            near: 0.1,
-        };
+    fn new(outer: Outer) -> Self {
+        let scene = GpuScene::new(vulkan(), &mut balls(3)).unwrap();
         let eye = DVec3::new(12.0, 9.0, 40.0);
-        let camera = Camera::look_at(eye, DVec3::ZERO, DVec3::Y, projection).unwrap();
-        let views = vec![ViewSpec::main(64, 48)];
-        let stage = Stage::new(&scene, Box::new(outer), views, StageOptions::default()).unwrap();
+        let camera = look_at(eye, DVec3::ZERO, perspective(0.9, 0.1));
+        let views = views(&["main"], [64, 48]);
+        let stage = stage_with(&scene, Box::new(outer), views, StageOptions::default());
         Self {
             scene,
             stage,
@@ -215,10 +201,9 @@ impl Play {
 
 #[test]
 fn nobody_is_asked_about_who_was_taken_away_and_all_are_drawn_who_come_back() {
-    let gpu = gpu();
     for text in all() {
         let on = Arc::new(AtomicBool::new(false));
-        let mut play = Play::new(&gpu, Outer::before(&text, Takes::All(on.clone())));
+        let mut play = Play::new(Outer::before(&text, Takes::All(on.clone())));
         let mut all = Vec::new();
         for _ in 0..6 {
             all = play.frame().0;
@@ -240,9 +225,8 @@ fn nobody_is_asked_about_who_was_taken_away_and_all_are_drawn_who_come_back() {
 
 #[test]
 fn of_three_in_a_row_the_innermost_judges_what_both_left() {
-    let gpu = gpu();
     for text in ["frustum", "occupancy-map", "none", "coherent"] {
-        let mut play = Play::new(&gpu, Outer::before(text, Takes::None));
+        let mut play = Play::new(Outer::before(text, Takes::None));
         let (verdicts, _) = play.frame();
         for (slot, verdict) in verdicts.into_iter().enumerate() {
             assert_eq!(verdict == Verdict::Occluded, slot % 3 == 0, "{text}");
@@ -295,8 +279,7 @@ fn what_is_wrong_is_said_of_the_strategy_it_is_wrong_of() {
 
 #[test]
 fn an_inner_strategy_that_cannot_be_declared_says_so_itself() {
-    let gpu = gpu();
-    let scene = GpuScene::new(&gpu, &mut grid(GridOptions::default()).unwrap()).unwrap();
+    let scene = GpuScene::new(vulkan(), &mut balls(26)).unwrap();
     let outer = Outer::before("three-pass:counting=queries:threshold=3", Takes::Third);
     let views = vec![ViewSpec::main(32, 32)];
     match Stage::new(&scene, Box::new(outer), views, StageOptions::default()) {

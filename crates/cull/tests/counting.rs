@@ -5,23 +5,18 @@
 use std::sync::{Arc, Mutex};
 
 use antumbra_cull::{
-    Candidates, Counting, DeclareError, FrameGraph, Latency, Samples, Stage, StageOptions,
-    Strategy, Verdict, ViewInput, ViewNodes, ViewSpec, VisibleSet,
+    Candidates, Counting, DeclareError, FrameGraph, Latency, Samples, StageOptions, Strategy,
+    Verdict, ViewInput, ViewNodes, VisibleSet,
 };
-use antumbra_draw::{AdapterChoice, Detail, Gpu, GpuScene, ViewFrame};
+use antumbra_draw::{Detail, Gpu, GpuScene, ViewFrame};
 use antumbra_scene::{
-    AlphaMode, Camera, Drawable, Geometry, Image, Material, Mesh, Projection, Sampler, Scene,
-    Topology, icosphere,
+    AlphaMode, Camera, Drawable, Geometry, Material, Mesh, Scene, Topology, icosphere,
 };
+use antumbra_testing::{add, gl, glass, holes, look_at, perspective, stage_with, views, vulkan};
 use antumbra_verify::{Members, Oracle};
 use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [240, 180];
-
-fn gpu(name: &str) -> Gpu {
-    Gpu::open(&AdapterChoice::Named(name.to_owned()))
-        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
-}
 
 /// Counts and shows what it counted; draws everything.
 struct Counter {
@@ -95,37 +90,14 @@ fn count(
         size,
         counted: Arc::clone(&counted),
     };
-    let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
-    let mut stage = Stage::new(scene, Box::new(counter), specs, StageOptions::default()).unwrap();
+    let views = views(&["main"], SIZE);
+    let mut stage = stage_with(scene, Box::new(counter), views, StageOptions::default());
     stage.frame(scene, &[ViewInput::new(*camera)]).unwrap();
     let mut candidates = Candidates::default();
     candidates.find(scene.table(), &ViewFrame::new(*camera, SIZE, 0));
     let counted = counted.lock().unwrap();
     let of = |slot: &u32| (*slot, counted.get(*slot).unwrap());
     candidates.inside().iter().map(of).collect()
-}
-
-/// Half of an image's pixels are holes.
-fn holes() -> Image {
-    let pixel = |i: u8| {
-        [
-            255,
-            255,
-            255,
-            if (i + i / 4).is_multiple_of(2) {
-                255
-            } else {
-                0
-            },
-        ]
-    };
-    Image {
-        name: "holes".to_owned(),
-        width: 4,
-        height: 4,
-        rgba: (0..16).flat_map(pixel).collect(),
-        sampler: Sampler::default(),
-    }
 }
 
 /// 5,832 spheres in a lattice that is not quite regular; among them some of glass, some with holes, and a few points.
@@ -139,17 +111,10 @@ fn scene() -> Scene {
         let [x, y, z] = [number % 18, number / 18 % 18, number / 324].map(|i| f64::from(i) - 8.5);
         let shift = DVec3::new((y * 3.7).sin(), (z * 2.9).sin(), (x * 5.3).sin()) * 0.1;
         let place = DAffine3::from_translation(DVec3::new(x, y, z) + shift);
-        let entity = scene.spawn(None, place).unwrap();
         let mesh = sphere;
-        scene
-            .set_drawable(entity, Drawable { mesh, material })
-            .unwrap();
+        add(&mut scene, place, Drawable { mesh, material });
     }
-    let glass = scene.add_material(Material {
-        alpha: AlphaMode::Blend,
-        base_colour: [1.0, 1.0, 1.0, 0.5],
-        ..Material::default()
-    });
+    let glass = scene.add_material(glass([1.0, 1.0, 1.0, 0.5]));
     let image = scene.add_image(holes()).unwrap();
     let sieve = scene.add_material(Material {
         alpha: AlphaMode::Mask { cutoff: 0.5 },
@@ -176,29 +141,19 @@ fn scene() -> Scene {
             .enumerate()
         {
             let place = place + DVec3::Y * (i as f64 * 2.1 - 2.0);
-            let entity = scene
-                .spawn(None, DAffine3::from_translation(place))
-                .unwrap();
-            scene
-                .set_drawable(entity, Drawable { mesh, material })
-                .unwrap();
+            let place = DAffine3::from_translation(place);
+            add(&mut scene, place, Drawable { mesh, material });
         }
     }
     scene
 }
 
 fn camera() -> Camera {
-    let projection = Projection::Perspective {
-        fov_y: 1.0,
-        near: 0.1,
-    };
-    Camera::look_at(
+    look_at(
         DVec3::new(3.0, 4.0, 26.0),
         DVec3::ZERO,
-        DVec3::Y,
-        projection,
+        perspective(1.0, 0.1),
     )
-    .unwrap()
 }
 
 /// The ways that count, where the device has them.
@@ -209,12 +164,11 @@ fn counting_ways(gpu: &Gpu) -> Vec<Counting> {
         .collect()
 }
 
-fn all_ways_agree(name: &str) {
-    let gpu = gpu(name);
-    let scene = GpuScene::new(&gpu, &mut scene()).unwrap();
+fn all_ways_agree(gpu: &Gpu) {
+    let scene = GpuScene::new(gpu, &mut scene()).unwrap();
     let camera = camera();
     let full = Detail::Level(0);
-    let ways = counting_ways(&gpu);
+    let ways = counting_ways(gpu);
     assert!(ways.len() >= 2, "{ways:?} on {}", gpu.title());
     let counted = count(&scene, &camera, Counting::Compare, full, SIZE);
     assert!(
@@ -254,9 +208,8 @@ fn all_ways_agree(name: &str) {
     );
 }
 
-fn boxes_and_smaller_images_agree(name: &str) {
-    let gpu = gpu(name);
-    let scene = GpuScene::new(&gpu, &mut scene()).unwrap();
+fn boxes_and_smaller_images_agree(gpu: &Gpu) {
+    let scene = GpuScene::new(gpu, &mut scene()).unwrap();
     let camera = camera();
     let half = SIZE.map(|side| side / 2);
     for (occludee, size) in [
@@ -266,7 +219,7 @@ fn boxes_and_smaller_images_agree(name: &str) {
     ] {
         let counted = count(&scene, &camera, Counting::Compare, occludee, size);
         assert!(counted.iter().any(|(_, samples)| *samples > 1));
-        if Counting::Atomics.lacking(&gpu).is_none() {
+        if Counting::Atomics.lacking(gpu).is_none() {
             let atomics = count(&scene, &camera, Counting::Atomics, occludee, size);
             assert_eq!(atomics, counted, "{occludee:?} {size:?}");
         }
@@ -281,28 +234,28 @@ fn boxes_and_smaller_images_agree(name: &str) {
 
 #[test]
 fn all_ways_agree_on_vulkan() {
-    all_ways_agree("vulkan");
+    all_ways_agree(vulkan());
 }
 
 #[test]
 fn all_ways_agree_on_gl() {
-    all_ways_agree("gl");
+    all_ways_agree(gl());
 }
 
 #[test]
 fn boxes_and_smaller_images_agree_on_vulkan() {
-    boxes_and_smaller_images_agree("vulkan");
+    boxes_and_smaller_images_agree(vulkan());
 }
 
 #[test]
 fn boxes_and_smaller_images_agree_on_gl() {
-    boxes_and_smaller_images_agree("gl");
+    boxes_and_smaller_images_agree(gl());
 }
 
 #[test]
 fn every_way_runs_on_vulkan() {
-    let gpu = gpu("vulkan");
+    let gpu = vulkan();
     for way in Counting::ALL {
-        assert_eq!(way.lacking(&gpu), None, "{way} on {}", gpu.title());
+        assert_eq!(way.lacking(gpu), None, "{way} on {}", gpu.title());
     }
 }

@@ -1,13 +1,12 @@
 //! What an environment does to a picture: a mirror shows what lies before it, rough metal shows all of it, on Vulkan and OpenGL alike.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{Stage, StageOptions, ViewInput, ViewSpec};
-use antumbra_draw::{AdapterChoice, Gpu, GpuScene, read_back};
+use antumbra_cull::{Stage, ViewInput};
+use antumbra_draw::{Gpu, GpuScene, read_back};
 use antumbra_scene::{
-    Camera, Drawable, Environment, Geometry, Image, ImageKey, Light, Material, Mesh, Projection,
-    Sampler, Scene,
+    Camera, Drawable, Environment, Geometry, Image, ImageKey, Light, Material, Mesh, Sampler, Scene,
 };
-use antumbra_strategies::registry;
+use antumbra_testing::{add, gl, perspective, stage, views, vulkan};
 use glam::{DAffine3, DQuat, DVec3};
 
 const SIZE: [u32; 2] = [48, 40];
@@ -20,11 +19,6 @@ const SIDES: [[u8; 3]; 6] = [
     [200, 200, 30],
     [30, 180, 200],
 ];
-
-fn gpu(name: &str) -> Gpu {
-    Gpu::open(&AdapterChoice::Named(name.to_owned()))
-        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
-}
 
 /// An equirectangular image of one colour a side of a cube.
 fn sides(colours: [[u8; 3]; 6]) -> Image {
@@ -70,10 +64,7 @@ fn plates(material: Material) -> (Scene, ImageKey) {
     for outwards in OUTWARDS {
         let turned = DQuat::from_rotation_arc(DVec3::Z, outwards);
         let place = DAffine3::from_rotation_translation(turned, outwards * 2.0);
-        let plate = scene.spawn(None, place).unwrap();
-        scene
-            .set_drawable(plate, Drawable { mesh, material })
-            .unwrap();
+        add(&mut scene, place, Drawable { mesh, material });
     }
     let lamp = scene.spawn(None, DAffine3::IDENTITY).unwrap();
     let dark = Light::Directional {
@@ -115,23 +106,18 @@ struct Viewer {
 
 impl Viewer {
     fn new(scene: &GpuScene, strategy: &str) -> Self {
-        let strategy = registry().parse(strategy).unwrap();
-        let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
-        let stage = Stage::new(scene, strategy, specs, StageOptions::default()).unwrap();
+        let stage = stage(scene, strategy, views(&["main"], SIZE));
         Self { stage }
     }
 
     fn picture(&mut self, scene: &GpuScene, outwards: DVec3) -> Vec<u8> {
-        let projection = Projection::Perspective {
-            fov_y: 0.5,
-            near: 0.1,
-        };
         let up = if outwards.y == 0.0 {
             DVec3::Y
         } else {
             DVec3::X
         };
-        let camera = Camera::look_at(outwards * 4.0, DVec3::ZERO, up, projection).unwrap();
+        let eye = outwards * 4.0;
+        let camera = Camera::look_at(eye, DVec3::ZERO, up, perspective(0.5, 0.1)).unwrap();
         self.stage.frame(scene, &[ViewInput::new(camera)]).unwrap();
         scene.gpu().wait().unwrap();
         read_back::texture(scene.gpu(), self.stage.colour(0).unwrap()).unwrap()
@@ -150,10 +136,9 @@ fn close(seen: [u8; 3], wanted: [u8; 3], by: u8) -> bool {
     seen.iter().zip(wanted).all(|(a, b)| a.abs_diff(b) <= by)
 }
 
-fn a_mirror_shows_what_it_looks_at(name: &str) {
-    let gpu = gpu(name);
+fn a_mirror_shows_what_it_looks_at(gpu: &Gpu) {
     let (mut scene, _) = plates(mirror());
-    let scene = GpuScene::new(&gpu, &mut scene).unwrap();
+    let scene = GpuScene::new(gpu, &mut scene).unwrap();
     for strategy in ["frustum", "three-pass:latency=same-frame"] {
         let seen = Viewer::new(&scene, strategy).middles(&scene);
         for (seen, wanted) in seen.into_iter().zip(SIDES) {
@@ -167,26 +152,26 @@ fn a_mirror_shows_what_it_looks_at(name: &str) {
 
 #[test]
 fn a_mirror_shows_what_it_looks_at_on_vulkan() {
-    a_mirror_shows_what_it_looks_at("vulkan");
+    a_mirror_shows_what_it_looks_at(vulkan());
 }
 
 #[test]
 fn a_mirror_shows_what_it_looks_at_on_gl() {
-    a_mirror_shows_what_it_looks_at("gl");
+    a_mirror_shows_what_it_looks_at(gl());
 }
 
 #[test]
 fn indirect_draws_reflect_too() {
-    let gpu = gpu("vulkan");
+    let gpu = vulkan();
     let (mut scene, _) = plates(mirror());
-    let scene = GpuScene::new(&gpu, &mut scene).unwrap();
+    let scene = GpuScene::new(gpu, &mut scene).unwrap();
     let seen = Viewer::new(&scene, "three-pass:latency=on-gpu").middles(&scene);
     assert_eq!(seen, Viewer::new(&scene, "frustum").middles(&scene));
 }
 
 #[test]
 fn rough_metal_and_matt_white_show_the_light_of_a_whole_half() {
-    let gpu = gpu("vulkan");
+    let gpu = vulkan();
     let rough = Material {
         metallic: 1.0,
         ..Material::default()
@@ -198,7 +183,7 @@ fn rough_metal_and_matt_white_show_the_light_of_a_whole_half() {
         let mut one = [[0; 3]; 6];
         one[0] = [255; 3];
         scene.set_image(image, sides(one)).unwrap();
-        let scene = GpuScene::new(&gpu, &mut scene).unwrap();
+        let scene = GpuScene::new(gpu, &mut scene).unwrap();
         let seen = Viewer::new(&scene, "none").middles(&scene).map(|c| c[0]);
         assert!((185..206).contains(&seen[0]), "{seen:?}");
         assert!(seen[1] < 16, "{seen:?}");
@@ -210,7 +195,7 @@ fn rough_metal_and_matt_white_show_the_light_of_a_whole_half() {
 
 #[test]
 fn paint_reflects_little_and_metal_in_its_own_colour() {
-    let gpu = gpu("vulkan");
+    let gpu = vulkan();
     let red = |metallic| Material {
         base_colour: [1.0, 0.0, 0.0, 1.0],
         metallic,
@@ -220,7 +205,7 @@ fn paint_reflects_little_and_metal_in_its_own_colour() {
     let up = |material| {
         let (mut scene, image) = plates(material);
         scene.set_image(image, sides([[255; 3]; 6])).unwrap();
-        let scene = GpuScene::new(&gpu, &mut scene).unwrap();
+        let scene = GpuScene::new(gpu, &mut scene).unwrap();
         Viewer::new(&scene, "none").middles(&scene)[2]
     };
     assert!(close(up(red(1.0)), [255, 0, 0], 1));
@@ -235,10 +220,10 @@ fn paint_reflects_little_and_metal_in_its_own_colour() {
 
 #[test]
 fn what_changes_around_a_scene_changes_the_next_picture() {
-    let gpu = gpu("vulkan");
+    let gpu = vulkan();
     let (mut scene, image) = plates(mirror());
     scene.set_environment(None).unwrap();
-    let mut on_gpu = GpuScene::new(&gpu, &mut scene).unwrap();
+    let mut on_gpu = GpuScene::new(gpu, &mut scene).unwrap();
     let mut viewer = Viewer::new(&on_gpu, "frustum");
     let plain = viewer.picture(&on_gpu, DVec3::Y);
 

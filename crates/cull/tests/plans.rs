@@ -1,65 +1,42 @@
 //! The plans that strategies compile to: where they wait, what they look back at, and what is not there.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{Stage, StageOptions, ViewInput, ViewSpec};
-use antumbra_demo_scenes::{GridOptions, grid};
-use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
+use antumbra_cull::{Stage, ViewInput};
+use antumbra_draw::GpuScene;
 use antumbra_graph::Picture;
-use antumbra_scene::{AlphaMode, Camera, Drawable, Material, Projection, Scene};
-use antumbra_strategies::registry;
+use antumbra_scene::{Camera, Drawable, Scene};
+use antumbra_testing::{add, balls, glass, look_at, perspective, vulkan};
 use glam::{DAffine3, DVec3};
 
 const LATE: &str = "three-pass:latency=frame-late";
 const NOW: &str = "three-pass:latency=same-frame";
 const ON_GPU: &str = "three-pass:latency=on-gpu";
 
-fn gpu() -> Gpu {
-    Gpu::open(&AdapterChoice::Named("vulkan".to_owned()))
-        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
-}
-
 fn small_grid() -> Scene {
-    grid(GridOptions {
-        per_side: 3,
-        ..Default::default()
-    })
-    .unwrap()
+    balls(3)
 }
 
-/// The grid with one of its spheres of glass.
+/// The grid and a sphere of glass before it.
 fn glazed_grid() -> Scene {
     let mut scene = small_grid();
     let (_, drawable) = scene.drawables().next().unwrap();
-    let material = scene.add_material(Material {
-        alpha: AlphaMode::Blend,
-        ..Material::default()
-    });
-    let glass = scene
-        .spawn(None, DAffine3::from_translation(DVec3::Z * 3.0))
-        .unwrap();
+    let material = scene.add_material(glass([1.0; 4]));
     let mesh = drawable.mesh;
-    scene
-        .set_drawable(glass, Drawable { mesh, material })
-        .unwrap();
+    let place = DAffine3::from_translation(DVec3::Z * 3.0);
+    add(&mut scene, place, Drawable { mesh, material });
     scene
 }
 
 fn stage(scene: &GpuScene, text: &str, views: &[&str]) -> Stage {
-    let spec = |name: &&str| ViewSpec {
-        name: (*name).to_owned(),
-        size: [64, 48],
-    };
-    let strategy = registry().parse(text).unwrap();
-    let specs = views.iter().map(spec).collect();
-    Stage::new(scene, strategy, specs, StageOptions::default()).unwrap()
+    antumbra_testing::stage(scene, text, antumbra_testing::views(views, [64, 48]))
 }
 
 fn camera() -> Camera {
-    let projection = Projection::Perspective {
-        fov_y: 1.0,
-        near: 0.1,
-    };
-    Camera::look_at(DVec3::new(4.0, 2.0, 6.0), DVec3::ZERO, DVec3::Y, projection).unwrap()
+    look_at(
+        DVec3::new(4.0, 2.0, 6.0),
+        DVec3::ZERO,
+        perspective(1.0, 0.1),
+    )
 }
 
 /// Names of the passes that run.
@@ -74,9 +51,9 @@ fn passes(stage: &Stage) -> Vec<String> {
 
 #[test]
 fn each_latency_waits_as_often_as_it_says() {
-    let gpu = gpu();
+    let gpu = vulkan();
     for mut scene in [small_grid(), glazed_grid()] {
-        let scene = GpuScene::new(&gpu, &mut scene).unwrap();
+        let scene = GpuScene::new(gpu, &mut scene).unwrap();
         for way in ["queries", "atomics", "compare", "identity"] {
             for (latency, waits) in [(LATE, 0), (NOW, 1), (ON_GPU, 0)] {
                 for views in [&["main"][..], &["left", "right"]] {
@@ -97,8 +74,8 @@ fn each_latency_waits_as_often_as_it_says() {
 
 #[test]
 fn stop_and_wait_waits_for_every_batch_and_once_more_to_find_the_end() {
-    let gpu = gpu();
-    let scene = GpuScene::new(&gpu, &mut small_grid()).unwrap();
+    let gpu = vulkan();
+    let scene = GpuScene::new(gpu, &mut small_grid()).unwrap();
     for (batch, turns) in [(1, 28), (9, 4), (10, 4), (27, 2), (4096, 2)] {
         let mut stage = stage(&scene, &format!("stop-and-wait:batch={batch}"), &["main"]);
         assert_eq!(stage.plan().loop_sync_points(), [("stop and wait", 1)]);
@@ -115,8 +92,8 @@ fn stop_and_wait_waits_for_every_batch_and_once_more_to_find_the_end() {
 
 #[test]
 fn the_picture_shows_what_looks_back_and_what_waits() {
-    let gpu = gpu();
-    let scene = GpuScene::new(&gpu, &mut small_grid()).unwrap();
+    let gpu = vulkan();
+    let scene = GpuScene::new(gpu, &mut small_grid()).unwrap();
     for (text, looks_back, waits) in [
         (LATE, true, false),
         (NOW, false, true),
@@ -151,8 +128,8 @@ fn the_picture_shows_what_looks_back_and_what_waits() {
 
 #[test]
 fn baselines_ask_and_count_nothing() {
-    let gpu = gpu();
-    let scene = GpuScene::new(&gpu, &mut small_grid()).unwrap();
+    let gpu = vulkan();
+    let scene = GpuScene::new(gpu, &mut small_grid()).unwrap();
     for text in ["none", "frustum"] {
         let stage = stage(&scene, text, &["main"]);
         let words = [
@@ -179,10 +156,10 @@ fn baselines_ask_and_count_nothing() {
 
 #[test]
 fn transparency_is_there_for_as_long_as_something_is_transparent() {
-    let gpu = gpu();
+    let gpu = vulkan();
     let mut scene = glazed_grid();
     let glass = scene.drawables().last().unwrap().0;
-    let mut gpu_scene = GpuScene::new(&gpu, &mut scene).unwrap();
+    let mut gpu_scene = GpuScene::new(gpu, &mut scene).unwrap();
     for text in ["none", "frustum", "stop-and-wait", LATE, NOW, ON_GPU] {
         let stage = stage(&gpu_scene, text, &["main"]);
         let all = passes(&stage);
@@ -210,8 +187,8 @@ fn transparency_is_there_for_as_long_as_something_is_transparent() {
 
 #[test]
 fn a_second_eye_is_there_when_it_is_asked_for() {
-    let gpu = gpu();
-    let scene = GpuScene::new(&gpu, &mut small_grid()).unwrap();
+    let gpu = vulkan();
+    let scene = GpuScene::new(gpu, &mut small_grid()).unwrap();
     let one = passes(&stage(&scene, NOW, &["main"]));
     assert!(
         one.iter()
@@ -229,7 +206,7 @@ fn a_second_eye_is_there_when_it_is_asked_for() {
 
 #[test]
 fn a_threshold_is_turned_on_the_gpu_and_nothing_read_back_for_it() {
-    let scene = GpuScene::new(&gpu(), &mut small_grid()).unwrap();
+    let scene = GpuScene::new(vulkan(), &mut small_grid()).unwrap();
     let turns = |text: &str| {
         let all = passes(&stage(&scene, text, &["main"]));
         ["submit judged", "turn threshold"]

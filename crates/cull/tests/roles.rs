@@ -1,41 +1,22 @@
 //! What visible samples decide beyond being drawn: levels of detail; and what they do not: entities that are not tested.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{SampleRule, Stage, StageOptions, Verdict, Verdicts, ViewInput, ViewSpec};
-use antumbra_draw::{AdapterChoice, Gpu, GpuScene, read_back};
-use antumbra_scene::{
-    AlphaMode, Camera, Drawable, EntityKey, Geometry, Material, Mesh, Projection, Scene, icosphere,
-};
-use antumbra_strategies::registry;
+use antumbra_cull::{SampleRule, Verdict};
+use antumbra_draw::{Gpu, GpuScene};
+use antumbra_scene::{Camera, Drawable, EntityKey, Material, Mesh, Scene, icosphere};
+use antumbra_testing::{Settled, add, cuboid, drawable, gl, glass, look_at, perspective, vulkan};
 use antumbra_verify::{Members, Oracle};
-use glam::{DAffine3, DVec3, Vec3};
+use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [160, 120];
 
-fn gpu(name: &str) -> Gpu {
-    Gpu::open(&AdapterChoice::Named(name.to_owned()))
-        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
-}
-
 fn camera() -> Camera {
-    let projection = Projection::Perspective {
-        fov_y: 1.0,
-        near: 0.1,
-    };
-    Camera::look_at(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, projection).unwrap()
+    look_at(DVec3::ZERO, DVec3::NEG_Z, perspective(1.0, 0.1))
 }
 
-/// A few frames of a still scene: the last one's verdicts and picture.
-fn settled(scene: &GpuScene, text: &str) -> (Verdicts, Vec<u8>) {
-    let strategy = registry().parse(text).unwrap();
-    let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
-    let mut stage = Stage::new(scene, strategy, specs, StageOptions::default()).unwrap();
-    for _ in 0..4 {
-        stage.frame(scene, &[ViewInput::new(camera())]).unwrap();
-        scene.gpu().wait().unwrap();
-    }
-    let picture = read_back::texture(scene.gpu(), stage.colour(0).unwrap()).unwrap();
-    (stage.verdicts(0, scene).unwrap(), picture)
+/// The fourth frame of a still scene.
+fn settled(scene: &GpuScene, text: &str) -> Settled {
+    antumbra_testing::settled(scene, text, camera(), SIZE, 4)
 }
 
 /// Spheres of four levels of detail, ever farther away, side by side; one of two levels; one of glass.
@@ -53,11 +34,7 @@ fn spheres() -> (Scene, Vec<EntityKey>) {
         scene.add_mesh(mesh(2)).unwrap(),
     );
     let solid = scene.add_material(Material::default());
-    let glass = scene.add_material(Material {
-        alpha: AlphaMode::Blend,
-        base_colour: [0.5, 0.5, 1.0, 0.5],
-        ..Material::default()
-    });
+    let glass = scene.add_material(glass([0.5, 0.5, 1.0, 0.5]));
     let places = [
         (four, solid, DVec3::new(-3.0, 0.0, -8.0)),
         (four, solid, DVec3::new(0.0, 0.0, -14.0)),
@@ -67,21 +44,15 @@ fn spheres() -> (Scene, Vec<EntityKey>) {
         (four, glass, DVec3::new(-8.0, 9.0, -50.0)),
     ];
     let keys = places.map(|(mesh, material, place)| {
-        let key = scene
-            .spawn(None, DAffine3::from_translation(place))
-            .unwrap();
-        scene
-            .set_drawable(key, Drawable { mesh, material })
-            .unwrap();
-        key
+        let place = DAffine3::from_translation(place);
+        add(&mut scene, place, Drawable { mesh, material })
     });
     (scene, keys.to_vec())
 }
 
-fn levels_follow_visible_samples(name: &str) {
-    let gpu = gpu(name);
+fn levels_follow_visible_samples(gpu: &Gpu) {
     let (mut scene, keys) = spheres();
-    let scene = GpuScene::new(&gpu, &mut scene).unwrap();
+    let scene = GpuScene::new(gpu, &mut scene).unwrap();
     let slots: Vec<u32> = keys.iter().map(|key| scene.slot(*key).unwrap()).collect();
     let mut oracle = Oracle::new(&scene, SIZE);
     let ids = oracle
@@ -98,7 +69,7 @@ fn levels_follow_visible_samples(name: &str) {
             "three-pass:latency={latency}:threshold=0:scale=1:coarser={}",
             rule.coarser
         );
-        let (verdicts, picture) = settled(&scene, &text);
+        let Settled { verdicts, picture } = settled(&scene, &text);
         let mut used = Vec::new();
         for (at, slot) in slots.iter().enumerate().take(5) {
             let samples = ids.iter().filter(|id| **id == slot + 1).count() as u32;
@@ -117,18 +88,18 @@ fn levels_follow_visible_samples(name: &str) {
     }
     assert!(pictures[0] == pictures[1], "late and same-frame differ");
     assert!(pictures[1] == pictures[2], "same-frame and on-gpu differ");
-    let (_, full) = settled(&scene, "frustum");
+    let full = settled(&scene, "frustum").picture;
     assert!(pictures[2] != full, "coarser meshes change no pixel");
 }
 
 #[test]
 fn levels_follow_visible_samples_on_vulkan() {
-    levels_follow_visible_samples("vulkan");
+    levels_follow_visible_samples(vulkan());
 }
 
 #[test]
 fn levels_follow_visible_samples_on_gl() {
-    levels_follow_visible_samples("gl");
+    levels_follow_visible_samples(gl());
 }
 
 #[test]
@@ -145,35 +116,21 @@ fn a_rule_goes_one_level_coarser_a_quarter_of_the_samples() {
 /// A wall, a small cube behind it, another one beside it.
 fn wall() -> (Scene, [EntityKey; 3]) {
     let mut scene = Scene::new();
-    let half = |half: Vec3| {
-        let bounds = antumbra_scene::Aabb::new(-half.as_dvec3(), half.as_dvec3());
-        Mesh::new("box", Geometry::from_box(&bounds))
-    };
-    let (wide, small) = (
-        scene.add_mesh(half(Vec3::new(2.0, 2.0, 0.1))).unwrap(),
-        scene.add_mesh(half(Vec3::splat(0.5))).unwrap(),
-    );
-    let material = scene.add_material(Material::default());
+    let mut of = |size: DVec3| drawable(&mut scene, "box", cuboid(size), Material::default());
+    let (wide, small) = (of(DVec3::new(4.0, 4.0, 0.2)), of(DVec3::ONE));
     let places = [
         (wide, DVec3::new(0.0, 0.0, -6.0)),
         (small, DVec3::new(0.0, 0.0, -10.0)),
         (small, DVec3::new(3.5, 0.0, -10.0)),
     ];
-    let keys = places.map(|(mesh, place)| {
-        let key = scene
-            .spawn(None, DAffine3::from_translation(place))
-            .unwrap();
-        scene
-            .set_drawable(key, Drawable { mesh, material })
-            .unwrap();
-        key
-    });
+    let keys = places
+        .map(|(drawable, place)| add(&mut scene, DAffine3::from_translation(place), drawable));
     (scene, keys)
 }
 
 #[test]
 fn what_is_not_tested_is_drawn_hides_others_and_is_known_to_be_hidden() {
-    let gpu = gpu("vulkan");
+    let gpu = vulkan();
     let (mut scene, keys) = wall();
     for key in [keys[0], keys[1]] {
         scene.set_tested(key, false).unwrap();
@@ -181,9 +138,8 @@ fn what_is_not_tested_is_drawn_hides_others_and_is_known_to_be_hidden() {
     // A third small cube, behind the wall as the first, and tested.
     let small = scene.drawable(keys[1]).unwrap();
     let far = DAffine3::from_translation(DVec3::new(0.2, 0.0, -14.0));
-    let far = scene.spawn(None, far).unwrap();
-    scene.set_drawable(far, small).unwrap();
-    let mut on_gpu = GpuScene::new(&gpu, &mut scene).unwrap();
+    let far = add(&mut scene, far, small);
+    let mut on_gpu = GpuScene::new(gpu, &mut scene).unwrap();
     let slot = |scene: &GpuScene, key| scene.slot(key).unwrap();
     for text in [
         "three-pass:latency=frame-late",
@@ -192,7 +148,7 @@ fn what_is_not_tested_is_drawn_hides_others_and_is_known_to_be_hidden() {
         "three-pass:latency=on-gpu",
         "stop-and-wait",
     ] {
-        let (verdicts, _) = settled(&on_gpu, text);
+        let verdicts = settled(&on_gpu, text).verdicts;
         let of = |key| verdicts.get(slot(&on_gpu, key));
         assert_eq!(of(keys[0]), Verdict::Untested, "{text}: the wall");
         assert_eq!(of(keys[1]), Verdict::Untested, "{text}: the untested cube");
@@ -211,13 +167,13 @@ fn what_is_not_tested_is_drawn_hides_others_and_is_known_to_be_hidden() {
     }
     scene.set_tested(keys[1], true).unwrap();
     on_gpu.sync(&mut scene).unwrap();
-    let (verdicts, _) = settled(&on_gpu, "three-pass:latency=same-frame");
+    let verdicts = settled(&on_gpu, "three-pass:latency=same-frame").verdicts;
     assert_eq!(verdicts.get(slot(&on_gpu, keys[1])), Verdict::Occluded);
 }
 
 #[test]
 fn an_image_that_changes_changes_the_picture() {
-    let gpu = gpu("vulkan");
+    let gpu = vulkan();
     let (mut scene, keys) = wall();
     let paint = |red: u8| antumbra_scene::Image {
         name: "paint".into(),
@@ -236,10 +192,10 @@ fn an_image_that_changes_changes_the_picture() {
     scene
         .set_drawable(keys[0], Drawable { mesh, material })
         .unwrap();
-    let mut on_gpu = GpuScene::new(&gpu, &mut scene).unwrap();
+    let mut on_gpu = GpuScene::new(gpu, &mut scene).unwrap();
     let middle = ((SIZE[1] / 2 * SIZE[0] + SIZE[0] / 2) * 4) as usize;
-    assert_eq!(settled(&on_gpu, "frustum").1[middle], 255);
+    assert_eq!(settled(&on_gpu, "frustum").picture[middle], 255);
     scene.set_image(image, paint(0)).unwrap();
     on_gpu.sync(&mut scene).unwrap();
-    assert_eq!(settled(&on_gpu, "frustum").1[middle], 0);
+    assert_eq!(settled(&on_gpu, "frustum").picture[middle], 0);
 }

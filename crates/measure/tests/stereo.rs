@@ -3,14 +3,14 @@
 
 use std::sync::Arc;
 
-use antumbra_demo_scenes as demo_scenes;
-use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
+use antumbra_draw::GpuScene;
 use antumbra_measure::MeasureError;
 use antumbra_measure::compare::{CompareOptions, Comparison, Contender, compare};
 use antumbra_measure::path::Path;
 use antumbra_measure::report::{ErrorReport, Report, StereoFacts};
 use antumbra_scene::{Projection, Scene, Stereo, StereoError};
 use antumbra_strategies::registry;
+use antumbra_testing::{auto, balls_with_proxies};
 use antumbra_verify::{Members, Oracle};
 
 const SIZE: [u32; 2] = [96, 72];
@@ -20,13 +20,8 @@ const EXACT: &str =
 /// Far too few samples for what the grid hides: wrong in every frame.
 const WRONG: &str = "three-pass:latency=same-frame:threshold=40";
 
-fn gpu() -> Gpu {
-    Gpu::open(&AdapterChoice::Auto).expect("without an adapter: make test installs one")
-}
-
 fn scene() -> (Scene, Path) {
-    let mut scene = demo_scenes::by_name("grid", Some(5)).unwrap();
-    scene.ensure_proxies(&Default::default());
+    let mut scene = balls_with_proxies(5);
     scene.update();
     let path = Path::orbit_around(&scene.bounds().unwrap(), 4.0 / 3.0, FRAMES).unwrap();
     (scene, path)
@@ -56,7 +51,7 @@ fn compared(
     };
     let path = change(path);
     compare(
-        &gpu(),
+        auto(),
         &mut scene,
         &path,
         &contenders,
@@ -137,7 +132,7 @@ fn each_eye_is_judged_and_both_together() {
 #[test]
 fn what_owns_pixels_differs_from_eye_to_eye() {
     let (mut scene, path) = scene();
-    let on_gpu = GpuScene::new(&gpu(), &mut scene).unwrap();
+    let on_gpu = GpuScene::new(auto(), &mut scene).unwrap();
     let mut oracle = Oracle::new(&on_gpu, SIZE);
     let mut sum = 0;
     for camera in path.cameras() {

@@ -5,13 +5,13 @@
 use std::hint::black_box;
 
 use antumbra_cull::{Tree, Verdicts, outside};
-use antumbra_demo_scenes::{GridOptions, grid};
 use antumbra_draw::boxes::BoxList;
 use antumbra_draw::{AdapterChoice, Gpu, GpuScene, SceneTable, ViewFrame};
 use antumbra_scene::hierarchy::HierarchyShape;
-use antumbra_scene::{Camera, EntityKey, Projection, Scene};
+use antumbra_scene::{EntityKey, Scene};
 use antumbra_strategies::occupancy::{BlockRect, OccupancyMap};
 use antumbra_strategies::traversal::{How, LateWalk, Sight, Walk};
+use antumbra_testing::{balls, look_at, perspective};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use glam::{DAffine3, DVec3};
 
@@ -28,20 +28,12 @@ struct Prepared {
 }
 
 fn prepare(gpu: &Gpu, per_side: u32) -> Prepared {
-    let mut scene = grid(GridOptions {
-        per_side,
-        ..Default::default()
-    })
-    .unwrap();
+    let mut scene = balls(per_side);
     let gpu = GpuScene::new(gpu, &mut scene).unwrap();
     let mut tree = Tree::default();
     tree.follow(gpu.table(), HierarchyShape::Bvh).unwrap();
-    let projection = Projection::Perspective {
-        fov_y: 0.8,
-        near: 0.1,
-    };
     let eye = DVec3::new(0.4, 0.5, 1.0) * f64::from(per_side) * 1.6;
-    let camera = Camera::look_at(eye, DVec3::ZERO, DVec3::Y, projection).unwrap();
+    let camera = look_at(eye, DVec3::ZERO, perspective(0.8, 0.1));
     let view = ViewFrame::new(camera, [800, 600], 0);
     Prepared {
         scene,

@@ -3,43 +3,28 @@
 
 use std::collections::BTreeMap;
 
-use antumbra_cull::{
-    DeclareError, Stage, StageError, StageOptions, Verdict, Verdicts, ViewInput, ViewSpec,
-};
-use antumbra_demo_scenes::{GridOptions, grid};
-use antumbra_draw::{AdapterChoice, Gpu, GpuScene, read_back};
+use antumbra_cull::{DeclareError, Stage, StageError, StageOptions, Verdict, Verdicts, ViewSpec};
+use antumbra_draw::{GpuScene, read_back};
 use antumbra_graph::Mode;
-use antumbra_scene::{Camera, Projection, Stereo};
+use antumbra_scene::{Camera, Stereo};
 use antumbra_strategies::registry;
+use antumbra_testing::{balls, frame, look_at, perspective, vulkan};
 use antumbra_verify::{Members, Oracle};
 use glam::DVec3;
 
 const SIZE: [u32; 2] = [160, 128];
 const LATENCIES: [&str; 3] = ["same-frame", "frame-late", "on-gpu"];
 
-fn gpu() -> Gpu {
-    Gpu::open(&AdapterChoice::Named("vulkan".to_owned()))
-        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
-}
-
 /// A block of 343 spheres that hide each other.
-fn block(gpu: &Gpu) -> GpuScene {
-    let options = GridOptions {
-        per_side: 7,
-        ..Default::default()
-    };
-    GpuScene::new(gpu, &mut grid(options).unwrap()).unwrap()
+fn block() -> GpuScene {
+    GpuScene::new(vulkan(), &mut balls(7)).unwrap()
 }
 
 /// Looks at the block's middle from an angle, in degrees.
 fn camera(angle: f64) -> Camera {
-    let projection = Projection::Perspective {
-        fov_y: 0.7,
-        near: 0.1,
-    };
     let angle = angle.to_radians();
     let eye = DVec3::new(angle.sin(), 0.3, angle.cos()) * 34.0;
-    Camera::look_at(eye, DVec3::ZERO, DVec3::Y, projection).unwrap()
+    look_at(eye, DVec3::ZERO, perspective(0.7, 0.1))
 }
 
 fn eyes(angle: f64, interocular: f64) -> [Camera; 2] {
@@ -48,28 +33,12 @@ fn eyes(angle: f64, interocular: f64) -> [Camera; 2] {
 }
 
 fn stage(scene: &GpuScene, text: &str, views: &[&str]) -> Stage {
-    let spec = |name: &&str| ViewSpec {
-        name: (*name).to_owned(),
-        size: SIZE,
-    };
-    let strategy = registry().parse(text).unwrap();
-    let specs = views.iter().map(spec).collect();
-    Stage::new(scene, strategy, specs, StageOptions::default()).unwrap()
-}
-
-/// Plays a frame and waits, so that late answers are there for the next.
-fn frame(stage: &mut Stage, scene: &GpuScene, cameras: &[Camera]) -> Vec<Verdicts> {
-    let inputs: Vec<ViewInput<'_>> = cameras.iter().copied().map(ViewInput::new).collect();
-    stage.frame(scene, &inputs).unwrap();
-    scene.gpu().wait().unwrap();
-    (0..cameras.len())
-        .map(|view| stage.verdicts(view, scene).unwrap())
-        .collect()
+    antumbra_testing::stage(scene, text, antumbra_testing::views(views, SIZE))
 }
 
 #[test]
 fn the_second_eye_asks_less_than_it_would_alone() {
-    let scene = block(&gpu());
+    let scene = block();
     for latency in ["same-frame", "frame-late"] {
         let settings = format!("latency={latency}:together=1");
         let mut twice = stage(&scene, &format!("coherent:{settings}"), &["left", "right"]);
@@ -103,7 +72,7 @@ fn the_second_eye_asks_less_than_it_would_alone() {
 
 #[test]
 fn asking_together_asks_less() {
-    let scene = block(&gpu());
+    let scene = block();
     let mut alone = stage(&scene, "coherent:latency=same-frame:together=1", &["main"]);
     let mut together = stage(&scene, "coherent:latency=same-frame:together=16", &["main"]);
     let mut asked = [0, 0];
@@ -123,7 +92,7 @@ fn asking_together_asks_less() {
 
 #[test]
 fn eyes_in_one_place_see_the_same() {
-    let scene = block(&gpu());
+    let scene = block();
     for latency in LATENCIES {
         let text = format!("stereo-coherent:latency={latency}");
         let mut stage = stage(&scene, &text, &["left", "right"]);
@@ -144,7 +113,7 @@ fn eyes_in_one_place_see_the_same() {
 
 #[test]
 fn both_eyes_are_right_however_far_apart_they_are() {
-    let scene = block(&gpu());
+    let scene = block();
     let mut oracle = Oracle::new(&scene, SIZE);
     for latency in ["same-frame", "on-gpu"] {
         let text = format!("stereo-coherent:latency={latency}");
@@ -165,7 +134,7 @@ fn both_eyes_are_right_however_far_apart_they_are() {
 
 #[test]
 fn whoever_appears_is_drawn_within_the_frames_of_the_fraction() {
-    let scene = block(&gpu());
+    let scene = block();
     let mut oracle = Oracle::new(&scene, SIZE);
     for latency in ["same-frame", "on-gpu"] {
         for (fraction, frames) in [(0.5, 2), (0.25, 4)] {
@@ -194,7 +163,7 @@ fn whoever_appears_is_drawn_within_the_frames_of_the_fraction() {
 
 #[test]
 fn an_adaptive_fraction_asks_more_while_more_appears() {
-    let scene = block(&gpu());
+    let scene = block();
     let text = "coherent:latency=same-frame:fraction=0.1:late=0.5:together=1";
     let mut stage = stage(&scene, text, &["main"]);
     let mut asked = |angle: f64| {
@@ -216,7 +185,7 @@ fn an_adaptive_fraction_asks_more_while_more_appears() {
 
 #[test]
 fn late_forms_record_into_somebody_elses_frame_and_waiting_ones_say_where_they_wait() {
-    let scene = block(&gpu());
+    let scene = block();
     let options = StageOptions {
         mode: Mode::Embedded,
         ..StageOptions::default()
@@ -233,19 +202,16 @@ fn late_forms_record_into_somebody_elses_frame_and_waiting_ones_say_where_they_w
         let views: &[&str] = if two { &["left", "right"] } else { &["main"] };
         let own = stage(&scene, text, views);
         assert_eq!(own.plan().sync_points(), points, "{text}");
-        let specs = views.iter().map(|name| ViewSpec {
-            name: (*name).to_owned(),
-            size: SIZE,
-        });
+        let specs = antumbra_testing::views(views, SIZE);
         let strategy = registry().parse(text).unwrap();
-        let embedded = Stage::new(&scene, strategy, specs.collect(), options.clone());
+        let embedded = Stage::new(&scene, strategy, specs, options.clone());
         assert_eq!(embedded.is_ok(), points == 0, "{text}");
     }
 }
 
 #[test]
 fn one_view_has_no_second_eye() {
-    let scene = block(&gpu());
+    let scene = block();
     for latency in LATENCIES {
         let passes = |name: &str| -> Vec<String> {
             let stage = stage(&scene, &format!("{name}:latency={latency}"), &["main"]);
@@ -282,7 +248,7 @@ fn bad_settings_are_refused_with_their_range() {
     }
     let strategy = registry().parse("coherent:latency=on-gpu:late=2").unwrap();
     let specs = vec![ViewSpec::main(32, 32)];
-    let error = Stage::new(&block(&gpu()), strategy, specs, StageOptions::default()).unwrap_err();
+    let error = Stage::new(&block(), strategy, specs, StageOptions::default()).unwrap_err();
     assert!(
         matches!(&error, StageError::Declare(DeclareError::Settings { conflict, .. }) if conflict.contains("late")),
         "{error}"

@@ -4,12 +4,8 @@
 use antumbra_cull::Counting;
 use antumbra_draw::{AdapterChoice, Gpu};
 use antumbra_strategies::registry;
+use antumbra_testing::{gl, vulkan};
 use antumbra_verify::kit::{Breach, Case, Kit, KitFailure};
-
-fn gpu(name: &str) -> Gpu {
-    Gpu::open(&AdapterChoice::Named(name.to_owned()))
-        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
-}
 
 /// Checks strategies given as the registry reads them, and shows all that fail at once.
 fn conform(gpu: &Gpu, kit: &Kit, strategies: impl IntoIterator<Item = String>) {
@@ -74,22 +70,21 @@ fn quick(latency: &str) -> Kit {
     }
 }
 
-fn baselines(name: &str) {
-    conform(&gpu(name), &small(), named(&["none", "frustum", "ideal"]));
+fn baselines(gpu: &Gpu) {
+    conform(gpu, &small(), named(&["none", "frustum", "ideal"]));
 }
 
-fn stop_and_wait(name: &str) {
-    let gpu = gpu(name);
+fn stop_and_wait(gpu: &Gpu) {
     // One query a wait takes its time with five thousand.
     let fewer = Kit {
         many: 300,
         ..small()
     };
-    conform(&gpu, &fewer, named(&["stop-and-wait"]));
-    conform(&gpu, &small(), named(&["stop-and-wait:batch=16"]));
+    conform(gpu, &fewer, named(&["stop-and-wait"]));
+    conform(gpu, &small(), named(&["stop-and-wait:batch=16"]));
 }
 
-fn three_pass_in_every_case(name: &str) {
+fn three_pass_in_every_case(gpu: &Gpu) {
     let notable = [
         "three-pass",
         "three-pass:threshold=0:scale=1:occluders=full:occludees=full",
@@ -100,22 +95,20 @@ fn three_pass_in_every_case(name: &str) {
         "three-pass:latency=on-gpu:coarser=100",
         "three-pass:latency=on-gpu",
     ];
-    conform(&gpu(name), &small(), named(&notable));
+    conform(gpu, &small(), named(&notable));
 }
 
-fn three_pass_in_every_setting(name: &str) {
-    let gpu = gpu(name);
+fn three_pass_in_every_setting(gpu: &Gpu) {
     for latency in ["frame-late", "same-frame", "on-gpu"] {
-        let all = three_passes(&gpu, latency);
+        let all = three_passes(gpu, latency);
         // Queries and the comparing count, at the least, exist everywhere.
         assert!(all.len() >= 12, "only {all:?} on {}", gpu.title());
-        conform(&gpu, &quick(latency), all);
+        conform(gpu, &quick(latency), all);
     }
 }
 
 /// Both coherent strategies, waiting and late, alone and together, and with a fraction, which takes longer to settle.
-fn coherent(name: &str) {
-    let gpu = gpu(name);
+fn coherent(gpu: &Gpu) {
     for strategy in ["coherent", "stereo-coherent"] {
         let whole = [
             format!("{strategy}:latency=same-frame"),
@@ -123,7 +116,7 @@ fn coherent(name: &str) {
             format!("{strategy}:latency=frame-late"),
             format!("{strategy}:latency=on-gpu"),
         ];
-        conform(&gpu, &small(), whole);
+        conform(gpu, &small(), whole);
         let parts = [
             format!("{strategy}:latency=same-frame:fraction=0.5"),
             format!("{strategy}:latency=frame-late:fraction=0.25:late=2"),
@@ -133,13 +126,12 @@ fn coherent(name: &str) {
             settle: 16,
             ..small()
         };
-        conform(&gpu, &patient, parts);
+        conform(gpu, &patient, parts);
     }
 }
 
 /// Walks of the tree, in batches and one by one, waiting and late, over every kind of tree; and with memory, which takes longer to settle.
-fn walks(name: &str) {
-    let gpu = gpu(name);
+fn walks(gpu: &Gpu) {
     let whole = [
         "occupancy-map:latency=same-frame",
         "occupancy-map:latency=same-frame:tree=boxes:grain=0:block=1:order=depth:worth=0",
@@ -147,7 +139,7 @@ fn walks(name: &str) {
         "occupancy-map:latency=frame-late",
         "occupancy-map:latency=frame-late:grain=0:visible-for=0",
     ];
-    conform(&gpu, &small(), named(&whole));
+    conform(gpu, &small(), named(&whole));
     let aggressive = [
         "occupancy-map:latency=same-frame:occluded-for=3:slow=1:worth=0",
         "occupancy-map:latency=same-frame:small=2:worth=100",
@@ -157,7 +149,7 @@ fn walks(name: &str) {
         settle: 16,
         ..small()
     };
-    conform(&gpu, &patient, named(&aggressive));
+    conform(gpu, &patient, named(&aggressive));
     let fewer = Kit {
         many: 300,
         ..small()
@@ -167,67 +159,67 @@ fn walks(name: &str) {
         "stop-and-wait:tree=divided",
         "stop-and-wait:tree=boxes",
     ];
-    conform(&gpu, &fewer, named(&single));
+    conform(gpu, &fewer, named(&single));
 }
 
 #[test]
 fn walks_conform_on_vulkan() {
-    walks("vulkan");
+    walks(vulkan());
 }
 
 #[test]
 fn walks_conform_on_gl() {
-    walks("gl");
+    walks(gl());
 }
 
 #[test]
 fn coherent_strategies_conform_on_vulkan() {
-    coherent("vulkan");
+    coherent(vulkan());
 }
 
 #[test]
 fn coherent_strategies_conform_on_gl() {
-    coherent("gl");
+    coherent(gl());
 }
 
 #[test]
 fn baselines_conform_on_vulkan() {
-    baselines("vulkan");
+    baselines(vulkan());
 }
 
 #[test]
 fn baselines_conform_on_gl() {
-    baselines("gl");
+    baselines(gl());
 }
 
 #[test]
 fn stop_and_wait_conforms_on_vulkan() {
-    stop_and_wait("vulkan");
+    stop_and_wait(vulkan());
 }
 
 #[test]
 fn stop_and_wait_conforms_on_gl() {
-    stop_and_wait("gl");
+    stop_and_wait(gl());
 }
 
 #[test]
 fn three_pass_conforms_in_every_case_on_vulkan() {
-    three_pass_in_every_case("vulkan");
+    three_pass_in_every_case(vulkan());
 }
 
 #[test]
 fn three_pass_conforms_in_every_case_on_gl() {
-    three_pass_in_every_case("gl");
+    three_pass_in_every_case(gl());
 }
 
 #[test]
 fn three_pass_conforms_in_every_setting_on_vulkan() {
-    three_pass_in_every_setting("vulkan");
+    three_pass_in_every_setting(vulkan());
 }
 
 #[test]
 fn three_pass_conforms_in_every_setting_on_gl() {
-    three_pass_in_every_setting("gl");
+    three_pass_in_every_setting(gl());
 }
 
 #[test]
@@ -265,7 +257,7 @@ fn settings_that_do_not_go_together_fail_every_case_in_words() {
     let text = "three-pass:counting=queries:threshold=3";
     let make = || registry().parse(text).unwrap();
     let kit = quick("frame-late");
-    let failure = kit.check_on(&gpu("vulkan"), make).unwrap_err();
+    let failure = kit.check_on(vulkan(), make).unwrap_err();
     assert_eq!(failure.cases(), kit.cases);
     let KitFailure::Violations { violations, .. } = &failure else {
         panic!("{failure}");

@@ -4,22 +4,15 @@
 use antumbra_cull::{
     DeclareError, RegistryError, SettingError, Stage, StageError, StageOptions, ViewInput, ViewSpec,
 };
-use antumbra_demo_scenes::{GridOptions, grid};
-use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
-use antumbra_scene::{Camera, Projection};
+use antumbra_draw::GpuScene;
+use antumbra_scene::Camera;
 use antumbra_strategies::registry;
+use antumbra_testing::{balls, look_at, perspective, vulkan};
 use glam::DVec3;
 
 /// What becomes of a strategy declared on a small scene.
 fn declared(text: &str, specs: Vec<ViewSpec>) -> Result<(Stage, GpuScene), StageError> {
-    let gpu = Gpu::open(&AdapterChoice::Named("vulkan".to_owned())).unwrap_or_else(|error| {
-        panic!("{error}; run make test, which looks for the drivers first")
-    });
-    let options = GridOptions {
-        per_side: 3,
-        ..Default::default()
-    };
-    let scene = GpuScene::new(&gpu, &mut grid(options).unwrap()).unwrap();
+    let scene = GpuScene::new(vulkan(), &mut balls(3)).unwrap();
     let strategy = registry().parse(text).unwrap();
     let stage = Stage::new(&scene, strategy, specs, StageOptions::default())?;
     Ok((stage, scene))
@@ -145,16 +138,8 @@ fn what_goes_together_is_declared() {
 #[test]
 fn the_ideal_must_be_told() {
     let (mut stage, scene) = declared("ideal", vec![ViewSpec::main(32, 32)]).unwrap();
-    let camera = Camera::look_at(
-        DVec3::new(0.0, 0.0, 5.0),
-        DVec3::ZERO,
-        DVec3::Y,
-        Projection::Perspective {
-            fov_y: 1.0,
-            near: 0.1,
-        },
-    )
-    .unwrap();
+    let eye = DVec3::new(0.0, 0.0, 5.0);
+    let camera = look_at(eye, DVec3::ZERO, perspective(1.0, 0.1));
     let error = stage.frame(&scene, &[ViewInput::new(camera)]).unwrap_err();
     assert!(
         error.to_string().contains("no reference for view 'main'"),

@@ -1,49 +1,29 @@
 //! Stand-ins that deviate from their meshes: how far is known, and none stands in where that shows; and what a frame may leave out, in every latency.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{AuditOptions, Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
-use antumbra_demo_scenes::{GridOptions, grid};
-use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
-use antumbra_scene::{Camera, Drawable, EntityKey, Material, Mesh, Projection, Scene, icosphere};
+use antumbra_cull::{AuditOptions, StageOptions, Verdicts, ViewInput};
+use antumbra_draw::{Gpu, GpuScene};
+use antumbra_scene::{Camera, Drawable, EntityKey, Material, Mesh, Scene, icosphere};
 use antumbra_strategies::registry;
+use antumbra_testing::{
+    add, balls_with_proxies, gpus, look_at, perspective, stage_with, views, vulkan,
+};
 use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [160, 120];
 
-fn gpu(name: &str) -> Gpu {
-    Gpu::open(&AdapterChoice::Named(name.to_owned()))
-        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
-}
-
 fn camera(eye: DVec3) -> Camera {
-    let projection = Projection::Perspective {
-        fov_y: 1.0,
-        near: 0.1,
-    };
-    Camera::look_at(eye, eye + DVec3::NEG_Z, DVec3::Y, projection).unwrap()
+    look_at(eye, eye + DVec3::NEG_Z, perspective(1.0, 0.1))
 }
 
 /// Spheres with proxies, 7 along a side.
 fn balls(gpu: &Gpu) -> GpuScene {
-    let options = GridOptions {
-        per_side: 7,
-        ..GridOptions::default()
-    };
-    let mut scene = grid(options).unwrap();
-    scene.ensure_proxies(&Default::default());
-    GpuScene::new(gpu, &mut scene).unwrap()
+    GpuScene::new(gpu, &mut balls_with_proxies(7)).unwrap()
 }
 
-/// A few frames of a still scene: the last one's verdicts.
+/// The verdicts of the fifth frame of a still scene.
 fn settled(scene: &GpuScene, text: &str, camera: Camera) -> Verdicts {
-    let strategy = registry().parse(text).unwrap();
-    let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
-    let mut stage = Stage::new(scene, strategy, specs, StageOptions::default()).unwrap();
-    for _ in 0..5 {
-        stage.frame(scene, &[ViewInput::new(camera)]).unwrap();
-        scene.gpu().wait().unwrap();
-    }
-    stage.verdicts(0, scene).unwrap()
+    antumbra_testing::settled(scene, text, camera, SIZE, 5).verdicts
 }
 
 /// A sphere whose proxy is a fifth of a metre too large, and a small one behind, which shows beside the sphere and not beside its proxy. All of it
@@ -59,22 +39,18 @@ fn eclipse(scale: f64) -> (Scene, EntityKey, EntityKey) {
     for (mesh, place) in meshes.into_iter().zip(places) {
         let mesh = scene.add_mesh(mesh).unwrap();
         let place = DAffine3::from_scale(DVec3::splat(scale)) * DAffine3::from_translation(place);
-        let key = scene.spawn(None, place).unwrap();
-        scene
-            .set_drawable(key, Drawable { mesh, material })
-            .unwrap();
-        keys.push(key);
+        keys.push(add(&mut scene, place, Drawable { mesh, material }));
     }
     (scene, keys[0], keys[1])
 }
 
 #[test]
 fn no_stand_in_hides_where_its_deviation_shows() {
-    for adapter in ["vulkan", "gl"] {
-        let gpu = gpu(adapter);
+    for gpu in gpus() {
+        let adapter = gpu.title();
         for scale in [1.0, 100.0] {
             let (mut scene, large, small) = eclipse(scale);
-            let scene = GpuScene::new(&gpu, &mut scene).unwrap();
+            let scene = GpuScene::new(gpu, &mut scene).unwrap();
             let [large, small] = [large, small].map(|key| scene.slot(key).unwrap());
             let off = f64::from(scene.table().deviation(large));
             assert!((off - 0.2 * scale).abs() < 0.02 * scale, "{off} at {scale}");
@@ -98,8 +74,7 @@ fn no_stand_in_hides_where_its_deviation_shows() {
 
 #[test]
 fn in_every_latency_as_much_is_left_out_as_is_allowed() {
-    let gpu = gpu("vulkan");
-    let scene = balls(&gpu);
+    let scene = balls(vulkan());
     let camera = camera(DVec3::new(0.4, 0.3, 9.0));
     let all = |allow: &str| {
         let texts = ["same-frame", "frame-late", "on-gpu"]
@@ -121,7 +96,6 @@ type LeftOut = (u64, Option<f64>);
 /// Flies along a path of leaps.
 fn leaping(scene: &GpuScene, text: &str) -> (Vec<Drawn>, Vec<LeftOut>) {
     let strategy = registry().parse(text).unwrap();
-    let specs = vec![ViewSpec::main(SIZE[0], SIZE[1])];
     let options = StageOptions {
         audit: Some(AuditOptions {
             // What the GPU leaves out is told of frames that are looked at.
@@ -130,7 +104,7 @@ fn leaping(scene: &GpuScene, text: &str) -> (Vec<Drawn>, Vec<LeftOut>) {
         }),
         ..StageOptions::default()
     };
-    let mut stage = Stage::new(scene, strategy, specs, options).unwrap();
+    let mut stage = stage_with(scene, strategy, views(&["main"], SIZE), options);
     let mut drawn = Vec::new();
     for frame in 0..8 {
         let eye = DVec3::new(f64::from(frame % 3) - 1.0, 0.3, 11.0 - f64::from(frame));
@@ -146,9 +120,9 @@ fn leaping(scene: &GpuScene, text: &str) -> (Vec<Drawn>, Vec<LeftOut>) {
 
 #[test]
 fn the_gpu_turns_each_frames_threshold_as_the_host_does() {
-    for adapter in ["vulkan", "gl"] {
-        let gpu = gpu(adapter);
-        let scene = balls(&gpu);
+    for gpu in gpus() {
+        let adapter = gpu.title();
+        let scene = balls(gpu);
         let mut fewest = usize::MAX;
         for settings in [
             "threshold=0:allow=0.000000001",

@@ -2,15 +2,14 @@
 //! survives: trees of any depth, and scenes whose tree changes while it is walked.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{Stage, StageOptions, Verdict, Verdicts, ViewInput, ViewSpec};
+use antumbra_cull::{Stage, StageOptions, Verdict, Verdicts, ViewInput};
 use antumbra_demo_scenes::layer;
-use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
+use antumbra_draw::GpuScene;
 use antumbra_graph::{FrameReport, Mode};
-use antumbra_scene::{
-    Aabb, Camera, Drawable, EntityKey, Geometry, Material, Mesh, Projection, Scene, icosphere,
-};
+use antumbra_scene::{Camera, Drawable, EntityKey, Material, Scene, icosphere};
 use antumbra_strategies::Sketched;
 use antumbra_strategies::{Sketch, registry};
+use antumbra_testing::{cuboid, drawable, look_at, perspective, views, vulkan};
 use antumbra_verify::{Members, Oracle};
 use glam::{DAffine3, DVec3};
 use rand::{RngExt as _, SeedableRng as _};
@@ -19,23 +18,12 @@ use rand_pcg::Pcg32;
 const SIZE: [u32; 2] = [160, 120];
 const SAME: &str = "occupancy-map:latency=same-frame:grain=0:worth=0";
 
-fn gpu() -> Gpu {
-    Gpu::open(&AdapterChoice::Named("vulkan".to_owned()))
-        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
-}
-
 fn camera(eye: DVec3) -> Camera {
-    let projection = Projection::Perspective {
-        fov_y: 0.8,
-        near: 0.1,
-    };
-    Camera::look_at(eye, DVec3::ZERO, DVec3::Y, projection).unwrap()
+    look_at(eye, DVec3::ZERO, perspective(0.8, 0.1))
 }
 
 fn stage(scene: &GpuScene, text: &str) -> Stage {
-    let strategy = registry().parse(text).unwrap();
-    let views = vec![ViewSpec::main(SIZE[0], SIZE[1])];
-    Stage::new(scene, strategy, views, StageOptions::default()).unwrap()
+    antumbra_testing::stage(scene, text, views(&["main"], SIZE))
 }
 
 fn frame(stage: &mut Stage, scene: &GpuScene, camera: Camera) -> (Verdicts, FrameReport) {
@@ -47,15 +35,8 @@ fn frame(stage: &mut Stage, scene: &GpuScene, camera: Camera) -> (Verdicts, Fram
 /// Slots that own a pixel and are not drawn.
 fn missed(scene: &GpuScene, camera: &Camera, verdicts: &Verdicts) -> Vec<u32> {
     let mut oracle = Oracle::new(scene, SIZE);
-    let all = oracle.look(scene, camera, Members::Frustum).unwrap();
-    let mut owners: Vec<u32> = all
-        .ids
-        .iter()
-        .filter(|id| **id > 0)
-        .map(|id| id - 1)
-        .collect();
-    owners.sort_unstable();
-    owners.dedup();
+    let reference = oracle.look(scene, camera, Members::Frustum).unwrap();
+    let mut owners = reference.owners();
     owners.retain(|slot| !verdicts.get(*slot).draws());
     owners
 }
@@ -69,18 +50,10 @@ struct Props {
 impl Props {
     fn new() -> Self {
         let mut scene = Scene::new();
-        let material = scene.add_material(Material::default());
-        let ball = Mesh::new("ball", icosphere(2, 0.4));
-        let bounds = Aabb::from_centre(DVec3::ZERO, DVec3::new(6.0, 6.0, 0.2));
-        let wall = Mesh::new("wall", Geometry::from_box(&bounds));
-        let ball = Drawable {
-            mesh: scene.add_mesh(ball).unwrap(),
-            material,
-        };
-        let wall = Drawable {
-            mesh: scene.add_mesh(wall).unwrap(),
-            material,
-        };
+        let mut of =
+            |name: &str, geometry| drawable(&mut scene, name, geometry, Material::default());
+        let ball = of("ball", icosphere(2, 0.4));
+        let wall = of("wall", cuboid(DVec3::new(12.0, 12.0, 0.4)));
         Self { scene, ball, wall }
     }
 
@@ -112,7 +85,7 @@ impl Props {
 fn a_hidden_sub_tree_takes_one_question() {
     let mut props = Props::new();
     props.hidden_groups();
-    let scene = GpuScene::new(&gpu(), &mut props.scene).unwrap();
+    let scene = GpuScene::new(vulkan(), &mut props.scene).unwrap();
     let eye = camera(DVec3::Z * 14.0);
     for text in [
         SAME,
@@ -147,8 +120,8 @@ fn a_hidden_sub_tree_takes_one_question() {
 
 #[test]
 fn where_nothing_hides_hardly_anything_is_asked() {
-    let gpu = gpu();
-    let scene = GpuScene::new(&gpu, &mut layer(12).unwrap()).unwrap();
+    let gpu = vulkan();
+    let scene = GpuScene::new(gpu, &mut layer(12).unwrap()).unwrap();
     let mut stage = stage(&scene, "occupancy-map:latency=same-frame:block=1");
     for _ in 0..3 {
         let (verdicts, report) = frame(&mut stage, &scene, camera(DVec3::Z * 17.0));
@@ -161,7 +134,7 @@ fn where_nothing_hides_hardly_anything_is_asked() {
 fn what_is_not_worth_a_wait_is_drawn() {
     let mut props = Props::new();
     props.hidden_groups();
-    let scene = GpuScene::new(&gpu(), &mut props.scene).unwrap();
+    let scene = GpuScene::new(vulkan(), &mut props.scene).unwrap();
     let eye = camera(DVec3::Z * 14.0);
     // 64 balls of 320 triangles wait behind the wall, in one group: 20,480 triangles for a query that costs 190.
     let text = "occupancy-map:latency=same-frame:worth=";
@@ -184,7 +157,7 @@ fn later_frames_organise_fewer_batches() {
         let place = DVec3::new(f64::from(x) - 1.0, f64::from(y) - 1.0, -f64::from(z));
         props.put(None, place, Some(props.ball));
     }
-    let scene = GpuScene::new(&gpu(), &mut props.scene).unwrap();
+    let scene = GpuScene::new(vulkan(), &mut props.scene).unwrap();
     let mut stage = stage(
         &scene,
         "occupancy-map:latency=same-frame:grain=0:tree=groups:block=8:least-seen=0:together=1:visible-for=0:worth=0",
@@ -214,7 +187,7 @@ fn what_stays_hidden_shares_its_questions_and_is_found_when_it_comes_to_light() 
         props.put(None, place, Some(props.ball));
     }
     props.put(None, DVec3::new(7.0, 0.0, 0.0), Some(props.ball));
-    let mut scene = GpuScene::new(&gpu(), &mut props.scene).unwrap();
+    let mut scene = GpuScene::new(vulkan(), &mut props.scene).unwrap();
     let eye = camera(DVec3::Z * 18.0);
     for latency in ["same-frame", "frame-late"] {
         let text = format!("occupancy-map:latency={latency}:tree=groups:grain=0:worth=0");
@@ -250,7 +223,7 @@ fn what_stays_hidden_shares_its_questions_and_is_found_when_it_comes_to_light() 
 
 #[test]
 fn trees_of_any_depth_are_walked() {
-    let gpu = gpu();
+    let gpu = vulkan();
     let mut props = Props::new();
     let (mut chain, mut comb) = (None, None);
     for step in 0..100_000 {
@@ -261,7 +234,7 @@ fn trees_of_any_depth_are_walked() {
         }
     }
     props.put(chain, DVec3::X * 2.0, Some(props.ball));
-    let mut scene = GpuScene::new(&gpu, &mut props.scene).unwrap();
+    let mut scene = GpuScene::new(gpu, &mut props.scene).unwrap();
     for text in [
         SAME,
         "occupancy-map:latency=frame-late:tree=groups",
@@ -289,7 +262,7 @@ fn trees_of_any_depth_are_walked() {
 fn groups_of_those_who_are_gone_are_cleared_away() {
     let mut props = Props::new();
     props.hidden_groups();
-    let mut scene = GpuScene::new(&gpu(), &mut props.scene).unwrap();
+    let mut scene = GpuScene::new(vulkan(), &mut props.scene).unwrap();
     let groups = scene.table().groups().around().len();
     assert_eq!(groups, 9);
     for _ in 0..1_200 {
@@ -309,10 +282,10 @@ fn groups_of_those_who_are_gone_are_cleared_away() {
 
 #[test]
 fn trees_that_change_are_followed() {
-    let gpu = gpu();
+    let gpu = vulkan();
     let mut props = Props::new();
     props.hidden_groups();
-    let mut scene = GpuScene::new(&gpu, &mut props.scene).unwrap();
+    let mut scene = GpuScene::new(gpu, &mut props.scene).unwrap();
     let mut random = Pcg32::seed_from_u64(7);
     let mut stages: Vec<(&str, Stage)> = [
         SAME,
@@ -384,7 +357,7 @@ fn trees_that_change_are_followed() {
 fn a_sketch_is_left_where_one_was_asked_for() {
     let mut props = Props::new();
     props.hidden_groups();
-    let scene = GpuScene::new(&gpu(), &mut props.scene).unwrap();
+    let scene = GpuScene::new(vulkan(), &mut props.scene).unwrap();
     let eye = camera(DVec3::Z * 14.0);
     let mut plain = stage(&scene, SAME);
     frame(&mut plain, &scene, eye);
@@ -416,10 +389,10 @@ fn a_sketch_is_left_where_one_was_asked_for() {
 fn late_walks_run_inside_somebody_elses_frame_and_waiting_ones_are_refused() {
     let mut props = Props::new();
     props.hidden_groups();
-    let scene = GpuScene::new(&gpu(), &mut props.scene).unwrap();
+    let scene = GpuScene::new(vulkan(), &mut props.scene).unwrap();
     let embedded = |text: &str| {
         let strategy = registry().parse(text).unwrap();
-        let views = vec![ViewSpec::main(SIZE[0], SIZE[1])];
+        let views = views(&["main"], SIZE);
         let options = StageOptions {
             mode: Mode::Embedded,
             ..StageOptions::default()

@@ -6,15 +6,16 @@ mod support;
 use std::sync::Arc;
 
 use Verdict::{Occluded, Untested};
-use antumbra_cull::{Stage, StageOptions, Strategy, Tunable, Verdict, ViewInput, ViewSpec};
-use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
+use antumbra_cull::{Stage, StageOptions, Strategy, Tunable, Verdict, ViewInput};
+use antumbra_draw::GpuScene;
 use antumbra_scene::{
-    Aabb, Camera, Drawable, EntityKey, Geometry, Material, Mesh, Projection, Scene, Topology,
+    Aabb, Drawable, EntityKey, Geometry, Material, Mesh, Projection, Scene, Topology,
 };
 use antumbra_strategies::registry;
 use antumbra_terrain::{
     GroupOptions, HorizonStrategy, Sectors, ShownTerrain, Terrain, TerrainOptions,
 };
+use antumbra_testing::{add, drawable, look_at, perspective, stage_with, views, vulkan};
 use glam::{DAffine3, DVec3};
 
 /// A ridge from south to north, 60 metres high, across the middle of a plain.
@@ -57,17 +58,13 @@ impl Play {
         let [low, high] = terrain.field().plan_bounds();
         let middle = ((low + high) / 2.0).extend(0.0) + terrain.field().origin();
         let base = Aabb::new(DVec3::new(-5.0, 0.0, -5.0), DVec3::new(5.0, 10.0, 5.0));
-        let mesh = Mesh::new("house", Geometry::from_box(&base));
-        let house = Drawable {
-            mesh: scene.add_mesh(mesh).unwrap(),
-            material: scene.add_material(Material::default()),
-        };
+        let base = Geometry::from_box(&base);
+        let house = drawable(&mut scene, "house", base, Material::default());
         let horizon = HorizonStrategy::new(Arc::new(terrain), &shown);
-        let gpu = Gpu::open(&AdapterChoice::Named("vulkan".to_owned()));
-        let gpu_scene = GpuScene::new(&gpu.unwrap(), &mut scene).unwrap();
-        let views = vec![ViewSpec::main(64, 48)];
+        let gpu_scene = GpuScene::new(vulkan(), &mut scene).unwrap();
+        let views = views(&["main"], [64, 48]);
         let strategy = Box::new(horizon.clone());
-        let stage = Stage::new(&gpu_scene, strategy, views, StageOptions::default()).unwrap();
+        let stage = stage_with(&gpu_scene, strategy, views, StageOptions::default());
         Self {
             scene,
             gpu_scene,
@@ -81,10 +78,7 @@ impl Play {
 
     fn build(&mut self, what: Drawable, east: f64, up: f64) -> EntityKey {
         let place = self.middle + DVec3::new(east, up, 0.0);
-        let entity = self.scene.spawn(None, DAffine3::from_translation(place));
-        let entity = entity.unwrap();
-        self.scene.set_drawable(entity, what).unwrap();
-        entity
+        add(&mut self.scene, DAffine3::from_translation(place), what)
     }
 
     /// Prepares what is new; how many those were.
@@ -95,11 +89,8 @@ impl Play {
 
     /// The verdicts of somebody in the west who looks east over the ridge.
     fn look(&mut self, entities: &[EntityKey]) -> Vec<Verdict> {
-        let perspective = Projection::Perspective {
-            fov_y: 0.9,
-            near: 0.5,
-        };
-        self.look_from(DVec3::new(-400.0, 5.0, 0.0), perspective, entities)
+        let from = DVec3::new(-400.0, 5.0, 0.0);
+        self.look_from(from, perspective(0.9, 0.5), entities)
     }
 
     fn look_from(
@@ -110,7 +101,7 @@ impl Play {
     ) -> Vec<Verdict> {
         self.gpu_scene.sync(&mut self.scene).unwrap();
         let (eye, target) = (self.middle + from, self.middle + DVec3::X * 200.0);
-        let camera = Camera::look_at(eye, target, DVec3::Y, projection).unwrap();
+        let camera = look_at(eye, target, projection);
         let input = ViewInput::new(camera);
         self.stage.frame(&self.gpu_scene, &[input]).unwrap();
         let verdicts = self.stage.verdicts(0, &self.gpu_scene).unwrap();
@@ -179,14 +170,13 @@ fn nobody_is_culled_who_must_be_drawn() {
         near: 0.5,
         far: 2000.0,
     };
-    let perspective = Projection::Perspective {
-        fov_y: 0.9,
-        near: 0.5,
-    };
     let west = DVec3::new(-400.0, 5.0, 0.0);
     assert_eq!(play.look_from(west, orthographic, &all), [Untested; 3]);
     let below = west.with_y(-5.0);
-    assert_eq!(play.look_from(below, perspective, &all), [Untested; 3]);
+    assert_eq!(
+        play.look_from(below, perspective(0.9, 0.5), &all),
+        [Untested; 3]
+    );
     // Where it stands it becomes untested, then a wire; and then its ridge goes away.
     assert_eq!(play.look(&[house]), [Occluded]);
     play.scene.set_tested(house, false).unwrap();

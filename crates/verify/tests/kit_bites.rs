@@ -5,18 +5,11 @@
 mod faulty;
 
 use antumbra_cull::{Strategy, Tunable};
-use antumbra_demo_scenes as demo_scenes;
-use antumbra_draw::{AdapterChoice, Gpu};
-use antumbra_scene::{Camera, Projection};
 use antumbra_strategies::ThreePass;
+use antumbra_testing::{balls_with_proxies, look_at, perspective, vulkan};
 use antumbra_verify::kit::{Breach, Case, Kit, KitFailure, Violation};
 use faulty::*;
 use glam::DVec3;
-
-fn gpu() -> Gpu {
-    Gpu::open(&AdapterChoice::Named("vulkan".to_owned()))
-        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
-}
 
 fn kit(cases: &[Case]) -> Kit {
     Kit {
@@ -29,7 +22,7 @@ fn kit(cases: &[Case]) -> Kit {
 /// What the kit finds, by case.
 fn found<S: Strategy + Clone + 'static>(strategy: S, cases: &[Case]) -> Vec<Violation> {
     let make = || -> Box<dyn Strategy> { Box::new(strategy.clone()) };
-    match kit(cases).check_on(&gpu(), make) {
+    match kit(cases).check_on(vulkan(), make) {
         Ok(_) => Vec::new(),
         Err(KitFailure::Violations { violations, .. }) => violations,
         Err(failure) => panic!("{failure}"),
@@ -53,7 +46,7 @@ fn a_late_strategy_without_fault_passes() {
         ..Kit::default()
     };
     let report = kit
-        .check_on(&gpu(), || Box::new(Late::default()))
+        .check_on(vulkan(), || Box::new(Late::default()))
         .unwrap_or_else(|failure| panic!("{failure}"));
     assert_eq!(report.frames.len(), Case::ALL.len());
     assert!(
@@ -102,23 +95,17 @@ fn looking_at_every_fourth_pixel_misses_a_hole() {
 
 #[test]
 fn a_scene_of_ones_own_is_played_and_judged() {
-    let mut scene = demo_scenes::by_name("grid", Some(3)).unwrap();
-    scene.ensure_proxies(&Default::default());
-    let projection = Projection::Perspective {
-        fov_y: 1.0,
-        near: 0.1,
-    };
+    let scene = balls_with_proxies(3);
     let camera = |x: f64| {
         let eye = DVec3::new(x, 2.0, 9.0);
-        Camera::look_at(eye, DVec3::ZERO, DVec3::Y, projection).unwrap()
+        look_at(eye, DVec3::ZERO, perspective(1.0, 0.1))
     };
     let frames = [
         vec![camera(0.0), camera(0.1)],
         vec![camera(1.0), camera(1.1)],
     ];
-    let gpu = gpu();
     let play = |strategy: Box<dyn Fn() -> Box<dyn Strategy>>| {
-        kit(&[]).play_on(&gpu, strategy, &scene, &frames)
+        kit(&[]).play_on(vulkan(), strategy, &scene, &frames)
     };
     let verdicts = play(Box::new(|| Box::new(Late::default()))).unwrap();
     assert_eq!(verdicts.iter().map(Vec::len).collect::<Vec<_>>(), [2, 2]);
@@ -188,7 +175,7 @@ fn late_answers_that_never_come_right_are_found() {
         ..kit(&[Case::Still])
     };
     let failure = kit
-        .check_on(&gpu(), || {
+        .check_on(vulkan(), || {
             Box::new(Late {
                 threshold: 40,
                 ..Late::default()
@@ -220,8 +207,8 @@ fn a_failure_says_how_to_have_it_again() {
         seed: 77,
         ..kit(&[Case::RandomScenes])
     };
-    let gpu = gpu();
-    let text = kit.check_on(&gpu, make).unwrap_err().to_string();
+    let gpu = vulkan();
+    let text = kit.check_on(gpu, make).unwrap_err().to_string();
     let adapter = gpu.title();
     let parts = [
         "'random'",

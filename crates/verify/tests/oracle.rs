@@ -1,56 +1,39 @@
 //! The oracle against what is known beforehand: who stands in front, who owns nothing, what transparency adds.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
-use antumbra_scene::{
-    AlphaMode, Camera, Drawable, EntityKey, Geometry, Material, Mesh, Projection, Scene,
-};
+use antumbra_draw::{Gpu, GpuScene};
+use antumbra_scene::{AlphaMode, Camera, EntityKey, Material, Scene};
+use antumbra_testing::{add, cuboid, drawable, gl, look_at, perspective, vulkan};
 use antumbra_verify::{Members, Oracle};
 use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [50, 40];
 
-fn gpu(name: &str) -> Gpu {
-    Gpu::open(&AdapterChoice::Named(name.to_owned()))
-        .unwrap_or_else(|error| panic!("{error}; run make test, which looks for the drivers first"))
-}
-
 /// A box of half a metre around each of these places, in this material.
 fn boxes(scene: &mut Scene, alpha: AlphaMode, at: &[DVec3]) -> Vec<EntityKey> {
-    let half = DVec3::splat(0.5);
-    let geometry = Geometry::from_box(&antumbra_scene::Aabb::new(-half, half));
-    let mesh = scene.add_mesh(Mesh::new("box", geometry)).unwrap();
-    let material = scene.add_material(Material {
+    let material = Material {
         alpha,
         base_colour: [0.5; 4],
         ..Material::default()
-    });
+    };
+    let shown = drawable(scene, "box", cuboid(DVec3::ONE), material);
     at.iter()
-        .map(|place| {
-            let entity = scene
-                .spawn(None, DAffine3::from_translation(*place))
-                .unwrap();
-            scene
-                .set_drawable(entity, Drawable { mesh, material })
-                .unwrap();
-            entity
-        })
+        .map(|place| add(scene, DAffine3::from_translation(*place), shown))
         .collect()
 }
 
 fn camera() -> Camera {
-    let projection = Projection::Perspective {
-        fov_y: 1.0,
-        near: 0.1,
-    };
-    Camera::look_at(DVec3::new(0.0, 0.0, 5.0), DVec3::ZERO, DVec3::Y, projection).unwrap()
+    look_at(
+        DVec3::new(0.0, 0.0, 5.0),
+        DVec3::ZERO,
+        perspective(1.0, 0.1),
+    )
 }
 
-fn owners_follow_the_scene(name: &str) {
-    let gpu = gpu(name);
+fn owners_follow_the_scene(gpu: &Gpu) {
     let mut scene = Scene::new();
     // Nobody, then one in front of another, a third beside, a fourth behind the camera.
-    let mut gpu_scene = GpuScene::new(&gpu, &mut scene).unwrap();
+    let mut gpu_scene = GpuScene::new(gpu, &mut scene).unwrap();
     let mut oracle = Oracle::new(&gpu_scene, SIZE);
     let camera = camera();
     let empty = oracle.look(&gpu_scene, &camera, Members::Frustum).unwrap();
@@ -104,10 +87,10 @@ fn owners_follow_the_scene(name: &str) {
 
 #[test]
 fn owners_follow_the_scene_on_vulkan() {
-    owners_follow_the_scene("vulkan");
+    owners_follow_the_scene(vulkan());
 }
 
 #[test]
 fn owners_follow_the_scene_on_gl() {
-    owners_follow_the_scene("gl");
+    owners_follow_the_scene(gl());
 }
