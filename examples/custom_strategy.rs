@@ -3,12 +3,12 @@
 
 use antumbra::cull::{Counting, DeclareError, FrameGraph, Latency, Stage, StageOptions};
 use antumbra::cull::{Strategy, ViewInput, ViewNodes, ViewSpec, VisibleSet};
-use antumbra::draw::{AdapterChoice, Detail, Gpu, GpuScene};
+use antumbra::draw::{AdapterChoice, Gpu, GpuScene, MeshDetail};
 use antumbra::measure::{compare::camera, path::Path};
 use antumbra::strategies::registry;
 
 /// How many occluders it draws, and what stands in for the occludees: `Level(0)`, their meshes, or, much faster, `Box`.
-pub struct LargestOccluders(pub usize, pub Detail);
+pub struct LargestOccluders(pub usize, pub MeshDetail);
 
 impl Strategy for LargestOccluders {
     fn name(&self) -> &str {
@@ -18,7 +18,7 @@ impl Strategy for LargestOccluders {
         "tests what is in the frustum against the occluders that look largest"
     }
     fn conservative(&self) -> bool {
-        self.1 == Detail::Level(0) // A box may round away from the last sample of its mesh.
+        self.1 == MeshDetail::Level(0) // A box may round away from the last sample of its mesh.
     }
     fn latency(&self) -> Option<Latency> {
         Some(Latency::OnGpu)
@@ -36,7 +36,7 @@ impl Strategy for LargestOccluders {
             });
             slots.truncate(most);
         });
-        let proxies = g.proxies_of(view, (largest, Detail::Level(0)), (candidates, occludee));
+        let proxies = g.proxies_of(view, (largest, MeshDetail::Level(0)), (candidates, occludee));
         let counts = g.count_samples(view, proxies, Counting::Queries, view.size());
         Ok(g.visible_samples(view, candidates, counts, Latency::OnGpu, 0))
     }
@@ -45,7 +45,7 @@ impl Strategy for LargestOccluders {
 /// Draws the built-in grid under three strategies, one of them ours.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut registry = registry();
-    registry.register(|| Box::new(LargestOccluders(800, Detail::Box)));
+    registry.register(|| Box::new(LargestOccluders(800, MeshDetail::Box)));
     let mut grid = antumbra::demo_scenes::by_name("grid", Some(12))?;
     let scene = GpuScene::new(&Gpu::open(&AdapterChoice::Auto)?, &mut grid)?;
     let path = Path::orbit_around(&grid.bounds().ok_or("an empty scene")?, 4.0 / 3.0, 8)?;

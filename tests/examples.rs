@@ -13,7 +13,7 @@ mod embed;
 mod explore_subsurface;
 
 use antumbra::cull::{Frustum, Strategy};
-use antumbra::draw::Detail;
+use antumbra::draw::MeshDetail;
 use antumbra::measure::compare::{CompareOptions, Contender, compare};
 use antumbra::measure::path::Path;
 use antumbra::verify::kit::{self, Kit};
@@ -23,12 +23,12 @@ use custom_strategy::LargestOccluders;
 #[test]
 fn the_strategy_from_outside_conforms() {
     let ours = |occludee| move || Box::new(LargestOccluders(20, occludee)) as Box<dyn Strategy>;
-    assert!(ours(Detail::Level(0))().conservative());
-    kit::assert_conforms(ours(Detail::Level(0)));
-    kit::assert_conforms(ours(Detail::Box));
+    assert!(ours(MeshDetail::Level(0))().conservative());
+    kit::assert_conforms(ours(MeshDetail::Level(0)));
+    kit::assert_conforms(ours(MeshDetail::Box));
     // Where queries answer 0 or 1.
     let kit = Kit::default();
-    kit.check_on(gl(), ours(Detail::Level(0))).unwrap();
+    kit.check_on(gl(), ours(MeshDetail::Level(0))).unwrap();
 }
 
 #[test]
@@ -38,7 +38,7 @@ fn the_strategy_from_outside_is_compared() {
     let path = Path::orbit_around(&scene.bounds().unwrap(), 4.0 / 3.0, 6).unwrap();
     let contenders = [
         Contender::new("", || Box::new(Frustum)),
-        Contender::new("", || Box::new(LargestOccluders(250, Detail::Box))),
+        Contender::new("", || Box::new(LargestOccluders(250, MeshDetail::Box))),
     ];
     let options = CompareOptions {
         size: [160, 120],

@@ -4,7 +4,7 @@
 use antumbra::cull::{
     Counting, DeclareError, FrameGraph, Latency, Strategy, ViewNodes, VisibleSet,
 };
-use antumbra::draw::Detail;
+use antumbra::draw::MeshDetail;
 use antumbra::verify::kit;
 
 struct Sampled;
@@ -17,7 +17,7 @@ impl Strategy for Sampled {
     fn latency(&self) -> Option<Latency> { Some(Latency::FrameLate) }
     fn declare(&mut self, g: &mut FrameGraph<'_>, view: &mut ViewNodes) -> Result<VisibleSet, DeclareError> {
         let candidates = g.in_frustum(view);
-        let proxies = g.proxies(view, candidates, Detail::Proxy, Detail::Proxy);
+        let proxies = g.proxies(view, candidates, MeshDetail::Proxy, MeshDetail::Proxy);
         let counts = g.count_samples(view, proxies, Counting::Queries, view.size());
         Ok(g.visible_samples(view, candidates, counts, Latency::FrameLate, 0))
     }

@@ -14,7 +14,7 @@ use std::sync::{Arc, Mutex};
 use antumbra::cull::{
     DeclareError, FrameGraph, Stage, StageOptions, Strategy, ViewNodes, VisibleSet,
 };
-use antumbra::draw::{Class, GpuScene, PipelineKind};
+use antumbra::draw::{GpuScene, PipelineClass, PipelineKind};
 use antumbra::graph::Picture;
 use antumbra::scene::Scene;
 use antumbra::strategies::registry;
@@ -248,7 +248,7 @@ fn distances_to_lights_are_computed_where_a_light_has_a_place() {
 fn a_volume_brings_textures_and_without_one_there_are_none() {
     let textured = |scene: &mut Scene| {
         let scene = GpuScene::new(vulkan(), scene).unwrap();
-        let classes = scene.layout().classes().any(Class::textured);
+        let classes = scene.layout().classes().any(PipelineClass::textured);
         // One white texel stands for no image.
         assert_eq!(scene.frame().textures.len() > 1, classes);
         classes

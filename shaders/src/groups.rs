@@ -9,15 +9,15 @@ use crate::{Binding, Job};
 /// stages that use it.
 ///
 /// ```no_run
-/// # fn pipeline(device: &wgpu::Device) -> Result<(), antumbra_shaders::GroupError> {
-/// use antumbra_shaders::{Groups, jobs::depth};
-/// let groups = Groups::of(&[(&depth::JOB, depth::entry::VERTEX)])?;
+/// # fn pipeline(device: &wgpu::Device) -> Result<(), antumbra_shaders::BindGroupError> {
+/// use antumbra_shaders::{BindGroups, jobs::depth};
+/// let groups = BindGroups::of(&[(&depth::JOB, depth::entry::VERTEX)])?;
 /// let layouts = groups.bind_group_layouts(device, "depth");
 /// let pipeline_layout = groups.pipeline_layout(device, "depth", &layouts);
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Groups {
+pub struct BindGroups {
     groups: Vec<Vec<wgpu::BindGroupLayoutEntry>>,
     immediate_size: u32,
     features: wgpu::Features,
@@ -27,7 +27,7 @@ pub struct Groups {
 /// Why entry points do not go together in one pipeline.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
-pub enum GroupError {
+pub enum BindGroupError {
     /// A name that the job does not have.
     #[error("job `{job}` has no entry point `{entry_point}`; it has: {known}")]
     UnknownEntryPoint {
@@ -70,12 +70,12 @@ pub enum GroupError {
     },
 }
 
-impl Groups {
+impl BindGroups {
     /// The layouts for these entry points, given with their jobs.
     ///
     /// # Errors
     /// An entry point that does not exist, or two jobs that want different things at one place.
-    pub fn of(entry_points: &[(&Job, &str)]) -> Result<Self, GroupError> {
+    pub fn of(entry_points: &[(&Job, &str)]) -> Result<Self, BindGroupError> {
         let mut merging = Merging {
             found: Vec::new(),
             groups: Self {
@@ -88,7 +88,7 @@ impl Groups {
         for (job, name) in entry_points {
             let Some(entry) = job.entry_point(name) else {
                 let known: Vec<&str> = job.entry_points.iter().map(|e| e.name.as_ref()).collect();
-                return Err(GroupError::UnknownEntryPoint {
+                return Err(BindGroupError::UnknownEntryPoint {
                     job: job.name.to_string(),
                     entry_point: (*name).to_owned(),
                     known: known.join(", "),
@@ -110,7 +110,7 @@ impl Groups {
     ///
     /// # Errors
     /// Two jobs that want different things at one place.
-    pub fn of_jobs(jobs: &[&Job]) -> Result<Self, GroupError> {
+    pub fn of_jobs(jobs: &[&Job]) -> Result<Self, BindGroupError> {
         let all: Vec<(&Job, &str)> = jobs
             .iter()
             .flat_map(|job| {
@@ -126,12 +126,12 @@ impl Groups {
     ///
     /// # Errors
     /// There is no such binding, or it is not a buffer.
-    pub fn dynamic_offset(mut self, group: u32, binding: u32) -> Result<Self, GroupError> {
+    pub fn dynamic_offset(mut self, group: u32, binding: u32) -> Result<Self, BindGroupError> {
         match self.entry_mut(group, binding).map(|entry| &mut entry.ty) {
             Some(BindingType::Buffer {
                 has_dynamic_offset, ..
             }) => *has_dynamic_offset = true,
-            _ => return Err(GroupError::UnknownBinding { group, binding }),
+            _ => return Err(BindGroupError::UnknownBinding { group, binding }),
         }
         Ok(self)
     }
@@ -217,7 +217,7 @@ impl Groups {
 /// Bindings so far, each with the job and the variable that brought it.
 struct Merging<'j> {
     found: Vec<Found<'j>>,
-    groups: Groups,
+    groups: BindGroups,
 }
 
 struct Found<'j> {
@@ -233,7 +233,7 @@ impl<'j> Merging<'j> {
         binding: &'j Binding,
         stage: wgpu::ShaderStages,
         filters: bool,
-    ) -> Result<(), GroupError> {
+    ) -> Result<(), BindGroupError> {
         let mut entry = binding.entry;
         entry.visibility = stage;
         // The job's entry speaks for all of its entry points; this one may only load.
@@ -261,7 +261,7 @@ impl<'j> Merging<'j> {
                 found.entry.visibility |= stage;
                 Ok(())
             }
-            _ => Err(GroupError::Conflict {
+            _ => Err(BindGroupError::Conflict {
                 group: binding.group,
                 binding: entry.binding,
                 first_job: found.job.name.to_string(),
@@ -280,7 +280,7 @@ impl<'j> Merging<'j> {
         self.groups.downlevel |= job.downlevel;
     }
 
-    fn finish(mut self) -> Groups {
+    fn finish(mut self) -> BindGroups {
         self.found
             .sort_by_key(|found| (found.binding.group, found.entry.binding));
         for found in &self.found {

@@ -12,7 +12,7 @@
 //! 3. Build: `cargo build -p antumbra-shaders`. What naga refuses fails the build, with the file and the line.
 //! 4. Say for each struct that Rust fills which Rust type it is: [`assert_layout!`] next to the `#[repr(C)]` type fails
 //!    the build when a size or an offset differs, and names the field.
-//! 5. Make the pipeline: [`module`] for the shader module, [`Groups::of`] for the layouts of the entry points it uses,
+//! 5. Make the pipeline: [`module`] for the shader module, [`BindGroups::of`] for the layouts of the entry points it uses,
 //!    `jobs::depth::entry::VERTEX` and the like for names. Ask the adapter for [`Job::features`] and [`Job::downlevel`].
 //! 6. Run `cargo test -p antumbra-shaders`: it translates every job into each language of [`Job::languages`] and lets
 //!    wgpu's own checks create it, so that what one backend cannot do is found on any machine.
@@ -29,7 +29,7 @@ mod report;
 mod source;
 
 pub use error::ShaderError;
-pub use groups::{GroupError, Groups};
+pub use groups::{BindGroupError, BindGroups};
 pub use job::{
     Binding, BindingUse, EntryPoint, FieldLayout, Job, Language, LayoutKind, Override, SourcePart,
     StructLayout, TailLayout, VertexInput,

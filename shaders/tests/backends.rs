@@ -1,7 +1,7 @@
 //! Every built-in job through naga's writers, for each language it claims, and through wgpu's own checks.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_shaders::{EntryPoint, Groups, Job, Language, jobs, module};
+use antumbra_shaders::{BindGroups, EntryPoint, Job, Language, jobs, module};
 use naga::{
     back::{glsl, hlsl, msl, spv},
     proc::BoundsCheckPolicies,
@@ -181,7 +181,7 @@ fn wgpu_accepts_every_job_and_its_reflected_layouts() {
             .iter()
             .filter(|e| e.stage == wgpu::ShaderStages::COMPUTE)
         {
-            let groups = Groups::of(&[(job, &entry.name)]).unwrap();
+            let groups = BindGroups::of(&[(job, &entry.name)]).unwrap();
             let layouts = groups.bind_group_layouts(&device, label);
             let layout = groups.pipeline_layout(&device, label, &layouts);
             let _ = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
@@ -241,7 +241,7 @@ fn render_pipeline(
     let partner = job.entry_point(&partner).map(|found| found.name.as_ref());
     let mut parts = vec![(job, entry.name.as_ref())];
     parts.extend(partner.map(|name| (job, name)));
-    let groups = Groups::of(&parts).unwrap();
+    let groups = BindGroups::of(&parts).unwrap();
     let layouts = groups.bind_group_layouts(device, label);
     let layout = groups.pipeline_layout(device, label, &layouts);
     let attributes: Vec<[wgpu::VertexAttribute; 1]> = entry

@@ -1,7 +1,7 @@
 //! Layouts of pipelines whose entry points come from several jobs.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_shaders::{GroupError, Groups, Job, jobs};
+use antumbra_shaders::{BindGroupError, BindGroups, Job, jobs};
 use wgpu::{BindingType, ShaderStages, TextureSampleType};
 
 fn job(name: &str, text: &str) -> Job {
@@ -33,7 +33,7 @@ fn fragment(view: &str) -> Job {
 #[test]
 fn visibility_sizes_and_filtering_unite() {
     let (vertex, fragment) = (vertex(), fragment("array<vec4<f32>, 8>"));
-    let groups = Groups::of(&[(&vertex, "main"), (&fragment, "main")]).unwrap();
+    let groups = BindGroups::of(&[(&vertex, "main"), (&fragment, "main")]).unwrap();
     assert_eq!(groups.len(), 3);
     assert!(groups.entries(1).is_empty() && groups.entries(9).is_empty());
     let both = ShaderStages::VERTEX_FRAGMENT;
@@ -45,7 +45,7 @@ fn visibility_sizes_and_filtering_unite() {
         panic!("not a buffer");
     };
     assert_eq!(min_binding_size.unwrap().get(), 128);
-    let filterable = |groups: &Groups| match groups.entries(0)[1].ty {
+    let filterable = |groups: &BindGroups| match groups.entries(0)[1].ty {
         BindingType::Texture {
             sample_type: TextureSampleType::Float { filterable },
             ..
@@ -55,11 +55,11 @@ fn visibility_sizes_and_filtering_unite() {
     assert_eq!(groups.entries(0)[1].visibility, both);
     assert!(filterable(&groups));
 
-    let plain = Groups::of(&[(&fragment, "plain"), (&vertex, "main")]).unwrap();
+    let plain = BindGroups::of(&[(&fragment, "plain"), (&vertex, "main")]).unwrap();
     assert_eq!(plain.len(), 1);
     assert_eq!(plain.entries(0)[1].visibility, ShaderStages::VERTEX);
     assert!(!filterable(&plain));
-    assert_eq!(Groups::of_jobs(&[&vertex, &fragment]).unwrap(), groups);
+    assert_eq!(BindGroups::of_jobs(&[&vertex, &fragment]).unwrap(), groups);
 }
 
 #[test]
@@ -69,11 +69,11 @@ fn conflicts_name_both_variables() {
         "@group(0) @binding(0) var<storage, read> list: array<u32>;
         @fragment fn main() { _ = list[0]; }",
     );
-    let error = Groups::of_jobs(&[&vertex(), &other]).unwrap_err();
+    let error = BindGroups::of_jobs(&[&vertex(), &other]).unwrap_err();
     let text = error.to_string();
     assert!(matches!(
         error,
-        GroupError::Conflict {
+        BindGroupError::Conflict {
             group: 0,
             binding: 0,
             ..
@@ -82,7 +82,7 @@ fn conflicts_name_both_variables() {
     for word in ["view", "list", "vertex", "other", "Uniform", "Storage"] {
         assert!(text.contains(word), "{text}");
     }
-    let error = Groups::of(&[(&other, "mian")]).unwrap_err();
+    let error = BindGroups::of(&[(&other, "mian")]).unwrap_err();
     assert_eq!(
         error.to_string(),
         "job `other` has no entry point `mian`; it has: main"
@@ -92,7 +92,7 @@ fn conflicts_name_both_variables() {
 #[test]
 fn dynamic_offsets_are_for_buffers() {
     let vertex = vertex();
-    let groups = Groups::of(&[(&vertex, "main")]).unwrap();
+    let groups = BindGroups::of(&[(&vertex, "main")]).unwrap();
     let dynamic = groups.clone().dynamic_offset(0, 0).unwrap();
     assert!(matches!(
         dynamic.entries(0)[0].ty,
@@ -108,8 +108,8 @@ fn dynamic_offsets_are_for_buffers() {
 #[test]
 fn an_entry_point_brings_only_what_it_uses() {
     use jobs::identity::{JOB, entry};
-    let plain = Groups::of(&[(&JOB, entry::VERTEX), (&JOB, entry::FRAGMENT)]).unwrap();
+    let plain = BindGroups::of(&[(&JOB, entry::VERTEX), (&JOB, entry::FRAGMENT)]).unwrap();
     let masked =
-        Groups::of(&[(&JOB, entry::MASKED_VERTEX), (&JOB, entry::MASKED_FRAGMENT)]).unwrap();
+        BindGroups::of(&[(&JOB, entry::MASKED_VERTEX), (&JOB, entry::MASKED_FRAGMENT)]).unwrap();
     assert_eq!((plain.len(), masked.len()), (1, 3));
 }

@@ -1,4 +1,4 @@
-//!import turned
+//!import threshold
 // The on-gpu visible set: keeps those candidates of each batch whose visible samples are within its bounds, in order, and
 // writes the batch's indirect draw. One workgroup a batch, so the order (and with it every tie) is the same each run.
 
@@ -26,7 +26,7 @@ struct Draw {
 struct Settings {
     // Batches.
     count: u32,
-    // 0: these words stand in for a threshold that is not turned.
+    // 0: a frame with a fixed threshold binds these words as its `AdaptedThreshold`.
     padding_a: u32,
     padding_b: u32,
     padding_c: u32,
@@ -42,7 +42,7 @@ const BARRED: u32 = 0x40000000u;
 @group(0) @binding(3) var<storage, read> counts: array<u32>;
 @group(0) @binding(4) var<storage, read_write> kept: array<u32>;
 @group(0) @binding(5) var<storage, read_write> draws: array<Draw>;
-@group(0) @binding(6) var<storage, read> turned: Turned;
+@group(0) @binding(6) var<storage, read> adapted: AdaptedThreshold;
 
 var<workgroup> sums: array<u32, 64>;
 
@@ -62,7 +62,7 @@ fn compact(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) gro
             let entry = candidates[batch.first + at];
             slot = entry & ~(FORCED | BARRED);
             let samples = counts[slot];
-            let within = select(samples > max(batch.over, turned.threshold) && samples <= batch.most, samples == 0u, batch.hidden != 0u);
+            let within = select(samples > max(batch.over, adapted.threshold) && samples <= batch.most, samples == 0u, batch.hidden != 0u);
             keep = select(0u, 1u, (entry & FORCED) != 0u || (within && (entry & BARRED) == 0u));
         }
         // Inclusive prefix sum over the workgroup (Hillis and Steele, Data Parallel Algorithms, 1986).

@@ -9,8 +9,8 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use antumbra_draw::passes::{self, Submitted};
-use antumbra_draw::{Detail, Gpu, IDENTITY_FORMAT, PipelineKind, SceneTable, ViewFrame};
+use antumbra_draw::passes::{self, DepthTest, IdTargets, ListDraws};
+use antumbra_draw::{Gpu, IDENTITY_FORMAT, MeshDetail, PipelineKind, SceneTable, ViewFrame};
 use antumbra_graph::{Bind, Buffer, BufferDesc, Clear, Host, Texture, TextureDesc};
 
 use crate::candidates::{Asked, Candidates};
@@ -105,11 +105,11 @@ impl FromStr for Counting {
 #[derive(Debug, Clone, Copy)]
 pub struct Proxies {
     /// What may hide others: opaque triangles.
-    pub occluders: Submitted,
+    pub occluders: ListDraws,
     /// What is tested and hides nothing; `None` where the scene has no such entity and both are drawn alike.
-    pub others: Option<Submitted>,
+    pub others: Option<ListDraws>,
     /// Everything that is tested.
-    pub occludees: Submitted,
+    pub occludees: ListDraws,
     /// What is tested, for whoever reads the answer.
     pub asked: Host<Asked>,
 }
@@ -161,8 +161,8 @@ impl FrameGraph<'_> {
         &mut self,
         view: &ViewNodes,
         candidates: Host<Candidates>,
-        occluder: Detail,
-        occludee: Detail,
+        occluder: MeshDetail,
+        occludee: MeshDetail,
     ) -> Proxies {
         self.proxies_of(view, (candidates, occluder), (candidates, occludee))
     }
@@ -172,23 +172,23 @@ impl FrameGraph<'_> {
     pub fn proxies_of(
         &mut self,
         view: &ViewNodes,
-        hiding: (Host<Candidates>, Detail),
-        candidates: (Host<Candidates>, Detail),
+        hiding: (Host<Candidates>, MeshDetail),
+        candidates: (Host<Candidates>, MeshDetail),
     ) -> Proxies {
         self.proxies_within(view, hiding, candidates, Close::default())
     }
 
-    /// The same, with the full mesh in place of a [`Detail::Proxy`] that is too close to stand in.
+    /// The same, with the full mesh in place of a [`MeshDetail::Proxy`] that is too close to stand in.
     pub fn proxies_within(
         &mut self,
         view: &ViewNodes,
-        (hiding, occluder): (Host<Candidates>, Detail),
-        (candidates, occludee): (Host<Candidates>, Detail),
+        (hiding, occluder): (Host<Candidates>, MeshDetail),
+        (candidates, occludee): (Host<Candidates>, MeshDetail),
         close: Close,
     ) -> Proxies {
         let inputs = view.inputs();
         let all_hide =
-            hiding == candidates && self.scene_layout().classes().all(|class| class.hides());
+            hiding == candidates && self.scene_layout().classes().all(|class| class.occludes());
         let apart = occluder != occludee || !all_hide;
         let occluders = self.unsubmitted(&view.named("occluders"));
         let others = apart.then(|| self.unsubmitted(&view.named("other occludees")));
@@ -199,9 +199,9 @@ impl FrameGraph<'_> {
         if hiding != candidates {
             node.read(hiding);
         }
-        let mut submit = |set: Submitted| Submitted {
+        let mut submit = |set: ListDraws| ListDraws {
             list: node.write(set.list),
-            ids: node.upload(set.ids),
+            slots: node.upload(set.slots),
         };
         let occluders = submit(occluders);
         let others = others.map(&mut submit);
@@ -209,10 +209,10 @@ impl FrameGraph<'_> {
         let asked = node.write(asked);
         node.read(inputs.view);
         // Near ones first spares the far ones' fragments. Full meshes keep the canonical order: there, ties must fall as in the reference.
-        let sorts = occluder == Detail::Proxy;
+        let sorts = occluder == MeshDetail::Proxy;
         // What is asked about as a box stays one, however close it is.
         let closest = match occludee {
-            Detail::Proxy => Detail::Level(0),
+            MeshDetail::Proxy => MeshDetail::Level(0),
             other => other,
         };
         let mut order = Vec::new();
@@ -236,22 +236,26 @@ impl FrameGraph<'_> {
             if sorts {
                 front_to_back(&mut order, table, &frame, hiders);
                 let sorted = order.iter().map(|entry| in_detail(*entry as u32));
-                occluder_list.fill_mixed(table, sorted, &[occluder, Detail::Level(0)]);
+                occluder_list.fill_mixed(table, sorted, &[occluder, MeshDetail::Level(0)]);
             } else {
                 occluder_list.fill(table, hiders, occluder);
             }
-            ctx.upload(occluders.ids, 0, bytemuck::cast_slice(occluder_list.ids()))?;
-            let mut tested = Arc::new(occluder_list.ids().to_vec());
+            ctx.upload(
+                occluders.slots,
+                0,
+                bytemuck::cast_slice(occluder_list.slots()),
+            )?;
+            let mut tested = Arc::new(occluder_list.slots().to_vec());
             if let (Some(others), Some(all)) = (others, all) {
                 let mut list = ctx.get_mut(others.list)?;
                 let rest =
                     inside().filter(|slot| !hides(slot) || blinds(slot) || !hiding.contains(*slot));
                 list.fill_mixed(table, rest.map(in_detail), &[occludee, closest]);
-                ctx.upload(others.ids, 0, bytemuck::cast_slice(list.ids()))?;
+                ctx.upload(others.slots, 0, bytemuck::cast_slice(list.slots()))?;
                 let mut list = ctx.get_mut(all.list)?;
                 list.fill_mixed(table, inside().map(in_detail), &[occludee, closest]);
-                ctx.upload(all.ids, 0, bytemuck::cast_slice(list.ids()))?;
-                tested = Arc::new(list.ids().to_vec());
+                ctx.upload(all.slots, 0, bytemuck::cast_slice(list.slots()))?;
+                tested = Arc::new(list.slots().to_vec());
             }
             *ctx.get_mut(asked)? = Asked {
                 stamp: candidates.stamp(),
@@ -325,24 +329,38 @@ impl FrameGraph<'_> {
     fn count_against(
         &mut self,
         view: &ViewNodes,
-        what: Submitted,
+        what: ListDraws,
         way: Counting,
         depth: Texture,
         size: [u32; 2],
         counts: Buffer,
     ) -> Buffer {
         let inputs = view.inputs();
-        if way == Counting::Atomics {
-            let spec = self.pass(view.named("count samples"), CULL, PipelineKind::CountAtomic);
-            return passes::count_atomic_pass(self.graph(), &spec, inputs, what, depth, counts);
+        let test = self.depth_test(way, depth, view.named("scratch depth"), size);
+        let kind = match test {
+            DepthTest::Early { .. } => PipelineKind::CountAtomic,
+            DepthTest::InShader { .. } => PipelineKind::CountCompare,
+        };
+        let spec = self.pass(view.named("count samples"), CULL, kind);
+        passes::count_pass(self.graph(), &spec, inputs, what, test, counts)
+    }
+
+    /// How fragments are held against a finished depth of some size: early for [`Counting::Atomics`], else in the shader, with a scratch depth of
+    /// that name.
+    pub fn depth_test(
+        &mut self,
+        way: Counting,
+        depth: Texture,
+        scratch: String,
+        size: [u32; 2],
+    ) -> DepthTest {
+        match way {
+            Counting::Atomics => DepthTest::Early { depth },
+            _ => DepthTest::InShader {
+                depth,
+                scratch: self.depth_texture(scratch, size),
+            },
         }
-        let scratch = self.depth_texture(view.named("scratch depth"), size);
-        let spec = self.pass(
-            view.named("count samples"),
-            CULL,
-            PipelineKind::CountCompare,
-        );
-        passes::count_compare_pass(self.graph(), &spec, inputs, what, depth, scratch, counts)
     }
 
     fn count_identities(
@@ -359,14 +377,10 @@ impl FrameGraph<'_> {
             TextureDesc::new(width, height, IDENTITY_FORMAT).cleared(blank),
         );
         let spec = self.pass(view.named("entity ids"), CULL, PipelineKind::Identity);
-        let (ids, depth) = passes::identity_pass(
-            self.graph(),
-            &spec,
-            view.inputs(),
-            proxies.occluders,
-            ids,
-            depth,
-        );
+        let targets = IdTargets { ids, depth };
+        let inputs = view.inputs();
+        let IdTargets { ids, depth } =
+            passes::identity_pass(self.graph(), &spec, inputs, proxies.occluders, targets);
         let counts = self.sample_counts(view);
         let mut counts = self.histogram(view, ids, size, counts);
         if let Some(others) = proxies.others {

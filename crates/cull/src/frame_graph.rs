@@ -4,8 +4,8 @@ use std::any::Any;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use antumbra_draw::boxes::{BoxPipeline, SubmittedBoxes};
-use antumbra_draw::passes::{self, PassSpec, Submitted};
+use antumbra_draw::boxes::{BoxDraws, BoxPipeline};
+use antumbra_draw::passes::{self, ListDraws, PassSpec};
 use antumbra_draw::{
     DEPTH_FORMAT, DrawList, Gpu, PassPipelines, PipelineKind, SceneLayout, SceneTable, ViewFrame,
 };
@@ -62,9 +62,9 @@ pub struct Chosen {
     /// Why each entity is drawn or not.
     pub verdicts: Host<Verdicts>,
     /// What is drawn without blending, in canonical order.
-    pub solid: Submitted,
+    pub solid: ListDraws,
     /// What is blended, back to front; `None` for a scene without.
-    pub blended: Option<Submitted>,
+    pub blended: Option<ListDraws>,
 }
 
 impl<'g> FrameGraph<'g> {
@@ -145,12 +145,12 @@ impl<'g> FrameGraph<'g> {
     }
 
     /// A draw list of up to every slot, and the buffer its slots go to.
-    pub fn unsubmitted(&mut self, name: &str) -> Submitted {
+    pub fn unsubmitted(&mut self, name: &str) -> ListDraws {
         let list = self.graph.host::<DrawList>(name);
         let ids = self
             .graph
             .buffer(format!("{name}: slots"), BufferDesc::new(self.slot_bytes()));
-        Submitted { list, ids }
+        ListDraws { list, slots: ids }
     }
 
     /// What draws boxes that are asked about.
@@ -160,9 +160,9 @@ impl<'g> FrameGraph<'g> {
     }
 
     /// A list of up to so many boxes, and the buffer they go to.
-    pub fn unsubmitted_boxes(&mut self, name: &str, most: u64) -> SubmittedBoxes {
+    pub fn unsubmitted_boxes(&mut self, name: &str, most: u64) -> BoxDraws {
         let bytes = BufferDesc::new(most * BoxPipeline::BYTES_A_BOX);
-        SubmittedBoxes {
+        BoxDraws {
             list: self.graph.host(name),
             buffer: self.graph.buffer(format!("{name}: corners"), bytes),
         }
@@ -318,13 +318,13 @@ impl<'g> FrameGraph<'g> {
         reads(&mut node);
         let chosen = Chosen {
             verdicts: node.write(verdicts),
-            solid: Submitted {
+            solid: ListDraws {
                 list: node.write(solid.list),
-                ids: node.upload(solid.ids),
+                slots: node.upload(solid.slots),
             },
-            blended: blended.map(|set| Submitted {
+            blended: blended.map(|set| ListDraws {
                 list: node.write(set.list),
-                ids: node.upload(set.ids),
+                slots: node.upload(set.slots),
             }),
         };
         node.run(move |ctx| {
@@ -344,11 +344,11 @@ impl<'g> FrameGraph<'g> {
                 drawn.map(|slot| (slot, verdicts.level(slot)))
             };
             solid.fill_levels(table, drawn(false), verdicts.levels());
-            ctx.upload(chosen.solid.ids, 0, bytemuck::cast_slice(solid.ids()))?;
+            ctx.upload(chosen.solid.slots, 0, bytemuck::cast_slice(solid.slots()))?;
             if let Some(blended) = chosen.blended {
                 let mut list = ctx.get_mut(blended.list)?;
                 back_to_front(&mut list, table, &frame, drawn(true));
-                ctx.upload(blended.ids, 0, bytemuck::cast_slice(list.ids()))?;
+                ctx.upload(blended.slots, 0, bytemuck::cast_slice(list.slots()))?;
             }
             Ok(())
         });
@@ -365,19 +365,9 @@ impl<'g> FrameGraph<'g> {
     }
 
     /// Shades one list into the view's targets.
-    pub fn shade_list(&mut self, view: &mut ViewNodes, name: &str, list: Submitted) {
+    pub fn shade_list(&mut self, view: &mut ViewNodes, name: &str, list: ListDraws) {
         let spec = self.pass(view.named(name), DRAW, self.shaded_kind());
-        let targets = view.targets;
-        let (colour, depth) = passes::shaded_pass(
-            self.graph,
-            &spec,
-            view.inputs,
-            list,
-            targets.colour,
-            targets.depth,
-        );
-        view.targets.colour = colour;
-        view.targets.depth = depth;
+        view.targets = passes::shaded_pass(self.graph, &spec, view.inputs, list, view.targets);
     }
 
     /// The pipelines' kind for the view's colour target.

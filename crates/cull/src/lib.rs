@@ -30,6 +30,7 @@ mod view_nodes;
 mod visible_samples;
 mod yardsticks;
 
+pub use antumbra_draw::passes::Targets;
 pub use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
 pub use audit::{AUDIT, Audit, AuditOptions, Estimate, FrameAudit};
 pub use budget::{Budget, BudgetError, Standing};
@@ -50,5 +51,5 @@ pub use tuning::{
     Parameter, Range, Setting, SettingError, Step, Tunable, Value, assign, describe, shortest,
 };
 pub use verdict::{Verdict, Verdicts};
-pub use view_nodes::{Targets, ViewNodes};
+pub use view_nodes::ViewNodes;
 pub use yardsticks::{Everything, Frustum, Ideal};

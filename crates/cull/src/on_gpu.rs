@@ -1,8 +1,8 @@
 //! The on-gpu way: a compute node keeps the visible of each batch and writes its indirect draw. Neither stall nor delay.
 
-use antumbra_draw::passes::{self, Indirect};
+use antumbra_draw::passes::{self, IdentifiedTargets, IndirectDraws};
 use antumbra_draw::{
-    Detail, DrawList, INDIRECT_DRAW_BYTES, PipelineKind, Run, SceneTable, ViewFrame,
+    DrawList, INDIRECT_DRAW_BYTES, MeshDetail, PipelineKind, Run, SceneTable, ViewFrame,
 };
 use antumbra_graph::{
     Bind, BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext, Texture,
@@ -117,11 +117,11 @@ impl Laid<'_> {
         bounds: impl Fn(&Run) -> Bounds,
         forced: impl Fn(u32) -> bool,
     ) {
-        self.entries.extend_from_slice(self.list.ids());
+        self.entries.extend_from_slice(self.list.slots());
         for run in self.list.runs() {
             self.runs.push(gpu_run(table, run, bounds(run)));
             let mark = match run.detail {
-                Detail::Level(0) => FORCED,
+                MeshDetail::Level(0) => FORCED,
                 _ => BARRED,
             };
             let part = run.first as usize..(run.first + run.count) as usize;
@@ -216,7 +216,7 @@ impl FrameGraph<'_> {
                     });
                     laid.list.fill_levels(table, every, levels);
                 } else {
-                    laid.list.fill(table, members, Detail::Level(0));
+                    laid.list.fill(table, members, MeshDetail::Level(0));
                 }
                 let forced =
                     |slot: u32| candidates.is_exempt(slot) || unasked.binary_search(&slot).is_ok();
@@ -297,7 +297,7 @@ impl FrameGraph<'_> {
         name: &str,
         layout: Layout,
         counts: Buffer,
-    ) -> Indirect {
+    ) -> IndirectDraws {
         self.compact_above(view, name, layout, counts, None)
     }
 
@@ -309,10 +309,10 @@ impl FrameGraph<'_> {
         layout: Layout,
         counts: Buffer,
         turned: Option<Turned>,
-    ) -> Indirect {
+    ) -> IndirectDraws {
         let pipeline =
             ComputePipeline::new(self.gpu(), &antumbra_shaders::jobs::compact::JOB, "compact");
-        let ids = self.graph().buffer(
+        let slots = self.graph().buffer(
             view.named(&format!("{name}: kept slots")),
             BufferDesc::new(layout.entry_bytes),
         );
@@ -332,7 +332,7 @@ impl FrameGraph<'_> {
         if turned != layout.settings {
             node.storage_read(turned);
         }
-        let (ids, draws) = (node.storage_write(ids), node.storage_write(draws));
+        let (slots, draws) = (node.storage_write(slots), node.storage_write(draws));
         node.run(move |ctx| {
             let runs = ctx.get(layout.list)?.runs().len() as u32;
             if runs == 0 {
@@ -343,7 +343,7 @@ impl FrameGraph<'_> {
                 Bind::Buffer(1, layout.runs),
                 Bind::Buffer(2, layout.entries),
                 Bind::Buffer(3, counts),
-                Bind::Buffer(4, ids),
+                Bind::Buffer(4, slots),
                 Bind::Buffer(5, draws),
                 Bind::Buffer(6, turned),
             ];
@@ -351,15 +351,15 @@ impl FrameGraph<'_> {
             let wide = runs.min(65_535);
             pipeline.dispatch(ctx, &binds, [wide, runs.div_ceil(wide)])
         });
-        Indirect {
+        IndirectDraws {
             layout: layout.list,
-            ids,
+            slots,
             draws,
         }
     }
 
     /// Shades what was kept.
-    pub fn shade_indirect(&mut self, view: &mut ViewNodes, name: &str, what: Indirect) {
+    pub fn shade_indirect(&mut self, view: &mut ViewNodes, name: &str, what: IndirectDraws) {
         self.shade_kept(view, name, what, self.shaded_kind(), None);
     }
 
@@ -368,7 +368,7 @@ impl FrameGraph<'_> {
         &mut self,
         view: &mut ViewNodes,
         name: &str,
-        what: Indirect,
+        what: IndirectDraws,
         ids: Texture,
     ) -> Texture {
         let kind = self.shaded_kind().identified();
@@ -380,18 +380,18 @@ impl FrameGraph<'_> {
         &mut self,
         view: &mut ViewNodes,
         name: &str,
-        what: Indirect,
+        what: IndirectDraws,
         kind: PipelineKind,
         ids: Option<Texture>,
     ) -> Option<Texture> {
         let spec = self.pass(view.named(name), DRAW, kind);
-        let targets = (view.targets.colour, view.targets.depth);
-        let inputs = view.inputs();
-        let (colour, depth, ids) =
-            passes::shaded_indirect_pass(self.graph(), &spec, inputs, what, targets, ids);
-        view.targets.colour = colour;
-        view.targets.depth = depth;
-        ids
+        let targets = IdentifiedTargets {
+            targets: view.targets,
+            ids,
+        };
+        let out = passes::shaded_indirect_pass(self.graph(), &spec, view.inputs(), what, targets);
+        view.targets = out.targets;
+        out.ids
     }
 
     /// Brings the answers of hardware queries into the order of slots.
@@ -456,7 +456,7 @@ pub(crate) fn unasked(candidates: &Candidates, asked: &Asked) -> Vec<u32> {
 
 /// The visible samples that bring an entity into a run of a list of so many levels.
 fn earns(table: &SceneTable, run: &Run, rule: SampleRule, levels: u8) -> Bounds {
-    let Detail::Level(level) = run.detail else {
+    let MeshDetail::Level(level) = run.detail else {
         return Bounds {
             over: rule.threshold,
             ..Bounds::SEEN

@@ -1,6 +1,6 @@
 //! Orders of drawing: near before far, to spare fragments; far before near, to blend.
 
-use antumbra_draw::{Detail, DrawList, SceneTable, ViewFrame};
+use antumbra_draw::{DrawList, MeshDetail, SceneTable, ViewFrame};
 
 /// Orders slots by the distance of their bounds' centres, nearest first, ties by slot. Each entry holds its slot in the low half and the
 /// distance above it, so that sorting is sorting whole numbers.
@@ -41,7 +41,7 @@ pub fn back_to_front(
     order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     list.clear();
     for (_, slot, level) in order {
-        list.push(table, slot, Detail::Level(level));
+        list.push(table, slot, MeshDetail::Level(level));
     }
 }
 

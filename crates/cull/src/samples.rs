@@ -205,7 +205,7 @@ impl Samples {
         for slot in candidates.inside() {
             let born = table
                 .occupant(*slot)
-                .map_or(u64::MAX, |occupant| occupant.born);
+                .map_or(u64::MAX, |occupant| occupant.added_epoch);
             let verdict = match (asked, self.get(*slot)) {
                 _ if candidates.is_near(*slot) => {
                     if !table.is_tested(*slot) {

@@ -1,6 +1,6 @@
 //! The tree of boxes that hierarchical strategies walk, kept in step with the scene's table.
 
-use antumbra_draw::{Detail, SceneTable};
+use antumbra_draw::{MeshDetail, SceneTable};
 use antumbra_scene::Aabb;
 use antumbra_scene::hierarchy::{GroupedLeaf, Hierarchy, HierarchyError, HierarchyShape};
 
@@ -67,7 +67,7 @@ impl Tree {
 
     fn make(&mut self, table: &SceneTable, shape: HierarchyShape) -> Result<(), HierarchyError> {
         let tested = table.live_slots().filter(|slot| table.is_tested(*slot));
-        let branches = table.groups().branches(tested, &mut self.leaves);
+        let branches = table.groups().group_tree(tested, &mut self.leaves);
         self.hierarchy = Hierarchy::new(branches, shape, |slot| bounds(table, slot))?;
         self.untested.clear();
         let untested = table.live_slots().filter(|slot| !table.is_tested(*slot));
@@ -85,7 +85,7 @@ impl Tree {
         self.weights.resize(nodes.len(), 0);
         for (number, node) in nodes.iter().enumerate().skip(first).rev() {
             if let Some(slot) = self.hierarchy.leaf(number as u32) {
-                self.weights[number] = table.primitives_of(slot, Detail::Level(0)).max(1);
+                self.weights[number] = table.primitives_of(slot, MeshDetail::Level(0)).max(1);
             }
             let own = self.weights[number];
             if let Some(above) = self.weights.get_mut(node.parent as usize) {
@@ -104,7 +104,11 @@ impl Tree {
             self.untested.dedup();
         }
         // Who came into a slot since is somebody else than who was there: out, and in again as a node that nothing is known of.
-        let came = |slot: &u32| table.occupant(*slot).is_some_and(|one| one.born > since);
+        let came = |slot: &u32| {
+            table
+                .occupant(*slot)
+                .is_some_and(|one| one.added_epoch > since)
+        };
         let leave = slots.clone().filter(came).map(|slot| (slot, Aabb::EMPTY));
         self.hierarchy.refit(leave);
         let tested = |slot: u32| table.occupant(slot).is_some() && table.is_tested(slot);

@@ -26,7 +26,7 @@ pub(crate) struct Allowed {
     pub pixels: u32,
 }
 
-/// Mirrors `Turned` of `turned.wgsl`.
+/// Mirrors `AdaptedThreshold` of `shared/threshold.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
 pub(crate) struct GpuTurned {
@@ -36,7 +36,7 @@ pub(crate) struct GpuTurned {
     padding_b: u32,
 }
 
-/// Mirrors `Settings` of `turn.wgsl`.
+/// Mirrors `Settings` of `adapt_threshold.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
 struct GpuSettings {
@@ -46,8 +46,8 @@ struct GpuSettings {
     padding: u32,
 }
 
-assert_layout!(GpuTurned, "turn", "Turned", { padding_a, threshold, left_out, padding_b });
-assert_layout!(GpuSettings, "turn", "Settings", { count, allowed, least, padding });
+assert_layout!(GpuTurned, "adapt_threshold", "AdaptedThreshold", { padding_a, threshold, left_out, padding_b });
+assert_layout!(GpuSettings, "adapt_threshold", "Settings", { count, allowed, least, padding });
 
 impl FrameGraph<'_> {
     /// Finds each frame's threshold from its counts, by slot: the rule's, or as high a one as an allowance lets it be.
@@ -58,7 +58,11 @@ impl FrameGraph<'_> {
         counts: Buffer,
         (rule, within): (SampleRule, Allowance),
     ) -> Turned {
-        let pipeline = ComputePipeline::new(self.gpu(), &antumbra_shaders::jobs::turn::JOB, "turn");
+        let pipeline = ComputePipeline::new(
+            self.gpu(),
+            &antumbra_shaders::jobs::adapt_threshold::JOB,
+            "adapt_threshold",
+        );
         let bytes = self.slot_bytes();
         let mut buffer = |name: &str, bytes| {
             let name = view.named(name);

@@ -2,20 +2,11 @@
 
 use std::sync::Arc;
 
-use antumbra_draw::passes::ViewInputs;
-use antumbra_graph::{Host, Texture};
+use antumbra_draw::passes::{Targets, ViewInputs};
+use antumbra_graph::Host;
 
 use crate::candidates::Candidates;
 use crate::narrowing::Narrowing;
-
-/// The view's image so far: shaded passes draw into these and leave the next versions here.
-#[derive(Debug, Clone, Copy)]
-pub struct Targets {
-    /// Colour.
-    pub colour: Texture,
-    /// Depth, reversed: 0 is infinitely far.
-    pub depth: Texture,
-}
 
 /// One view while its nodes are declared.
 #[derive(Debug)]

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{Counting, DeclareError, FrameGraph, Latency, Strategy, ViewNodes, VisibleSet};
-use antumbra_draw::Detail;
+use antumbra_draw::MeshDetail;
 use antumbra_verify::kit::{Case, Kit};
 
 /// Every third candidate hides, every second is asked about.
@@ -45,8 +45,8 @@ impl Strategy for Apart {
         });
         let proxies = g.proxies_of(
             view,
-            (hiding, Detail::Level(0)),
-            (questioned, Detail::Level(0)),
+            (hiding, MeshDetail::Level(0)),
+            (questioned, MeshDetail::Level(0)),
         );
         let counts = g.count_samples(view, proxies, self.counting, view.size());
         Ok(g.visible_samples(view, candidates, counts, self.latency, 0))

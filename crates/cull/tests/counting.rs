@@ -8,7 +8,7 @@ use antumbra_cull::{
     Candidates, Counting, DeclareError, FrameGraph, Latency, Samples, StageOptions, Strategy,
     Verdict, ViewInput, ViewNodes, VisibleSet,
 };
-use antumbra_draw::{Detail, Gpu, GpuScene, ViewFrame};
+use antumbra_draw::{Gpu, GpuScene, MeshDetail, ViewFrame};
 use antumbra_scene::{
     AlphaMode, Camera, Drawable, Geometry, Material, Mesh, Scene, Topology, icosphere,
 };
@@ -21,7 +21,7 @@ const SIZE: [u32; 2] = [240, 180];
 /// Counts and shows what it counted; draws everything.
 struct Counter {
     way: Counting,
-    occludee: Detail,
+    occludee: MeshDetail,
     size: [u32; 2],
     counted: Arc<Mutex<Samples>>,
 }
@@ -49,7 +49,7 @@ impl Strategy for Counter {
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
         let inside = g.in_frustum(view);
-        let proxies = g.proxies(view, inside, Detail::Level(0), self.occludee);
+        let proxies = g.proxies(view, inside, MeshDetail::Level(0), self.occludee);
         let counts = g.count_samples(view, proxies, self.way, self.size);
         let counted = Arc::clone(&self.counted);
         let chosen = g.choose(
@@ -80,7 +80,7 @@ fn count(
     scene: &GpuScene,
     camera: &Camera,
     way: Counting,
-    occludee: Detail,
+    occludee: MeshDetail,
     size: [u32; 2],
 ) -> Vec<(u32, u32)> {
     let counted = Arc::new(Mutex::new(Samples::default()));
@@ -167,7 +167,7 @@ fn counting_ways(gpu: &Gpu) -> Vec<Counting> {
 fn all_ways_agree(gpu: &Gpu) {
     let scene = GpuScene::new(gpu, &mut scene()).unwrap();
     let camera = camera();
-    let full = Detail::Level(0);
+    let full = MeshDetail::Level(0);
     let ways = counting_ways(gpu);
     assert!(ways.len() >= 2, "{ways:?} on {}", gpu.title());
     let counted = count(&scene, &camera, Counting::Compare, full, SIZE);
@@ -213,9 +213,9 @@ fn boxes_and_smaller_images_agree(gpu: &Gpu) {
     let camera = camera();
     let half = SIZE.map(|side| side / 2);
     for (occludee, size) in [
-        (Detail::Box, SIZE),
-        (Detail::Box, half),
-        (Detail::Level(0), half),
+        (MeshDetail::Box, SIZE),
+        (MeshDetail::Box, half),
+        (MeshDetail::Level(0), half),
     ] {
         let counted = count(&scene, &camera, Counting::Compare, occludee, size);
         assert!(counted.iter().any(|(_, samples)| *samples > 1));

@@ -24,6 +24,15 @@ pub struct GpuBox {
     half: [[f32; 3]; 3],
 }
 
+/// What boxes hold, which decides how much they are widened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BoxContents {
+    /// Triangles only.
+    Triangles,
+    /// Lines or points too. They cover pixels that they do not touch.
+    AnyTopology,
+}
+
 /// How the boxes of one view are widened.
 #[derive(Debug, Clone, Copy)]
 pub struct Widening {
@@ -41,9 +50,12 @@ const LINE_PIXELS: f64 = 1.5;
 const ROUNDING: f64 = 1e-6;
 
 impl Widening {
-    /// For boxes seen by this view. `thin`: some of them hold lines or points.
-    pub fn new(view: &ViewFrame, thin: bool) -> Self {
-        let pixels = if thin { LINE_PIXELS } else { TRIANGLE_PIXELS };
+    /// For boxes seen by this view.
+    pub fn new(view: &ViewFrame, contents: BoxContents) -> Self {
+        let pixels = match contents {
+            BoxContents::Triangles => TRIANGLE_PIXELS,
+            BoxContents::AnyTopology => LINE_PIXELS,
+        };
         let a_metre = f64::from(view.camera.projection_matrix(view.aspect()).y_axis.y)
             * 0.5
             * f64::from(view.size[1]);
@@ -111,14 +123,16 @@ impl BoxList {
         self.ends.clear();
     }
 
-    /// Adds a box; `joined`: it shares the last question, if there is one.
-    pub fn push(&mut self, made: GpuBox, joined: bool) {
+    /// Adds a box with a query of its own.
+    pub fn push(&mut self, made: GpuBox) {
         self.boxes.push(made);
-        let end = self.boxes.len() as u32;
-        match self.ends.last_mut().filter(|_| joined) {
-            Some(last) => *last = end,
-            None => self.ends.push(end),
-        }
+        self.ends.push(self.boxes.len() as u32);
+    }
+
+    /// Adds a box to the last query; to a query of its own where there is none.
+    pub fn push_to_last(&mut self, made: GpuBox) {
+        self.ends.pop();
+        self.push(made);
     }
 
     /// The boxes.
@@ -127,26 +141,26 @@ impl BoxList {
     }
 
     /// Where each question's boxes end.
-    pub fn ends(&self) -> &[u32] {
+    pub fn query_ends(&self) -> &[u32] {
         &self.ends
     }
 
     /// How many questions there are.
-    pub fn questions(&self) -> u32 {
+    pub fn query_count(&self) -> u32 {
         self.ends.len() as u32
     }
 }
 
 /// Boxes that are on the GPU.
 #[derive(Debug, Clone, Copy)]
-pub struct SubmittedBoxes {
+pub struct BoxDraws {
     /// The boxes.
     pub list: Host<BoxList>,
     /// The same, for the GPU.
     pub buffer: Buffer,
 }
 
-/// What draws boxes.
+/// The pipeline that draws boxes.
 #[derive(Debug)]
 pub struct BoxPipeline {
     pipeline: wgpu::RenderPipeline,
@@ -154,10 +168,10 @@ pub struct BoxPipeline {
 }
 
 impl BoxPipeline {
-    /// Bytes a box takes in [`SubmittedBoxes::buffer`].
+    /// Bytes a box takes in [`BoxDraws::buffer`].
     pub const BYTES_A_BOX: u64 = size_of::<GpuBox>() as u64;
 
-    /// Makes it.
+    /// Compiles the pipeline.
     pub fn new(gpu: &Gpu) -> Self {
         let device = &gpu.device;
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
@@ -205,17 +219,32 @@ impl BoxPipeline {
     }
 }
 
+/// A box pass's name, timing group and pipeline.
+#[derive(Debug, Clone)]
+pub struct BoxPassSpec {
+    /// The node's name.
+    pub name: String,
+    /// The label under which its time is summed.
+    pub group: &'static str,
+    /// The pipeline.
+    pub pipeline: Arc<BoxPipeline>,
+}
+
 /// Asks one hardware query a question, in order, against a depth that stays as it is. The answers are u64: zero, or something else. The eye must not
 /// be in a box, nor the near plane cut one: of such a box the front faces are not there to be seen.
 pub fn box_query_pass(
     g: &mut Graph,
-    (name, group): (String, &'static str),
-    pipeline: &Arc<BoxPipeline>,
+    spec: BoxPassSpec,
     inputs: ViewInputs,
-    boxes: SubmittedBoxes,
+    boxes: BoxDraws,
     depth: Texture,
     answers: Buffer,
 ) -> Buffer {
+    let BoxPassSpec {
+        name,
+        group,
+        pipeline,
+    } = spec;
     let mut node = g.raster(name);
     node.group(group)
         .read(boxes.list)
@@ -225,12 +254,11 @@ pub fn box_query_pass(
         // A value that cannot be read is the body's to complain of.
         .only_if(move |host| {
             host.get(boxes.list)
-                .map_or(true, |list| list.questions() > 0)
+                .map_or(true, |list| list.query_count() > 0)
         });
     let answers = node.queries(answers, move |host| {
-        host.get(boxes.list).map_or(0, |list| list.questions())
+        host.get(boxes.list).map_or(0, |list| list.query_count())
     });
-    let pipeline = Arc::clone(pipeline);
     node.run(move |ctx| {
         let group = ctx.bind_group(0, &pipeline.layout, &[Bind::Buffer(0, inputs.uniform)])?;
         let buffer = ctx.buffer(boxes.buffer)?;
@@ -240,7 +268,7 @@ pub fn box_query_pass(
         pass.set_pipeline(&pipeline.pipeline);
         pass.set_bind_group(0, &group, &[]);
         pass.set_vertex_buffer(0, buffer.slice(..));
-        let ends = list.ends();
+        let ends = list.query_ends();
         for number in range {
             let at = number as usize;
             let first = at.checked_sub(1).and_then(|at| ends.get(at));

@@ -1,21 +1,13 @@
-//! Draw lists: which entities to draw, grouped into as few draws as their batches allow.
+//! Draw lists: which entities to draw, grouped into as few instanced draws as their batches allow.
 //!
-//! A list is plain data: runs of instance slots, each run one instanced draw. Lists made by [`DrawList::fill`] are in the
-//! canonical order (batch, then slot), so that two lists with the same members draw in the same order and equal depths
-//! fall to the same entity whichever strategy made them.
+//! A list is plain data: runs of instance slots, each run one instanced draw. Lists made by [`DrawList::fill`] are in canonical
+//! order (batch, then slot). Two such lists with the same members draw in the same order, so entities of equal depth resolve the
+//! same way in every strategy.
 
+use std::ops::Range;
+
+use crate::detail::MeshDetail;
 use crate::table::SceneTable;
-
-/// Which of a mesh's geometries to draw.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Detail {
-    /// A level of detail: 0 is the full mesh. A mesh with fewer levels draws its coarsest.
-    Level(u8),
-    /// The stand-in for tests; the full mesh where it has none.
-    Proxy,
-    /// The bounding box of the mesh in its own space: twelve triangles.
-    Box,
-}
 
 /// Consecutive instances of one batch: one instanced draw.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,10 +15,10 @@ pub struct Run {
     /// Index into [`SceneTable::batches`].
     pub batch: u32,
     /// Which geometry.
-    pub detail: Detail,
-    /// First entry in [`DrawList::ids`].
+    pub detail: MeshDetail,
+    /// First entry in [`DrawList::slots`].
     pub first: u32,
-    /// How many entries.
+    /// Number of entries.
     pub count: u32,
 }
 
@@ -34,11 +26,11 @@ pub struct Run {
 #[derive(Debug, Clone, Default)]
 pub struct DrawList {
     runs: Vec<Run>,
-    ids: Vec<u32>,
+    slots: Vec<u32>,
     primitives: u64,
     starts: Vec<u32>,
-    /// Where each question ends in `ids`; empty: each entry is one.
-    questions: Vec<u32>,
+    /// Where each query's entries end in `slots`; empty where each entry is a query of its own.
+    query_ends: Vec<u32>,
 }
 
 impl DrawList {
@@ -48,8 +40,8 @@ impl DrawList {
     }
 
     /// The instance slots, run after run.
-    pub fn ids(&self) -> &[u32] {
-        &self.ids
+    pub fn slots(&self) -> &[u32] {
+        &self.slots
     }
 
     /// Triangles (or lines, or points) that the list draws.
@@ -59,55 +51,59 @@ impl DrawList {
 
     /// Whether nothing is drawn.
     pub fn is_empty(&self) -> bool {
-        self.ids.is_empty()
+        self.slots.is_empty()
     }
 
-    /// Forgets all, keeping the memory.
+    /// Empties the list. The memory is kept.
     pub fn clear(&mut self) {
         self.runs.clear();
-        self.ids.clear();
-        self.questions.clear();
+        self.slots.clear();
+        self.query_ends.clear();
         self.primitives = 0;
     }
 
-    /// How many hardware queries ask about the list: one an entry, unless [joined](Self::join).
-    pub fn questions(&self) -> u32 {
-        match self.questions.len() {
-            0 => self.ids.len() as u32,
-            joined => joined as u32,
+    /// Number of hardware queries over the list: one an entry, unless they are [grouped](Self::group_queries).
+    pub fn query_count(&self) -> u32 {
+        match self.query_ends.len() {
+            0 => self.slots.len() as u32,
+            grouped => grouped as u32,
         }
     }
 
-    /// The entries that a question is about: indices into [`Self::ids`].
-    pub fn question(&self, number: u32) -> std::ops::Range<u32> {
+    /// The entries that a query covers: indices into [`Self::slots`].
+    pub fn query_entries(&self, number: u32) -> Range<u32> {
         let at = number as usize;
-        match self.questions.get(at) {
-            Some(end) => at.checked_sub(1).map_or(0, |before| self.questions[before])..*end,
+        match self.query_ends.get(at) {
+            Some(end) => {
+                let start = at.checked_sub(1).and_then(|at| self.query_ends.get(at));
+                start.copied().unwrap_or(0)..*end
+            }
             None => number..number + 1,
         }
     }
 
-    /// Where each question ends in [`Self::ids`]; empty where each entry is one.
-    pub fn question_ends(&self) -> &[u32] {
-        &self.questions
+    /// Where each query's entries end in [`Self::slots`]; empty where each entry is a query of its own.
+    pub fn query_ends(&self) -> &[u32] {
+        &self.query_ends
     }
 
-    /// Has the entries be asked about together, a question up to each of these ends: ascending, the last one the length of the list.
-    pub fn join(&mut self, ends: impl Iterator<Item = u32>) {
-        self.questions.clear();
-        self.questions.extend(ends);
+    /// Makes one query of several neighbouring entries: a query up to each of these ends. The ends ascend; the last one is the
+    /// length of the list.
+    pub fn group_queries(&mut self, ends: impl Iterator<Item = u32>) {
+        self.query_ends.clear();
+        self.query_ends.extend(ends);
     }
 
-    /// Makes the list of these slots in canonical order: a stable counting sort by batch, linear in slots and batches.
-    /// The slots are walked twice and must be live.
-    pub fn fill<I>(&mut self, table: &SceneTable, slots: I, detail: Detail)
+    /// Fills the list with these slots in canonical order: a stable counting sort by batch, linear in slots and batches.
+    /// The slots are iterated twice and must be live.
+    pub fn fill<I>(&mut self, table: &SceneTable, slots: I, detail: MeshDetail)
     where
         I: Iterator<Item = u32> + Clone,
     {
         self.sort(table, slots.map(|slot| (slot, 0)), 1, |_| detail);
     }
 
-    /// As [`Self::fill`], each slot at a level of detail of its own, below `levels`: in the order of batch, level, slot.
+    /// [`Self::fill`] with a level of detail for each slot, below `levels`. The order is batch, level, slot.
     pub fn fill_levels<I>(&mut self, table: &SceneTable, slots: I, levels: u8)
     where
         I: Iterator<Item = (u32, u8)> + Clone,
@@ -115,12 +111,12 @@ impl DrawList {
         let levels = levels.max(1);
         let slots = slots.map(|(slot, level)| (slot, u32::from(level.min(levels - 1))));
         self.sort(table, slots, u32::from(levels), |part| {
-            Detail::Level(part as u8)
+            MeshDetail::Level(part as u8)
         });
     }
 
-    /// As [`Self::fill`], each slot in one of some details, by its number: in the order of batch, number, slot.
-    pub fn fill_mixed<I>(&mut self, table: &SceneTable, slots: I, details: &[Detail])
+    /// [`Self::fill`] with an index into `details` for each slot. The order is batch, index, slot.
+    pub fn fill_mixed<I>(&mut self, table: &SceneTable, slots: I, details: &[MeshDetail])
     where
         I: Iterator<Item = (u32, usize)> + Clone,
     {
@@ -128,13 +124,18 @@ impl DrawList {
         let slots = slots.map(|(slot, detail)| (slot, detail.min(last) as u32));
         self.sort(table, slots, details.len().max(1) as u32, |part| {
             let detail = details.get(part as usize);
-            detail.copied().unwrap_or(Detail::Level(0))
+            detail.copied().unwrap_or(MeshDetail::Level(0))
         });
     }
 
-    /// Sorts by batch and, within it, by one of `parts`.
-    fn sort<I>(&mut self, table: &SceneTable, slots: I, parts: u32, detail: impl Fn(u32) -> Detail)
-    where
+    /// Sorts by batch and, within a batch, by the second number of each item, below `parts`.
+    fn sort<I>(
+        &mut self,
+        table: &SceneTable,
+        slots: I,
+        parts: u32,
+        detail: impl Fn(u32) -> MeshDetail,
+    ) where
         I: Iterator<Item = (u32, u32)> + Clone,
     {
         let place = |slot: u32, part: u32| (table.batch_of(slot) * parts + part) as usize;
@@ -165,20 +166,20 @@ impl DrawList {
                 first += count;
             }
         }
-        self.ids.resize(first as usize, 0);
+        self.slots.resize(first as usize, 0);
         for (slot, part) in slots {
             let start = &mut self.starts[place(slot, part)];
-            self.ids[*start as usize] = slot;
+            self.slots[*start as usize] = slot;
             *start += 1;
         }
     }
 
-    /// Adds one entity at the end; it joins the last run where batch and detail are the same. For lists whose order
-    /// matters: front to back, back to front.
-    pub fn push(&mut self, table: &SceneTable, slot: u32, detail: Detail) {
+    /// Appends one live slot. It extends the last run where batch and detail are the same. For lists whose order matters: front to
+    /// back, back to front.
+    pub fn push(&mut self, table: &SceneTable, slot: u32, detail: MeshDetail) {
         let batch = table.batch_of(slot);
-        let first = self.ids.len() as u32;
-        self.ids.push(slot);
+        let first = self.slots.len() as u32;
+        self.slots.push(slot);
         self.primitives += u64::from(
             table
                 .range(table.batches()[batch as usize].mesh, detail)

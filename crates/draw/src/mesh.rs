@@ -10,7 +10,7 @@ use glam::DVec3;
 use crate::arena::Arena;
 use crate::device::Gpu;
 use crate::error::DrawError;
-use crate::table::{MeshRanges, Range};
+use crate::ranges::{IndexRange, MeshRanges};
 
 /// A vertex's attributes other than its position.
 #[repr(C)]
@@ -81,7 +81,7 @@ impl MeshArenas {
                 let boxed = Geometry::from_box(&widened(&bounds, margin));
                 (self.append(gpu, &boxed)?, margin)
             }
-            None => (Range::default(), 0.0),
+            None => (IndexRange::default(), 0.0),
         };
         Ok(MeshRanges {
             levels,
@@ -93,7 +93,7 @@ impl MeshArenas {
         })
     }
 
-    fn append(&mut self, gpu: &Gpu, geometry: &Geometry) -> Result<Range, DrawError> {
+    fn append(&mut self, gpu: &Gpu, geometry: &Geometry) -> Result<IndexRange, DrawError> {
         let first_index = self.indices.append(gpu, &geometry.indices)?;
         let base_vertex = self.positions.append(gpu, &geometry.positions)?;
         self.attributes.append(gpu, &attributes(geometry))?;
@@ -107,7 +107,7 @@ impl MeshArenas {
         else {
             return Err(too_many);
         };
-        Ok(Range {
+        Ok(IndexRange {
             first_index,
             index_count: geometry.indices.len() as u32,
             base_vertex,

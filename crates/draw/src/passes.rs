@@ -1,9 +1,10 @@
-//! Graph nodes that draw: depth, queries, counts, entity ids, shaded colour. Each is one raster node over a submitted list.
+//! Raster nodes that draw: depth, hardware queries, sample counts, entity ids, shaded colour. Each is one node over one draw source.
 
 use std::sync::Arc;
 
 use antumbra_graph::{
-    AccessError, Bind, BodyError, Buffer, Graph, Host, HostRef, RasterContext, Texture,
+    AccessError, Bind, BodyError, Buffer, Graph, Host, HostRef, RasterBuilder, RasterContext,
+    Texture,
 };
 
 use crate::list::DrawList;
@@ -25,42 +26,128 @@ pub struct ViewInputs {
     pub lights: Buffer,
 }
 
-/// A draw list whose slots are on the GPU.
+/// The image of a view: shaded passes draw into these textures and return their next versions.
 #[derive(Debug, Clone, Copy)]
-pub struct Submitted {
-    /// The list.
-    pub list: Host<DrawList>,
-    /// Its slots.
-    pub ids: Buffer,
+pub struct Targets {
+    /// Colour.
+    pub colour: Texture,
+    /// Depth, reversed: 0 is infinitely far.
+    pub depth: Texture,
 }
 
-/// A draw list of which a compute node kept some: as many indirect draws as the list has runs.
+/// A [`Targets`] whose pass may write entity ids beside the colour.
 #[derive(Debug, Clone, Copy)]
-pub struct Indirect {
-    /// The list that was chosen from; says which pipeline each draw takes.
-    pub layout: Host<DrawList>,
-    /// The slots kept, at the places of their runs.
-    pub ids: Buffer,
-    /// The draws.
-    pub draws: Buffer,
+pub struct IdentifiedTargets {
+    /// Colour and depth.
+    pub targets: Targets,
+    /// Entity ids ([`IDENTITY_FORMAT`](crate::IDENTITY_FORMAT)); `Some` exactly where the pipelines are [identified](PipelineKind::identified).
+    pub ids: Option<Texture>,
 }
 
-impl Indirect {
-    /// What was chosen from.
-    fn submitted(self) -> Submitted {
-        Submitted {
-            list: self.layout,
-            ids: self.ids,
+/// What a shaded pass with hardware queries returns.
+#[derive(Debug, Clone, Copy)]
+pub struct QueriedTargets {
+    /// Colour and depth.
+    pub targets: Targets,
+    /// The queries' results, a u64 each.
+    pub answers: Buffer,
+}
+
+/// The image of an entity-id pass.
+#[derive(Debug, Clone, Copy)]
+pub struct IdTargets {
+    /// Slot + 1 a pixel, 0 where nothing is drawn; [`IDENTITY_FORMAT`](crate::IDENTITY_FORMAT).
+    pub ids: Texture,
+    /// Depth, reversed.
+    pub depth: Texture,
+}
+
+/// Sums over visible transparent fragments, a u32 each.
+#[derive(Debug, Clone, Copy)]
+pub struct Signatures {
+    /// Hashed entity ids, added up by pixel, row by row.
+    pub by_pixel: Buffer,
+    /// Fragments by slot.
+    pub by_slot: Buffer,
+}
+
+/// How the fragments of a counting pass are held against a finished depth.
+#[derive(Debug, Clone, Copy)]
+pub enum DepthTest {
+    /// By the depth test itself, forced early. Needs [`wgpu::Features::SHADER_EARLY_DEPTH_TEST`].
+    Early {
+        /// The finished depth.
+        depth: Texture,
+    },
+    /// By a comparison in the shader.
+    InShader {
+        /// The finished depth.
+        depth: Texture,
+        /// A depth texture of the same size that is written but never read: a pass needs an attachment, and not every device
+        /// lets one texture be attached and sampled at once.
+        scratch: Texture,
+    },
+}
+
+impl DepthTest {
+    /// Declares the textures on a node.
+    pub(crate) fn declare(self, node: &mut RasterBuilder<'_>) {
+        match self {
+            Self::Early { depth } => {
+                node.requires(wgpu::Features::SHADER_EARLY_DEPTH_TEST)
+                    .depth_read(depth);
+            }
+            Self::InShader { depth, scratch } => {
+                node.sample(depth).depth(scratch);
+            }
+        }
+    }
+
+    /// The depth as a shader binding, where the shader reads it.
+    pub(crate) fn bind(self, binding: u32) -> Option<Bind> {
+        match self {
+            Self::Early { .. } => None,
+            Self::InShader { depth, .. } => Some(Bind::Texture(binding, depth)),
         }
     }
 }
 
-/// What a drawing node is called, summed under, and draws with.
+/// A draw source on the host: a draw list, with its slots on the GPU.
+#[derive(Debug, Clone, Copy)]
+pub struct ListDraws {
+    /// The list.
+    pub list: Host<DrawList>,
+    /// [`DrawList::slots`], uploaded.
+    pub slots: Buffer,
+}
+
+/// A draw source on the GPU: indirect draws over the slots that a compute node kept of a list. One draw a run of the list.
+#[derive(Debug, Clone, Copy)]
+pub struct IndirectDraws {
+    /// The list that was chosen from. It says which pipeline each draw takes.
+    pub layout: Host<DrawList>,
+    /// The kept slots, at the places of their runs.
+    pub slots: Buffer,
+    /// The indexed indirect draws.
+    pub draws: Buffer,
+}
+
+impl IndirectDraws {
+    /// The list that was chosen from.
+    fn as_list(self) -> ListDraws {
+        ListDraws {
+            list: self.layout,
+            slots: self.slots,
+        }
+    }
+}
+
+/// A drawing node's name, timing group and pipelines.
 #[derive(Debug, Clone)]
 pub struct PassSpec {
-    /// Its name.
+    /// The node's name.
     pub name: String,
-    /// The label of its time: `cull` or `draw`.
+    /// The label under which its time is summed: `cull` or `draw`.
     pub group: &'static str,
     /// Its pipelines.
     pub pipelines: Arc<PassPipelines>,
@@ -71,12 +158,12 @@ pub fn depth_pass(
     g: &mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
-    what: Submitted,
+    source: ListDraws,
     depth: Texture,
 ) -> Texture {
-    let mut node = node(g, spec, inputs, what);
+    let mut node = node(g, spec, inputs, source);
     let depth = node.depth(depth);
-    draw(&mut node, spec, inputs, what);
+    draw(&mut node, spec, inputs, source);
     depth
 }
 
@@ -85,253 +172,221 @@ pub fn identity_pass(
     g: &mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
-    what: Submitted,
-    ids: Texture,
-    depth: Texture,
-) -> (Texture, Texture) {
-    let mut node = node(g, spec, inputs, what);
-    let out = (node.colour(ids), node.depth(depth));
-    draw(&mut node, spec, inputs, what);
+    source: ListDraws,
+    targets: IdTargets,
+) -> IdTargets {
+    let mut node = node(g, spec, inputs, source);
+    let out = IdTargets {
+        ids: node.colour(targets.ids),
+        depth: node.depth(targets.depth),
+    };
+    draw(&mut node, spec, inputs, source);
     out
 }
 
-/// Shades a list; blended classes test the depth and leave it alone.
+/// Shades a list. Blended classes test the depth and do not write it.
 pub fn shaded_pass(
     g: &mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
-    what: Submitted,
-    colour: Texture,
-    depth: Texture,
-) -> (Texture, Texture) {
-    let mut node = node(g, spec, inputs, what);
+    source: ListDraws,
+    targets: Targets,
+) -> Targets {
+    let mut node = node(g, spec, inputs, source);
     node.storage_read(inputs.lights);
-    let out = (node.colour(colour), node.depth(depth));
-    draw(&mut node, spec, inputs, what);
+    let out = attach(&mut node, targets);
+    draw(&mut node, spec, inputs, source);
     out
 }
 
-/// Shades what a compute node kept of a list. `ids` takes the entities' ids, where the pipelines [identify](PipelineKind::Shaded) them.
+/// Shades indirect draws, with entity ids beside the colour where `targets` has them.
 pub fn shaded_indirect_pass(
     g: &mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
-    what: Indirect,
-    (colour, depth): (Texture, Texture),
-    ids: Option<Texture>,
-) -> (Texture, Texture, Option<Texture>) {
-    let mut node = node(g, spec, inputs, what.submitted());
-    node.storage_read(inputs.lights).indirect(what.draws);
-    // Without it draws that begin at another instance than the first draw nothing, and nobody is told.
+    source: IndirectDraws,
+    IdentifiedTargets { targets, ids }: IdentifiedTargets,
+) -> IdentifiedTargets {
+    let mut node = node(g, spec, inputs, source.as_list());
+    node.storage_read(inputs.lights).indirect(source.draws);
+    // Without the feature, a draw whose first instance is not 0 draws nothing, and no error is reported.
     node.requires(wgpu::Features::INDIRECT_FIRST_INSTANCE);
-    let colour = node.colour(colour);
+    let colour = node.colour(targets.colour);
     let ids = ids.map(|ids| node.colour(ids));
-    let depth = node.depth(depth);
+    let depth = node.depth(targets.depth);
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
-        let layout = ctx.get(what.layout)?;
-        let draws = ctx.buffer(what.draws)?;
-        let scene = bind(ctx, inputs, &pipelines, what.ids)?;
+        let layout = ctx.get(source.layout)?;
+        let draws = ctx.buffer(source.draws)?;
+        let scene = bind(ctx, inputs, &pipelines, source.slots)?;
         Recorder::new(&scene, &pipelines).indirect(ctx.pass(), layout.runs(), draws, 0);
         Ok(())
     });
-    (colour, depth, ids)
+    IdentifiedTargets {
+        targets: Targets { colour, depth },
+        ids,
+    }
 }
 
-/// Asks one hardware query a [question](DrawList::questions) of a list, in the list's order, against a depth that stays as it is.
-/// The answers are u64: zero, or something else.
+/// Draws a list with one hardware query for each of its [queries](DrawList::query_count), in the list's order, against a depth
+/// that it does not write. The results are u64: zero, or something else.
 pub fn query_pass(
     g: &mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
-    what: Submitted,
+    source: ListDraws,
     depth: Texture,
     answers: Buffer,
 ) -> Buffer {
-    let mut node = node(g, spec, inputs, what);
+    let mut node = node(g, spec, inputs, source);
     node.depth_read(depth);
-    ask(&mut node, spec, inputs, what, answers)
+    draw_queried(&mut node, spec, inputs, source, answers)
 }
 
-/// Shades a list with a hardware query a question, in the list's order: whether any sample of it passed while it was drawn.
-/// The answers are u64: zero, or something else.
+/// Shades a list with one hardware query for each of its [queries](DrawList::query_count): whether any sample passed while it
+/// was drawn. The results are u64: zero, or something else.
 pub fn shaded_query_pass(
     g: &mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
-    what: Submitted,
-    (colour, depth): (Texture, Texture),
+    source: ListDraws,
+    targets: Targets,
     answers: Buffer,
-) -> (Texture, Texture, Buffer) {
-    let mut node = node(g, spec, inputs, what);
+) -> QueriedTargets {
+    let mut node = node(g, spec, inputs, source);
     node.storage_read(inputs.lights);
-    let (colour, depth) = (node.colour(colour), node.depth(depth));
-    (colour, depth, ask(&mut node, spec, inputs, what, answers))
+    QueriedTargets {
+        targets: attach(&mut node, targets),
+        answers: draw_queried(&mut node, spec, inputs, source, answers),
+    }
 }
 
-/// Counts the samples of a list that pass against a depth, by slot, with fragment atomics.
-pub fn count_atomic_pass(
+/// Counts the samples of a list that pass against a finished depth, by slot. The pipelines are [`PipelineKind::CountAtomic`] for
+/// [`DepthTest::Early`] and [`PipelineKind::CountCompare`] for [`DepthTest::InShader`]. Ties pass.
+pub fn count_pass(
     g: &mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
-    what: Submitted,
-    depth: Texture,
+    source: ListDraws,
+    test: DepthTest,
     counts: Buffer,
 ) -> Buffer {
-    let mut node = node(g, spec, inputs, what);
-    node.requires(wgpu::Features::SHADER_EARLY_DEPTH_TEST)
-        .depth_read(depth);
+    let mut node = node(g, spec, inputs, source);
+    test.declare(&mut node);
     let counted = node.storage_write(counts);
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
-        let list = ctx.get(what.list)?;
-        let scene = bind(ctx, inputs, &pipelines, what.ids)?;
-        group(ctx, &pipelines, 1, &[Bind::Buffer(0, counted)])?;
+        let list = ctx.get(source.list)?;
+        let scene = bind(ctx, inputs, &pipelines, source.slots)?;
+        bind_counts(ctx, &pipelines, test, counted)?;
         Recorder::new(&scene, &pipelines).list(ctx.pass(), &list);
         Ok(())
     });
     counted
 }
 
-/// Counts the samples of a list that lie at or before a depth, by slot, comparing in the shader. `scratch` is a depth
-/// texture of the same size that nobody looks at: a pass needs an attachment, and not every device lets one be read too.
-pub fn count_compare_pass(
-    g: &mut Graph,
-    spec: &PassSpec,
-    inputs: ViewInputs,
-    what: Submitted,
-    depth: Texture,
-    scratch: Texture,
-    counts: Buffer,
-) -> Buffer {
-    let mut node = node(g, spec, inputs, what);
-    node.sample(depth).depth(scratch);
-    let counted = node.storage_write(counts);
-    let pipelines = Arc::clone(&spec.pipelines);
-    node.run(move |ctx| {
-        let list = ctx.get(what.list)?;
-        let scene = bind(ctx, inputs, &pipelines, what.ids)?;
-        group(
-            ctx,
-            &pipelines,
-            1,
-            &[Bind::Buffer(0, counted), Bind::Texture(1, depth)],
-        )?;
-        Recorder::new(&scene, &pipelines).list(ctx.pass(), &list);
-        Ok(())
-    });
-    counted
-}
-
-/// Counts the samples of what a compute node kept of a list, by slot, that lie at or before a depth. With a `scratch` depth it
-/// [compares](count_compare_pass), without one it counts [atomically](count_atomic_pass).
+/// [`count_pass`] over indirect draws.
 pub fn count_indirect_pass(
     g: &mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
-    what: Indirect,
-    depth: Texture,
-    scratch: Option<Texture>,
+    source: IndirectDraws,
+    test: DepthTest,
     counts: Buffer,
 ) -> Buffer {
-    let mut node = node(g, spec, inputs, what.submitted());
-    node.indirect(what.draws)
+    let mut node = node(g, spec, inputs, source.as_list());
+    node.indirect(source.draws)
         .requires(wgpu::Features::INDIRECT_FIRST_INSTANCE);
-    match scratch {
-        Some(scratch) => {
-            node.sample(depth).depth(scratch);
-        }
-        None => {
-            node.requires(wgpu::Features::SHADER_EARLY_DEPTH_TEST)
-                .depth_read(depth);
-        }
-    }
+    test.declare(&mut node);
     let counted = node.storage_write(counts);
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
-        let layout = ctx.get(what.layout)?;
-        let draws = ctx.buffer(what.draws)?;
-        let scene = bind(ctx, inputs, &pipelines, what.ids)?;
-        let texture = scratch.map(|_| Bind::Texture(1, depth));
-        let binds: Vec<Bind> = std::iter::once(Bind::Buffer(0, counted))
-            .chain(texture)
-            .collect();
-        group(ctx, &pipelines, 1, &binds)?;
+        let layout = ctx.get(source.layout)?;
+        let draws = ctx.buffer(source.draws)?;
+        let scene = bind(ctx, inputs, &pipelines, source.slots)?;
+        bind_counts(ctx, &pipelines, test, counted)?;
         Recorder::new(&scene, &pipelines).indirect(ctx.pass(), layout.runs(), draws, 0);
         Ok(())
     });
     counted
 }
 
-/// Adds up the ids of a list's visible transparent fragments, by pixel and by slot, against an opaque depth.
+/// Adds up the hashed ids of a list's visible transparent fragments, by pixel, and their number by slot, against an opaque depth.
+/// `scratch` as in [`DepthTest::InShader`].
 pub fn signature_pass(
     g: &mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
-    what: Submitted,
+    source: ListDraws,
     depth: Texture,
     scratch: Texture,
-    [signatures, samples]: [Buffer; 2],
-) -> [Buffer; 2] {
-    let mut node = node(g, spec, inputs, what);
+    sums: Signatures,
+) -> Signatures {
+    let mut node = node(g, spec, inputs, source);
     node.sample(depth).depth(scratch);
-    let [signatures, samples] = [node.storage_write(signatures), node.storage_write(samples)];
+    let sums = Signatures {
+        by_pixel: node.storage_write(sums.by_pixel),
+        by_slot: node.storage_write(sums.by_slot),
+    };
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
-        let list = ctx.get(what.list)?;
-        let scene = bind(ctx, inputs, &pipelines, what.ids)?;
-        group(
-            ctx,
-            &pipelines,
-            3,
-            &[
-                Bind::Buffer(0, signatures),
-                Bind::Buffer(1, samples),
-                Bind::Texture(2, depth),
-            ],
-        )?;
+        let list = ctx.get(source.list)?;
+        let scene = bind(ctx, inputs, &pipelines, source.slots)?;
+        let binds = [
+            Bind::Buffer(0, sums.by_pixel),
+            Bind::Buffer(1, sums.by_slot),
+            Bind::Texture(2, depth),
+        ];
+        group(ctx, &pipelines, 3, &binds)?;
         Recorder::new(&scene, &pipelines).list(ctx.pass(), &list);
         Ok(())
     });
-    [signatures, samples]
+    sums
 }
 
 fn node<'g>(
     g: &'g mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
-    what: Submitted,
-) -> antumbra_graph::RasterBuilder<'g> {
+    source: ListDraws,
+) -> RasterBuilder<'g> {
     let mut node = g.raster(spec.name.clone());
     node.group(spec.group)
         .read(inputs.scene)
-        .read(what.list)
-        .vertex(what.ids)
+        .read(source.list)
+        .vertex(source.slots)
         .uniform(inputs.uniform)
-        // A value that cannot be read is the body's to complain of.
-        .only_if(move |host| host.get(what.list).map_or(true, |list| !list.is_empty()));
+        // The node's body reports a value that cannot be read.
+        .only_if(move |host| host.get(source.list).map_or(true, |list| !list.is_empty()));
     node
 }
 
-/// Draws a list with a query around each question.
-fn ask(
-    node: &mut antumbra_graph::RasterBuilder<'_>,
+fn attach(node: &mut RasterBuilder<'_>, targets: Targets) -> Targets {
+    Targets {
+        colour: node.colour(targets.colour),
+        depth: node.depth(targets.depth),
+    }
+}
+
+/// Draws a list, each of its queries within a hardware query.
+fn draw_queried(
+    node: &mut RasterBuilder<'_>,
     spec: &PassSpec,
     inputs: ViewInputs,
-    what: Submitted,
+    source: ListDraws,
     answers: Buffer,
 ) -> Buffer {
     let answers = node.queries(answers, move |host| {
-        host.get(what.list).map_or(0, |list| list.questions())
+        host.get(source.list).map_or(0, |list| list.query_count())
     });
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
-        let list = ctx.get(what.list)?;
-        let scene = bind(ctx, inputs, &pipelines, what.ids)?;
+        let list = ctx.get(source.list)?;
+        let scene = bind(ctx, inputs, &pipelines, source.slots)?;
         let mut recorder = Recorder::new(&scene, &pipelines);
         let mut runs = list.runs();
         for number in ctx.query_range() {
-            let entries = list.question(number);
+            let entries = list.query_entries(number);
             while let Some((run, rest)) = runs.split_first()
                 && run.first + run.count <= entries.start
             {
@@ -349,30 +404,38 @@ fn ask(
     answers
 }
 
-fn draw(
-    node: &mut antumbra_graph::RasterBuilder<'_>,
-    spec: &PassSpec,
-    inputs: ViewInputs,
-    what: Submitted,
-) {
+fn draw(node: &mut RasterBuilder<'_>, spec: &PassSpec, inputs: ViewInputs, source: ListDraws) {
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
-        let list = ctx.get(what.list)?;
-        let scene = bind(ctx, inputs, &pipelines, what.ids)?;
+        let list = ctx.get(source.list)?;
+        let scene = bind(ctx, inputs, &pipelines, source.slots)?;
         Recorder::new(&scene, &pipelines).list(ctx.pass(), &list);
         Ok(())
     });
 }
 
-/// Binds what all pipelines of a pass share and hands out the scene.
-pub fn bind<'a>(
+/// Binds the counting pipelines' own group: the counts and, where the shader compares, the depth.
+fn bind_counts(
+    ctx: &mut RasterContext<'_>,
+    pipelines: &PassPipelines,
+    test: DepthTest,
+    counts: Buffer,
+) -> Result<(), AccessError> {
+    let binds: Vec<Bind> = std::iter::once(Bind::Buffer(0, counts))
+        .chain(test.bind(1))
+        .collect();
+    group(ctx, pipelines, 1, &binds)
+}
+
+/// Binds what all pipelines of a pass share, with `slots` as the instances' vertex buffer. Returns the scene.
+pub(crate) fn bind<'a>(
     ctx: &mut RasterContext<'a>,
     inputs: ViewInputs,
     pipelines: &PassPipelines,
-    ids: Buffer,
+    slots: Buffer,
 ) -> Result<HostRef<'a, SceneFrame>, BodyError> {
     let scene = ctx.get(inputs.scene)?;
-    let ids = ctx.buffer(ids)?;
+    let slots = ctx.buffer(slots)?;
     let shaded = matches!(pipelines.kind(), PipelineKind::Shaded { .. });
     let materials = pipelines.kind().has_materials();
     group(
@@ -401,7 +464,7 @@ pub fn bind<'a>(
             1,
             &[Bind::external(0, scene.materials.clone())],
         )?;
-        // Pipelines without a mask share the layout, and a layout's groups must all be bound.
+        // Pipelines without a mask share the layout, and all groups of a layout must be bound.
         if let Some(white) = scene.textures.first() {
             ctx.pass().set_bind_group(2, white, &[]);
         }
@@ -410,10 +473,11 @@ pub fn bind<'a>(
         ctx.pass()
             .set_bind_group(ENVIRONMENT_GROUP, environment, &[]);
     }
-    begin(ctx.pass(), &scene, ids, materials);
+    begin(ctx.pass(), &scene, pipelines, slots);
     Ok(scene)
 }
 
+/// Binds one group, where the pipelines have it.
 pub(crate) fn group(
     ctx: &mut RasterContext<'_>,
     pipelines: &PassPipelines,

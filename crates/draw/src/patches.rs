@@ -4,12 +4,13 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use antumbra_graph::{Bind, Buffer, Graph, Host, Texture};
+use antumbra_graph::{Bind, Buffer, Graph, Host};
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
 
-use crate::list::{Detail, Run};
-use crate::passes::{PassSpec, ViewInputs, bind, group};
+use crate::detail::MeshDetail;
+use crate::list::Run;
+use crate::passes::{DepthTest, PassSpec, ViewInputs, bind, group};
 use crate::record::Recorder;
 use crate::table::SceneTable;
 
@@ -20,16 +21,27 @@ pub const MARK_BYTES: u64 = (PATCH_SIDE * PATCH_SIDE / 8) as u64;
 /// Bytes that are kept of a patch: its marks, and in one word how many indices were drawn into it.
 pub const PATCH_BYTES: u64 = MARK_BYTES + size_of::<u32>() as u64;
 
-/// What of a patch an entity may cover, by its box.
+/// The part of a patch that an entity's bounding box may cover.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cover {
-    /// Reversed depth of the box's nearest place.
+    /// Reversed depth of the box's nearest point.
     pub nearest: f32,
-    /// The least and the greatest pixels, x and y, both ends included, on the patch and on the image.
-    pub pixels: [[u32; 2]; 2],
+    /// The least pixel, x and y on the image; it lies on the patch.
+    pub least: [u32; 2],
+    /// The greatest pixel, likewise, included.
+    pub greatest: [u32; 2],
 }
 
-/// Mirrors `Entry` of `sift.wgsl`: an entity in a patch.
+/// An entity that may show in a patch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PatchMember {
+    /// Its slot; live.
+    pub slot: u32,
+    /// What it may cover.
+    pub cover: Cover,
+}
+
+/// Mirrors `Entry` of `cull_patches.wgsl`: an entity in a patch.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 pub struct GpuPatchEntry {
@@ -41,7 +53,7 @@ pub struct GpuPatchEntry {
     greatest: u32,
 }
 
-assert_layout!(GpuPatchEntry, "sift", "Entry", { slot, patch_number, draw, nearest, least, greatest });
+assert_layout!(GpuPatchEntry, "cull_patches", "Entry", { slot, patch_number, draw, nearest, least, greatest });
 
 /// An indexed indirect draw.
 #[repr(C)]
@@ -87,13 +99,13 @@ impl PatchList {
         &mut self,
         table: &SceneTable,
         [column, row]: [u32; 2],
-        members: &mut [(u32, Cover)],
+        members: &mut [PatchMember],
     ) -> u32 {
         let number = self.patches.len() as u32;
         let before = self.runs.len();
-        members.sort_unstable_by_key(|(slot, _)| (table.batch_of(*slot), *slot));
-        for (slot, cover) in members.iter().copied() {
-            let (batch, detail) = (table.batch_of(slot), Detail::Level(0));
+        members.sort_unstable_by_key(|member| (table.batch_of(member.slot), member.slot));
+        for PatchMember { slot, cover } in members.iter().copied() {
+            let (batch, detail) = (table.batch_of(slot), MeshDetail::Level(0));
             let first = self.entries.len() as u32;
             match self.runs.get_mut(before..).and_then(<[Run]>::last_mut) {
                 Some(run) if run.batch == batch => run.count += 1,
@@ -116,7 +128,7 @@ impl PatchList {
                     });
                 }
             }
-            let [least, greatest] = cover.pixels.map(|[x, y]| x | y << 16);
+            let [least, greatest] = [cover.least, cover.greatest].map(|[x, y]| x | y << 16);
             self.entries.push(GpuPatchEntry {
                 slot,
                 patch_number: number,
@@ -158,7 +170,7 @@ impl PatchList {
 
 /// A list that is on the GPU, and what was kept of it.
 #[derive(Debug, Clone, Copy)]
-pub struct SiftedPatches {
+pub struct PatchDraws {
     /// The list.
     pub list: Host<PatchList>,
     /// Slot and patch of each instance, 8 bytes, where its draw says.
@@ -173,8 +185,8 @@ pub fn patch_pass(
     g: &mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
-    what: SiftedPatches,
-    (depth, scratch): (Texture, Option<Texture>),
+    what: PatchDraws,
+    test: DepthTest,
     shown: Buffer,
 ) -> Buffer {
     let mut node = g.raster(spec.name.clone());
@@ -188,15 +200,7 @@ pub fn patch_pass(
         .requires(wgpu::Features::INDIRECT_FIRST_INSTANCE)
         // A value that cannot be read is the body's to complain of.
         .only_if(move |host| host.get(what.list).map_or(true, |list| !list.is_empty()));
-    match scratch {
-        Some(scratch) => {
-            node.sample(depth).depth(scratch);
-        }
-        None => {
-            node.requires(wgpu::Features::SHADER_EARLY_DEPTH_TEST)
-                .depth_read(depth);
-        }
-    }
+    test.declare(&mut node);
     let marked = node.storage_write(shown);
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
@@ -205,7 +209,7 @@ pub fn patch_pass(
         let draws = ctx.buffer(what.draws)?;
         let scene = bind(ctx, inputs, &pipelines, what.kept)?;
         let mut binds = vec![Bind::Buffer(0, marked)];
-        binds.extend(scratch.map(|_| Bind::Texture(1, depth)));
+        binds.extend(test.bind(1));
         group(ctx, &pipelines, 3, &binds)?;
         let mut recorder = Recorder::new(&scene, &pipelines);
         for patch in &list.patches {

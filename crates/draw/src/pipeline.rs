@@ -6,9 +6,9 @@ use antumbra_shaders::jobs::{
     count_atomic, count_compare, depth, identity, patch_compare, patch_early, shaded, signature,
 };
 
+use crate::class::{Alpha, PipelineClass};
 use crate::device::Gpu;
 use crate::mesh::{ATTRIBUTE_LAYOUT, POSITION_LAYOUT, SLOT_LAYOUT, SLOT_PATCH_LAYOUT};
-use crate::table::{Alpha, Class};
 
 /// The format of every depth buffer: reversed, infinite far plane.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
@@ -44,11 +44,10 @@ pub enum PipelineKind {
     },
     /// Adds the ids of transparent fragments up, by pixel.
     Signature,
-    /// Marks the pixels of a few patches in which something would show.
-    Patch {
-        /// Under a forced early depth test; else it compares with a depth texture in the shader.
-        early: bool,
-    },
+    /// Marks the pixels of image patches in which anything passes a forced early depth test.
+    PatchEarly,
+    /// Marks the pixels of image patches in which anything passes a comparison with a depth texture in the shader.
+    PatchCompare,
 }
 
 impl PipelineKind {
@@ -60,8 +59,8 @@ impl PipelineKind {
             Self::Identity => &identity::JOB,
             Self::Shaded { .. } => &shaded::JOB,
             Self::Signature => &signature::JOB,
-            Self::Patch { early: true } => &patch_early::JOB,
-            Self::Patch { early: false } => &patch_compare::JOB,
+            Self::PatchEarly => &patch_early::JOB,
+            Self::PatchCompare => &patch_compare::JOB,
         }
     }
 
@@ -72,6 +71,10 @@ impl PipelineKind {
             *identified = true;
         }
         self
+    }
+
+    fn is_patch(self) -> bool {
+        matches!(self, Self::PatchEarly | Self::PatchCompare)
     }
 
     fn reflects(self) -> bool {
@@ -95,10 +98,10 @@ impl PipelineKind {
     }
 
     /// The entry points that a class's pipeline runs.
-    fn entries(self, class: Class) -> (&'static str, &'static str) {
+    fn entries(self, class: PipelineClass) -> (&'static str, &'static str) {
         match (self.identifies(), self.reflects()) {
             _ if self.masked(class) => ("masked_vertex", "masked_fragment"),
-            _ if matches!(self, Self::Patch { .. }) && self.textured(class) => {
+            _ if self.is_patch() && self.textured(class) => {
                 ("textured_vertex", "textured_fragment")
             }
             (false, false) => ("vertex", "fragment"),
@@ -118,23 +121,20 @@ impl PipelineKind {
         }
     }
 
-    fn masked(self, class: Class) -> bool {
+    fn masked(self, class: PipelineClass) -> bool {
         self == Self::Identity && class.alpha() == Alpha::Mask
     }
 
     /// Whether a class's pipeline reads vertex attributes, materials and textures.
-    pub fn textured(self, class: Class) -> bool {
+    pub fn textured(self, class: PipelineClass) -> bool {
         matches!(self, Self::Shaded { .. } | Self::Signature)
             || self.masked(class)
-            || matches!(self, Self::Patch { .. }) && class.alpha() != Alpha::Opaque
+            || self.is_patch() && class.alpha() != Alpha::Opaque
     }
 
     /// Whether its bind groups hold materials, and, where the class wants one, a texture.
     pub(crate) fn has_materials(self) -> bool {
-        matches!(
-            self,
-            Self::Shaded { .. } | Self::Identity | Self::Signature | Self::Patch { .. }
-        )
+        matches!(self, Self::Shaded { .. } | Self::Identity | Self::Signature) || self.is_patch()
     }
 }
 
@@ -148,7 +148,11 @@ pub struct PassPipelines {
 
 impl PassPipelines {
     /// Makes the pipelines for these classes.
-    pub fn new(gpu: &Gpu, kind: PipelineKind, classes: impl Iterator<Item = Class>) -> Self {
+    pub fn new(
+        gpu: &Gpu,
+        kind: PipelineKind,
+        classes: impl Iterator<Item = PipelineClass>,
+    ) -> Self {
         let job = kind.job();
         let module = antumbra_shaders::module(&gpu.device, job);
         let layouts: Vec<_> = (0..kind.groups())
@@ -168,7 +172,7 @@ impl PassPipelines {
                 bind_group_layouts: &groups,
                 immediate_size: 0,
             });
-        let mut by_class = vec![None; Class::COUNT];
+        let mut by_class = vec![None; PipelineClass::COUNT];
         for class in classes {
             if let Some(place) = by_class.get_mut(class.index()) {
                 *place = Some(create(gpu, kind, class, &module, &layout));
@@ -187,7 +191,7 @@ impl PassPipelines {
     }
 
     /// The pipeline of a class; `None` for one it was not made for.
-    pub fn get(&self, class: Class) -> Option<&wgpu::RenderPipeline> {
+    pub fn get(&self, class: PipelineClass) -> Option<&wgpu::RenderPipeline> {
         self.by_class.get(class.index())?.as_ref()
     }
 
@@ -200,15 +204,15 @@ impl PassPipelines {
 fn create(
     gpu: &Gpu,
     kind: PipelineKind,
-    class: Class,
+    class: PipelineClass,
     module: &wgpu::ShaderModule,
     layout: &wgpu::PipelineLayout,
 ) -> wgpu::RenderPipeline {
     let blended = class.alpha() == Alpha::Blend;
     let (vertex, fragment) = kind.entries(class);
-    let slots = match kind {
-        PipelineKind::Patch { .. } => SLOT_PATCH_LAYOUT,
-        _ => SLOT_LAYOUT,
+    let slots = match kind.is_patch() {
+        true => SLOT_PATCH_LAYOUT,
+        false => SLOT_LAYOUT,
     };
     let full = [Some(POSITION_LAYOUT), Some(slots), Some(ATTRIBUTE_LAYOUT)];
     let bare = &full[..2];
@@ -250,7 +254,7 @@ fn create(
     // The comparing passes bring a depth attachment of their own only because a pass needs one.
     let compares = !matches!(
         kind,
-        PipelineKind::CountCompare | PipelineKind::Signature | PipelineKind::Patch { early: false }
+        PipelineKind::CountCompare | PipelineKind::Signature | PipelineKind::PatchCompare
     );
     gpu.device
         .create_render_pipeline(&wgpu::RenderPipelineDescriptor {

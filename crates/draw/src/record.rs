@@ -1,6 +1,6 @@
-//! Recording a draw list into a pass: directly, an entity at a time, or from indirect draws.
+//! Records a draw list into a render pass: whole, a part of a run at a time, or from indirect draws.
 
-use std::ops::Range as Slots;
+use std::ops::Range;
 
 use crate::list::{DrawList, Run};
 use crate::pipeline::PassPipelines;
@@ -9,22 +9,23 @@ use crate::scene::SceneFrame;
 /// Bytes of an indexed indirect draw.
 pub const INDIRECT_DRAW_BYTES: u64 = 20;
 
-/// Sets a pass up for drawing from a scene: index and vertex buffers, with `ids` as the instance slots.
+/// Sets the index buffer and the vertex buffers of a pass that draws a scene with these pipelines. `slots` holds a u32 instance slot
+/// for each instance.
 pub fn begin(
     pass: &mut wgpu::RenderPass<'_>,
     scene: &SceneFrame,
-    ids: &wgpu::Buffer,
-    attributes: bool,
+    pipelines: &PassPipelines,
+    slots: &wgpu::Buffer,
 ) {
     pass.set_index_buffer(scene.indices.slice(..), wgpu::IndexFormat::Uint32);
     pass.set_vertex_buffer(0, scene.positions.slice(..));
-    pass.set_vertex_buffer(1, ids.slice(..));
-    if attributes {
+    pass.set_vertex_buffer(1, slots.slice(..));
+    if pipelines.kind().has_materials() {
         pass.set_vertex_buffer(2, scene.attributes.slice(..));
     }
 }
 
-/// What is bound, so that it is bound once.
+/// Records draws, and remembers what is bound so that nothing is bound twice in a row.
 #[derive(Debug)]
 pub struct Recorder<'a> {
     scene: &'a SceneFrame,
@@ -34,7 +35,7 @@ pub struct Recorder<'a> {
 }
 
 impl<'a> Recorder<'a> {
-    /// A recorder that assumes nothing bound but groups 0 and 1, and 3 where the pass has one.
+    /// A recorder for a pass that has [begun](begin). It binds pipelines and group 2; all other groups are the caller's.
     pub fn new(scene: &'a SceneFrame, pipelines: &'a PassPipelines) -> Self {
         Self {
             scene,
@@ -44,15 +45,15 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    /// Draws a whole list: an instanced draw a run.
+    /// Draws a whole list: one instanced draw for each run.
     pub fn list(&mut self, pass: &mut wgpu::RenderPass<'_>, list: &DrawList) {
         for run in list.runs() {
             self.run(pass, run, run.first..run.first + run.count);
         }
     }
 
-    /// Draws some of a run's instances.
-    pub fn run(&mut self, pass: &mut wgpu::RenderPass<'_>, run: &Run, instances: Slots<u32>) {
+    /// Draws some of a run's instances: a range of entries of the list.
+    pub fn run(&mut self, pass: &mut wgpu::RenderPass<'_>, run: &Run, instances: Range<u32>) {
         let Some(batch) = self.scene.table.batches().get(run.batch as usize) else {
             return;
         };
@@ -66,7 +67,8 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    /// Draws from indirect draws, from the `first` one on one for each run, as many at a time as share what is bound.
+    /// Draws one indirect draw for each run, starting at the indirect draw `first`. Neighbours that share pipeline and texture go
+    /// into one multi-draw.
     pub fn indirect(
         &mut self,
         pass: &mut wgpu::RenderPass<'_>,
@@ -83,7 +85,7 @@ impl<'a> Recorder<'a> {
                 .take_while(|other| self.key(other) == key)
                 .count();
             if self.bind(pass, run) {
-                // Never with a count of 0, which would draw once under wgpu's indirect validation.
+                // The count is never 0: with 0, wgpu's indirect validation would draw once.
                 pass.multi_draw_indexed_indirect(
                     draws,
                     (first + at) as u64 * INDIRECT_DRAW_BYTES,

@@ -14,6 +14,8 @@ use rayon::prelude::*;
 use slotmap::SecondaryMap;
 
 use crate::arena::Arena;
+use crate::class::{PipelineClass, PipelineTraits};
+use crate::detail::MeshDetail;
 use crate::device::Gpu;
 use crate::environment;
 use crate::error::DrawError;
@@ -21,7 +23,7 @@ use crate::instance::Instance;
 use crate::light::SceneLights;
 use crate::material::GpuMaterial;
 use crate::mesh::MeshArenas;
-use crate::table::{Batch, Class, SceneTable};
+use crate::table::{Batch, SceneTable};
 use crate::texture;
 
 /// What a frame's passes need of a scene: shared handles, cheap to clone.
@@ -54,7 +56,7 @@ pub struct SceneLayout {
     pub slots: u32,
     /// Runs a draw list may have: the size of indirect draws.
     pub batches: u32,
-    /// Classes in use, as a bit mask by [`Class::index`].
+    /// Classes in use, as a bit mask by [`PipelineClass::index`].
     pub classes: u128,
     /// Whether there is anything to blend.
     pub transparent: bool,
@@ -66,8 +68,8 @@ pub struct SceneLayout {
 
 impl SceneLayout {
     /// The classes in use, in drawing order.
-    pub fn classes(&self) -> impl Iterator<Item = Class> + '_ {
-        Class::all().filter(|class| self.classes >> class.index() & 1 != 0)
+    pub fn classes(&self) -> impl Iterator<Item = PipelineClass> + '_ {
+        PipelineClass::all().filter(|class| self.classes >> class.index() & 1 != 0)
     }
 }
 
@@ -271,7 +273,7 @@ impl GpuScene {
 
     /// Numbers the groups anew once most are those of entities that are gone.
     fn clear_groups(&mut self, table: &mut SceneTable, scene: &Scene) {
-        if table.groups().around().len() <= self.most_groups {
+        if table.groups().parents().len() <= self.most_groups {
             return;
         }
         table.groups_mut().clear();
@@ -348,15 +350,14 @@ impl GpuScene {
                 .first()
                 .map(|level| level.topology)
                 .unwrap_or_default();
-            let class = Class::new(
+            let class = PipelineClass::new(PipelineTraits {
                 topology,
-                world.matrix3.determinant() < 0.0,
-                material.double_sided,
-                material.alpha,
-                texture != 0,
-            );
-            self.classes |=
-                1 << class.index() | 1 << class.for_detail(crate::list::Detail::Box).index();
+                mirrored: world.matrix3.determinant() < 0.0,
+                double_sided: material.double_sided,
+                alpha: material.alpha,
+                textured: texture != 0,
+            });
+            self.classes |= 1 << class.index() | 1 << class.for_detail(MeshDetail::Box).index();
             let slot = stay
                 .remove(key)
                 .or_else(|| self.free.pop())
@@ -518,5 +519,5 @@ fn fits(scene: &Scene, key: EntityKey, world: &DAffine3) -> Result<(), DrawError
 
 /// Twice as many as there are now, and some.
 fn most_groups(table: &SceneTable) -> usize {
-    table.groups().around().len() * 2 + 1024
+    table.groups().parents().len() * 2 + 1024
 }

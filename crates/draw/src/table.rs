@@ -6,158 +6,21 @@
 use std::collections::HashMap;
 
 use antumbra_scene::bounds::BoxArray;
-use antumbra_scene::{Aabb, AlphaMode, EntityKey, Topology};
+use antumbra_scene::{Aabb, EntityKey};
 use glam::{DAffine3, DVec3};
 
-use crate::groups::Groups;
-use crate::list::Detail;
+use crate::class::{Alpha, PipelineClass};
+use crate::detail::MeshDetail;
 use crate::oriented::OrientedBox;
-
-/// What decides a pipeline: topology, winding, sidedness, image, alpha. Fewer than [`Class::COUNT`] exist.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Class(u8);
-
-/// How a material's alpha is used; the order is the order of drawing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Alpha {
-    /// Ignored.
-    Opaque,
-    /// Fragments below the cutoff are dropped.
-    Mask,
-    /// Blended over what lies behind.
-    Blend,
-}
-
-impl Class {
-    /// One more than the largest index.
-    pub const COUNT: usize = 128;
-
-    /// Puts a class together. `mirrored`: the transform turns windings around.
-    pub fn new(
-        topology: Topology,
-        mirrored: bool,
-        double_sided: bool,
-        alpha: AlphaMode,
-        textured: bool,
-    ) -> Self {
-        let topology = match topology {
-            Topology::Triangles => 0,
-            Topology::Lines => 1,
-            Topology::Points => 2,
-        };
-        let alpha = match alpha {
-            AlphaMode::Opaque => 0,
-            AlphaMode::Mask { .. } => 1,
-            AlphaMode::Blend => 2,
-        };
-        Self(
-            alpha << 5
-                | u8::from(textured) << 4
-                | topology << 2
-                | u8::from(mirrored) << 1
-                | u8::from(double_sided),
-        )
-    }
-
-    /// All classes, in drawing order.
-    pub fn all() -> impl Iterator<Item = Self> {
-        (0..Self::COUNT as u8).map(Self)
-    }
-
-    /// An index below [`Class::COUNT`].
-    pub fn index(self) -> usize {
-        usize::from(self.0)
-    }
-
-    /// The alpha mode.
-    pub fn alpha(self) -> Alpha {
-        match self.0 >> 5 {
-            0 => Alpha::Opaque,
-            1 => Alpha::Mask,
-            _ => Alpha::Blend,
-        }
-    }
-
-    /// The topology.
-    pub fn topology(self) -> Topology {
-        match self.0 >> 2 & 3 {
-            0 => Topology::Triangles,
-            1 => Topology::Lines,
-            _ => Topology::Points,
-        }
-    }
-
-    /// Whether the base colour comes from an image.
-    pub fn textured(self) -> bool {
-        self.0 & 0b1_0000 != 0
-    }
-
-    /// Whether front faces are clockwise.
-    pub fn mirrored(self) -> bool {
-        self.0 & 2 != 0
-    }
-
-    /// Whether back faces are drawn.
-    pub fn double_sided(self) -> bool {
-        self.0 & 1 != 0
-    }
-
-    /// Whether entities of this class may stand in an occluder depth: opaque triangles. What has holes or no surface hides nothing.
-    pub fn hides(self) -> bool {
-        self.alpha() == Alpha::Opaque && self.topology() == Topology::Triangles
-    }
-
-    /// The class that a geometry of this class's batch is drawn with: a box is made of triangles whatever it encloses.
-    pub fn for_detail(self, detail: Detail) -> Self {
-        match detail {
-            Detail::Box => Self(self.0 & !0b1100),
-            _ => self,
-        }
-    }
-}
-
-/// One geometry in the shared vertex and index arenas.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Range {
-    /// First index in the index arena.
-    pub first_index: u32,
-    /// Number of indices.
-    pub index_count: u32,
-    /// Added to every index.
-    pub base_vertex: i32,
-    /// Indices a primitive: 3, 2 or 1.
-    pub corners: u32,
-}
-
-impl Range {
-    /// Triangles, lines or points.
-    pub fn primitives(&self) -> u32 {
-        self.index_count / self.corners.max(1)
-    }
-}
-
-/// A mesh's geometries in the arenas.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MeshRanges {
-    /// Levels of detail, full first; never empty.
-    pub levels: Vec<Range>,
-    /// The stand-in for tests; the full level where the mesh has none.
-    pub proxy: Range,
-    /// The widened bounding box.
-    pub boxed: Range,
-    /// By how much it is wider on every side, in the mesh's own units.
-    pub box_margin: f64,
-    /// By how much the stand-in's surface deviates from the full one's, at most, in the mesh's own units.
-    pub deviation: f64,
-    /// The bounding box itself, in the mesh's own space.
-    pub bounds: Aabb,
-}
+use crate::ranges::{IndexRange, MeshRanges};
+use crate::scale::{greatest_scale, least_scale};
+use crate::slot_groups::SlotGroups;
 
 /// What can be drawn in one instanced draw: same pipeline, same texture, same mesh. Sorts in drawing order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Batch {
     /// Decides the pipeline.
-    pub class: Class,
+    pub class: PipelineClass,
     /// Index of the base-colour texture's bind group.
     pub texture: u32,
     /// Index of the mesh.
@@ -170,7 +33,7 @@ pub struct Occupant {
     /// The entity.
     pub key: EntityKey,
     /// The epoch in which it came into this slot: answers of older epochs are not about it.
-    pub born: u64,
+    pub added_epoch: u64,
 }
 
 /// Everything drawable, by slot.
@@ -185,7 +48,7 @@ pub struct SceneTable {
     /// By how many metres, at most, the stand-in deviates from the mesh.
     deviations: Vec<f32>,
     oriented: Vec<OrientedBox>,
-    groups: Groups,
+    groups: SlotGroups,
     /// Slots that somebody came into, left, or moved in since `changed_since`.
     changed: Vec<u32>,
     changed_since: u64,
@@ -244,7 +107,7 @@ impl SceneTable {
     }
 
     /// The class of a live slot.
-    pub fn class_of(&self, slot: u32) -> Class {
+    pub fn class_of(&self, slot: u32) -> PipelineClass {
         self.batches[self.batch_of(slot) as usize].class
     }
 
@@ -253,9 +116,9 @@ impl SceneTable {
         self.class_of(slot).alpha() == Alpha::Blend
     }
 
-    /// Whether a live slot's entity may hide others ([`Class::hides`]).
+    /// Whether a live slot's entity may hide others ([`PipelineClass::occludes`]).
     pub fn is_occluder(&self, slot: u32) -> bool {
-        self.class_of(slot).hides()
+        self.class_of(slot).occludes()
     }
 
     /// Whether any entity is blended.
@@ -268,27 +131,16 @@ impl SceneTable {
         &self.batches
     }
 
-    /// Where a mesh's geometry lies.
-    pub fn range(&self, mesh: u32, detail: Detail) -> Range {
-        let Some(ranges) = self.meshes.get(mesh as usize) else {
-            return Range::default();
-        };
-        match detail {
-            Detail::Level(level) => {
-                let coarsest = ranges.levels.len().saturating_sub(1);
-                ranges
-                    .levels
-                    .get(usize::from(level).min(coarsest))
-                    .copied()
-                    .unwrap_or_default()
-            }
-            Detail::Proxy => ranges.proxy,
-            Detail::Box => ranges.boxed,
-        }
+    /// Where a mesh's geometry lies; an empty range for a mesh that does not exist.
+    pub fn range(&self, mesh: u32, detail: MeshDetail) -> IndexRange {
+        let ranges = self.meshes.get(mesh as usize);
+        ranges
+            .map(|ranges| ranges.range(detail))
+            .unwrap_or_default()
     }
 
     /// Triangles (or lines, or points) of an entity in some detail.
-    pub fn primitives_of(&self, slot: u32, detail: Detail) -> u32 {
+    pub fn primitives_of(&self, slot: u32, detail: MeshDetail) -> u32 {
         self.range(self.batches[self.batch_of(slot) as usize].mesh, detail)
             .primitives()
     }
@@ -305,7 +157,7 @@ impl SceneTable {
         ranges.map_or(1, |ranges| ranges.levels.len().clamp(1, 255)) as u8
     }
 
-    /// By how many metres, at least, the box of [`Detail::Box`] is wider than the full mesh on every side; 0 where a transform is flat.
+    /// By how many metres, at least, the box of [`MeshDetail::Box`] is wider than the full mesh on every side; 0 where a transform is flat.
     pub fn box_margin(&self, slot: u32) -> f64 {
         let at = slot as usize;
         let mesh = self
@@ -329,7 +181,7 @@ impl SceneTable {
     }
 
     /// The scene's tree: what lies in which group.
-    pub fn groups(&self) -> &Groups {
+    pub fn groups(&self) -> &SlotGroups {
         &self.groups
     }
 
@@ -345,7 +197,7 @@ impl SceneTable {
             .is_none_or(|untested| !untested)
     }
 
-    pub(crate) fn groups_mut(&mut self) -> &mut Groups {
+    pub(crate) fn groups_mut(&mut self) -> &mut SlotGroups {
         &mut self.groups
     }
 
@@ -376,7 +228,7 @@ impl SceneTable {
     ) {
         let occupant = Some(Occupant {
             key,
-            born: self.epoch,
+            added_epoch: self.epoch,
         });
         let number = *index.entry(batch).or_insert_with(|| {
             self.batches.push(batch);
@@ -473,85 +325,9 @@ impl SceneTable {
         }
     }
 
-    fn count(&mut self, class: Class, by: isize) {
+    fn count(&mut self, class: PipelineClass, by: isize) {
         if class.alpha() == Alpha::Blend {
             self.transparent = self.transparent.saturating_add_signed(by);
         }
-    }
-}
-
-/// The lengths that a transform makes of the unit axes, and whether they stay at right angles.
-fn stretched(world: &DAffine3) -> (DVec3, bool) {
-    let axes = world.matrix3;
-    let [x, y, z] = [axes.x_axis, axes.y_axis, axes.z_axis].map(DVec3::length);
-    let skew = [
-        axes.x_axis.dot(axes.y_axis) / (x * y),
-        axes.y_axis.dot(axes.z_axis) / (y * z),
-        axes.z_axis.dot(axes.x_axis) / (z * x),
-    ];
-    // NaN, of an axis without length, is none of the former.
-    let right = skew.iter().all(|cosine| cosine.abs() < 1e-6);
-    (DVec3::new(x, y, z), right)
-}
-
-/// The most that a transform makes of a unit length: exact where its axes stay at right angles, too much by at most the root of three elsewhere.
-fn greatest_scale(world: &DAffine3) -> f64 {
-    match stretched(world) {
-        (lengths, true) => lengths.max_element(),
-        (lengths, false) => lengths.length(),
-    }
-}
-
-/// The least that a transform makes of a unit length: exact where its axes stay at right angles, too little by at most the root of three elsewhere.
-fn least_scale(world: &DAffine3) -> f32 {
-    let (lengths, right) = stretched(world);
-    if right {
-        return lengths.min_element() as f32 * 0.999_99;
-    }
-    let inverse = world.matrix3.inverse();
-    let most = (inverse.x_axis.length_squared()
-        + inverse.y_axis.length_squared()
-        + inverse.z_axis.length_squared())
-    .sqrt();
-    let least = most.recip();
-    if least.is_finite() {
-        least as f32 * 0.999_99
-    } else {
-        0.0
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use glam::DQuat;
-
-    #[test]
-    fn the_least_scale_is_what_the_shortest_direction_keeps() {
-        let turned = DQuat::from_rotation_x(0.4) * DQuat::from_rotation_z(1.1);
-        let stretched = DAffine3::from_scale_rotation_translation(
-            DVec3::new(2.0, 0.01, -5.0),
-            turned,
-            DVec3::ONE,
-        );
-        assert!((least_scale(&stretched) - 0.01).abs() < 1e-6);
-        assert!((greatest_scale(&stretched) - 5.0).abs() < 1e-12);
-        // A stretch after a turn: no axis stays at right angles.
-        let sheared = DAffine3::from_scale(DVec3::new(1.0, 0.1, 1.0)) * stretched;
-        // By how much the inverse stretches at most: power iteration.
-        let inverse = sheared.matrix3.inverse();
-        let grown = (0..200).fold(DVec3::new(0.3, 0.5, 0.7), |unit, _| {
-            (inverse.transpose() * (inverse * unit)).normalize()
-        });
-        let least = (inverse * grown).length().recip();
-        let bound = f64::from(least_scale(&sheared));
-        assert!(bound <= least && bound > least / 1.8, "{bound} of {least}");
-        let grown = (0..200).fold(DVec3::new(0.3, 0.5, 0.7), |unit, _| {
-            (sheared.matrix3.transpose() * (sheared.matrix3 * unit)).normalize()
-        });
-        let (most, bound) = ((sheared.matrix3 * grown).length(), greatest_scale(&sheared));
-        assert!(bound >= most && bound < most * 1.8, "{bound} of {most}");
-        let flat = DAffine3::from_scale(DVec3::new(1.0, 0.0, 1.0));
-        assert_eq!(least_scale(&flat), 0.0);
     }
 }

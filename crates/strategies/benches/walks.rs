@@ -5,7 +5,7 @@
 use std::hint::black_box;
 
 use antumbra_cull::{Tree, Verdicts, outside};
-use antumbra_draw::boxes::BoxList;
+use antumbra_draw::boxes::{BoxContents, BoxList};
 use antumbra_draw::{AdapterChoice, Gpu, GpuScene, SceneTable, ViewFrame};
 use antumbra_scene::hierarchy::HierarchyShape;
 use antumbra_scene::{EntityKey, Scene};
@@ -51,7 +51,7 @@ fn walk(walk: &mut Walk, sight: &Sight<'_>, verdicts: &mut Verdicts, visible: bo
     loop {
         walk.advance(sight, &HOW, verdicts, &mut boxes);
         walk.found().clear();
-        let answers = std::iter::repeat_n(visible, boxes.questions() as usize);
+        let answers = std::iter::repeat_n(visible, boxes.query_count() as usize);
         walk.answer(sight, &HOW, verdicts, answers);
         if walk.is_over() {
             return verdicts.asked();
@@ -76,7 +76,7 @@ fn late(walk: &mut LateWalk, sight: &Sight<'_>, verdicts: &mut Verdicts) {
 }
 
 fn sight<'a>(tree: &'a Tree, table: &'a SceneTable, view: &ViewFrame) -> Sight<'a> {
-    Sight::new(table, tree, view, &HOW, false)
+    Sight::new(table, tree, view, &HOW, BoxContents::Triangles)
 }
 
 fn walks(c: &mut Criterion) {

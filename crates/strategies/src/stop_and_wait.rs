@@ -4,8 +4,8 @@
 //! Meissner and Huettner, *OpenGL-assisted occlusion culling for large polygonal models*, 1999). Each turn of the loop draws what the
 //! last one found visible and asks about the next; its sync point is where the machine waits.
 
-use antumbra_draw::passes::{self, PassSpec, Submitted};
-use antumbra_draw::{Detail, PipelineKind};
+use antumbra_draw::passes::{self, ListDraws, PassSpec};
+use antumbra_draw::{MeshDetail, PipelineKind};
 use antumbra_graph::{BufferDesc, Host};
 
 use antumbra_cull::order::by_nearest_corner;
@@ -199,13 +199,13 @@ fn turn(
         .read(inputs.scene)
         .read(inputs.view)
         .read(verdicts);
-    let draw = Submitted {
+    let draw = ListDraws {
         list: node.write(draw.list),
-        ids: node.upload(draw.ids),
+        slots: node.upload(draw.slots),
     };
-    let ask = Submitted {
+    let ask = ListDraws {
         list: node.write(ask.list),
-        ids: node.upload(ask.ids),
+        slots: node.upload(ask.slots),
     };
     let walk = node.write(walk);
     node.run(move |ctx| {
@@ -220,7 +220,7 @@ fn turn(
         draw_list.fill(
             table,
             walk.pending.iter().copied().filter(seen),
-            Detail::Level(0),
+            MeshDetail::Level(0),
         );
         let next = walk.order.len().min(walk.asked + batch as usize);
         let Walk {
@@ -236,21 +236,12 @@ fn turn(
         for slot in pending.iter() {
             ask_list.push(table, *slot, question(table, &frame, *slot));
         }
-        ctx.upload(draw.ids, 0, bytemuck::cast_slice(draw_list.ids()))?;
-        ctx.upload(ask.ids, 0, bytemuck::cast_slice(ask_list.ids()))?;
+        ctx.upload(draw.slots, 0, bytemuck::cast_slice(draw_list.slots()))?;
+        ctx.upload(ask.slots, 0, bytemuck::cast_slice(ask_list.slots()))?;
         Ok(())
     });
-    let targets = view.targets;
-    let (colour, depth) = passes::shaded_pass(
-        g.graph(),
-        drawing,
-        inputs,
-        draw,
-        targets.colour,
-        targets.depth,
-    );
-    view.targets.colour = colour;
-    view.targets.depth = depth;
+    view.targets = passes::shaded_pass(g.graph(), drawing, inputs, draw, view.targets);
+    let depth = view.targets.depth;
     let answers = g
         .graph()
         .buffer(view.named("answers"), BufferDesc::new(u64::from(batch) * 8));

@@ -3,7 +3,7 @@
 //! Plate, Grundhoefer, Schmidt, Froehlich, *Occlusion Culling for Sub-Surface Models in Geo-Scientific Applications*, 2004. No order of
 //! drawing is needed and nothing is asked of the scene but proxies whose occlusion is that of their meshes. It errs where they are not.
 
-use antumbra_draw::Detail;
+use antumbra_draw::MeshDetail;
 
 use antumbra_cull::{
     Allowance, Close, Counting, DeclareError, Dial, FrameGraph, Latency, Parameter, SampleRule,
@@ -49,11 +49,11 @@ pub enum StandIn {
 }
 
 impl StandIn {
-    fn detail(self) -> Detail {
+    fn detail(self) -> MeshDetail {
         match self {
-            Self::Proxy => Detail::Proxy,
-            Self::Full => Detail::Level(0),
-            Self::Box => Detail::Box,
+            Self::Proxy => MeshDetail::Proxy,
+            Self::Full => MeshDetail::Level(0),
+            Self::Box => MeshDetail::Box,
         }
     }
 

@@ -263,7 +263,7 @@ fn groups_of_those_who_are_gone_are_cleared_away() {
     let mut props = Props::new();
     props.hidden_groups();
     let mut scene = GpuScene::new(vulkan(), &mut props.scene).unwrap();
-    let groups = scene.table().groups().around().len();
+    let groups = scene.table().groups().parents().len();
     assert_eq!(groups, 9);
     for _ in 0..1_200 {
         let group = props.put(None, DVec3::X, None);
@@ -271,7 +271,7 @@ fn groups_of_those_who_are_gone_are_cleared_away() {
         scene.sync(&mut props.scene).unwrap();
         props.scene.despawn(group);
         scene.sync(&mut props.scene).unwrap();
-        assert!(scene.table().groups().around().len() <= 2 * groups + 1025);
+        assert!(scene.table().groups().parents().len() <= 2 * groups + 1025);
     }
     // Who stayed is still in the same groups.
     let eye = camera(DVec3::Z * 14.0);

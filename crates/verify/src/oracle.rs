@@ -10,7 +10,7 @@ pub use image::{IdImage, Transparent};
 
 use std::sync::Arc;
 
-use antumbra_draw::passes::{self, PassSpec, Submitted, ViewInputs};
+use antumbra_draw::passes::{self, IdTargets, ListDraws, PassSpec, Signatures, ViewInputs};
 use antumbra_draw::{
     Alpha, DEPTH_FORMAT, DrawList, Gpu, GpuLights, GpuScene, GpuView, IDENTITY_FORMAT,
     PassPipelines, PipelineKind, SceneFrame, SceneLayout, SceneTable, ViewFrame,
@@ -59,8 +59,8 @@ enum Wanted {
 /// The lists under declaration.
 #[derive(Clone, Copy)]
 struct Lists {
-    solid: Submitted,
-    blended: Option<Submitted>,
+    solid: ListDraws,
+    blended: Option<ListDraws>,
 }
 
 impl std::fmt::Debug for Oracle {
@@ -140,7 +140,8 @@ fn build(gpu: &Gpu, size: [u32; 2], layout: SceneLayout) -> Result<Built, StageE
     );
     let depth = g.texture("depth", texture(DEPTH_FORMAT).cleared(Clear::Depth(0.0)));
     let spec = spec(gpu, &layout, PipelineKind::Identity);
-    let (ids, depth) = passes::identity_pass(g, &spec, inputs, lists.solid, ids, depth);
+    let targets = IdTargets { ids, depth };
+    let IdTargets { ids, depth } = passes::identity_pass(g, &spec, inputs, lists.solid, targets);
     let padded = Padded::of(size);
     let copied = copy_ids(g, ids, padded);
     let sums = lists
@@ -175,18 +176,18 @@ fn submit(
     let uniform = g.buffer("view", BufferDesc::new(size_of::<GpuView>() as u64));
     let lights = g.buffer("lights", BufferDesc::new(size_of::<GpuLights>() as u64));
     let slots = u64::from(layout.slots.max(1)) * 4;
-    let mut list = |name: &str| Submitted {
+    let mut list = |name: &str| ListDraws {
         list: g.host::<DrawList>(name),
-        ids: g.buffer(format!("{name}: slots"), BufferDesc::new(slots)),
+        slots: g.buffer(format!("{name}: slots"), BufferDesc::new(slots)),
     };
     let solid = list("solid");
     let blended = layout.transparent.then(|| list("blended"));
     let mut node = g.host_node("submit");
     node.read(scene).read(view).read(wanted);
     let uniform = node.upload(uniform);
-    let submit = |node: &mut HostBuilder<'_>, set: Submitted| Submitted {
+    let submit = |node: &mut HostBuilder<'_>, set: ListDraws| ListDraws {
         list: node.write(set.list),
-        ids: node.upload(set.ids),
+        slots: node.upload(set.slots),
     };
     let solid = submit(&mut node, solid);
     let blended = blended.map(|set| submit(&mut node, set));
@@ -210,11 +211,11 @@ fn submit(
         let levels = verdicts.levels();
         let mut list = ctx.get_mut(solid.list)?;
         list.fill_levels(table, of(false), levels);
-        ctx.upload(solid.ids, 0, bytemuck::cast_slice(list.ids()))?;
+        ctx.upload(solid.slots, 0, bytemuck::cast_slice(list.slots()))?;
         if let Some(blended) = blended {
             let mut list = ctx.get_mut(blended.list)?;
             list.fill_levels(table, of(true), levels);
-            ctx.upload(blended.ids, 0, bytemuck::cast_slice(list.ids()))?;
+            ctx.upload(blended.slots, 0, bytemuck::cast_slice(list.slots()))?;
         }
         Ok(())
     });
@@ -277,14 +278,16 @@ fn sign(
     gpu: &Gpu,
     layout: &SceneLayout,
     inputs: ViewInputs,
-    what: Submitted,
+    what: ListDraws,
     depth: Texture,
     [width, height]: [u32; 2],
-) -> [Buffer; 2] {
+) -> Signatures {
     let pixels = u64::from(width) * u64::from(height) * 4;
     let slots = u64::from(layout.slots.max(1)) * 4;
-    let sums = [("signatures", pixels), ("samples", slots)]
-        .map(|(name, bytes)| g.buffer(name, BufferDesc::new(bytes).zeroed()));
+    let sums = Signatures {
+        by_pixel: g.buffer("signatures", BufferDesc::new(pixels).zeroed()),
+        by_slot: g.buffer("samples", BufferDesc::new(slots).zeroed()),
+    };
     let scratch = g.texture(
         "scratch depth",
         TextureDesc::new(width, height, DEPTH_FORMAT).cleared(Clear::Depth(0.0)),
@@ -294,21 +297,21 @@ fn sign(
 }
 
 /// Waits for it all and puts it into an image: the one sync point.
-fn read(g: &mut Graph, ids: Buffer, padded: Padded, sums: Option<[Buffer; 2]>) -> Host<IdImage> {
+fn read(g: &mut Graph, ids: Buffer, padded: Padded, sums: Option<Signatures>) -> Host<IdImage> {
     let image = g.host::<IdImage>("image");
     let mut node = g.host_node("read");
     node.read_back(ids);
-    for sum in sums.iter().flatten() {
-        node.read_back(*sum);
+    if let Some(sums) = sums {
+        node.read_back(sums.by_pixel).read_back(sums.by_slot);
     }
     let image = node.write(image);
     node.run(move |ctx| {
         let mut image = ctx.get_mut(image)?;
         padded.unpack(ctx.bytes(ids)?, &mut image);
         image.transparent = match sums {
-            Some([signatures, samples]) => Some(Transparent {
-                signatures: bytemuck::pod_collect_to_vec(ctx.bytes(signatures)?),
-                samples: bytemuck::pod_collect_to_vec(ctx.bytes(samples)?),
+            Some(sums) => Some(Transparent {
+                signatures: bytemuck::pod_collect_to_vec(ctx.bytes(sums.by_pixel)?),
+                samples: bytemuck::pod_collect_to_vec(ctx.bytes(sums.by_slot)?),
             }),
             None => None,
         };

@@ -1,6 +1,6 @@
 //! What of the image an entity may cover, and how near it comes: by its box, widened as boxes are that are asked about.
 
-use antumbra_draw::boxes::Widening;
+use antumbra_draw::boxes::{BoxContents, Widening};
 use antumbra_draw::patches::{Cover, PATCH_SIDE};
 use antumbra_draw::{SceneTable, ViewFrame};
 use antumbra_scene::Topology;
@@ -47,8 +47,8 @@ impl Covers {
         Self {
             clip_from_relative: view.clip_from_relative().as_dmat4(),
             size: view.size,
-            solid: Widening::new(view, false),
-            thin: Widening::new(view, true),
+            solid: Widening::new(view, BoxContents::Triangles),
+            thin: Widening::new(view, BoxContents::AnyTopology),
         }
     }
 
@@ -99,7 +99,8 @@ impl Covers {
         let nearest = shadow.nearest as f32;
         Some(Cover {
             nearest: nearest.next_up(),
-            pixels: [[x[0], y[0]], [x[1], y[1]]],
+            least: [x[0], y[0]],
+            greatest: [x[1], y[1]],
         })
     }
 

@@ -2,8 +2,10 @@
 
 use std::sync::Arc;
 
-use antumbra_draw::patches::{Cover, MARK_BYTES, PATCH_BYTES, PATCH_SIDE, PatchList, patch_pass};
-use antumbra_draw::{Detail, PipelineKind, SceneTable, ViewFrame};
+use antumbra_draw::patches::{
+    MARK_BYTES, PATCH_BYTES, PATCH_SIDE, PatchList, PatchMember, patch_pass,
+};
+use antumbra_draw::{MeshDetail, PipelineKind, SceneTable, ViewFrame};
 use antumbra_graph::{BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext, HostRef};
 use antumbra_scene::hierarchy::HierarchyShape;
 use rand::SeedableRng;
@@ -89,14 +91,14 @@ impl FrameGraph<'_> {
         let depth = view.targets.depth;
         let (sifted, shown) = self.sift(view, listed, (depth, shown), entries);
         let way = Counting::by_fragments(self.gpu());
-        let early = way == Counting::Atomics;
-        let spec = self.pass(view.named("audit"), AUDIT, PipelineKind::Patch { early });
-        let scratch = (!early).then(|| {
-            let name = view.named("audit: scratch depth");
-            self.depth_texture(name, view.size())
-        });
-        let depth = (depth, scratch);
-        patch_pass(self.graph(), &spec, view.inputs(), sifted, depth, shown);
+        let kind = match way {
+            Counting::Atomics => PipelineKind::PatchEarly,
+            _ => PipelineKind::PatchCompare,
+        };
+        let spec = self.pass(view.named("audit"), AUDIT, kind);
+        let scratch = view.named("audit: scratch depth");
+        let test = self.depth_test(way, depth, scratch, view.size());
+        patch_pass(self.graph(), &spec, view.inputs(), sifted, test, shown);
         self.graph().output(looked);
         audit
     }
@@ -332,7 +334,7 @@ impl<'a> Culled<'a> {
 
     /// Triangles that the view draws.
     fn triangles_drawn(&self, table: &SceneTable) -> f64 {
-        let of = |slot: u32, level| f64::from(table.primitives_of(slot, Detail::Level(level)));
+        let of = |slot: u32, level| f64::from(table.primitives_of(slot, MeshDetail::Level(level)));
         match self {
             Self::Host(verdicts) => {
                 let drawn = verdicts.drawn();
@@ -370,7 +372,7 @@ struct Chooser {
     triangles: Option<f64>,
     stack: Vec<u32>,
     found: Vec<u32>,
-    members: Vec<(u32, Cover)>,
+    members: Vec<PatchMember>,
 }
 
 impl Chooser {
@@ -410,7 +412,10 @@ impl Chooser {
             let culled = self.found.iter().filter(|slot| at.culled.has(**slot));
             let members = culled.filter_map(|slot| {
                 let shadow = at.covers.shadow(at.table, *slot);
-                Some((*slot, at.covers.cover(&shadow, place)?))
+                Some(PatchMember {
+                    slot: *slot,
+                    cover: at.covers.cover(&shadow, place)?,
+                })
             });
             self.members.clear();
             self.members.extend(members);

@@ -2,7 +2,7 @@
 //! covers, and writes the draws of the rest.
 
 use antumbra_draw::INDIRECT_DRAW_BYTES;
-use antumbra_draw::patches::{GpuPatchEntry, PatchList, SiftedPatches};
+use antumbra_draw::patches::{GpuPatchEntry, PatchDraws, PatchList};
 use antumbra_graph::{Bind, Buffer, BufferDesc, Host, Texture};
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
@@ -14,7 +14,7 @@ use crate::frame_graph::FrameGraph;
 use crate::turned::Turned;
 use crate::view_nodes::ViewNodes;
 
-/// Mirrors `Settings` of `sift.wgsl`.
+/// Mirrors `Settings` of `cull_patches.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
 pub(super) struct GpuSettings {
@@ -24,7 +24,7 @@ pub(super) struct GpuSettings {
     padding_b: u32,
 }
 
-assert_layout!(GpuSettings, "sift", "Settings", { count, threshold, padding_a, padding_b });
+assert_layout!(GpuSettings, "cull_patches", "Settings", { count, threshold, padding_a, padding_b });
 
 impl GpuSettings {
     /// For so many entries; who has more visible samples than the threshold is drawn already.
@@ -74,8 +74,12 @@ impl FrameGraph<'_> {
         listed: Listed,
         (depth, shown): (Texture, Buffer),
         entries: u64,
-    ) -> (SiftedPatches, Buffer) {
-        let pipeline = ComputePipeline::new(self.gpu(), &antumbra_shaders::jobs::sift::JOB, "sift");
+    ) -> (PatchDraws, Buffer) {
+        let pipeline = ComputePipeline::new(
+            self.gpu(),
+            &antumbra_shaders::jobs::cull_patches::JOB,
+            "cull_patches",
+        );
         let kept = self.graph().buffer(
             view.named("audit: kept"),
             BufferDesc::new(entries * KEPT_BYTES),
@@ -118,7 +122,7 @@ impl FrameGraph<'_> {
             ];
             pipeline.dispatch(ctx, &binds, [entries.div_ceil(LANES).max(1), 1])
         });
-        let sifted = SiftedPatches {
+        let sifted = PatchDraws {
             list: listed.list,
             kept,
             draws,

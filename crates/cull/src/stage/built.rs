@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use antumbra_draw::passes::ViewInputs;
+use antumbra_draw::passes::{Targets, ViewInputs};
 use antumbra_draw::{
     DEPTH_FORMAT, GpuLights, GpuScene, GpuView, PassPipelines, PipelineKind, SceneFrame,
     SceneLayout, ViewFrame,
@@ -15,7 +15,7 @@ use crate::audit::Audit;
 use crate::frame_graph::{CULL, FrameGraph, Shared, Shown};
 use crate::narrowing::Narrowing;
 use crate::strategy::{Strategy, VerdictSource};
-use crate::view_nodes::{Targets, ViewNodes};
+use crate::view_nodes::ViewNodes;
 
 /// What a stage runs: the plan, and handles into it.
 pub(super) struct Built {

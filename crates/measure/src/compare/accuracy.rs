@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use antumbra_cull::Frustum;
 use antumbra_cull::{Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
-use antumbra_draw::{Detail, GpuScene, read_back};
+use antumbra_draw::{GpuScene, MeshDetail, read_back};
 use antumbra_scene::Camera;
 use antumbra_verify::{IdImage, Members, Oracle};
 use image::RgbaImage;
@@ -304,7 +304,7 @@ impl Record {
         self.triangles += drawn
             .iter()
             .map(|slot| {
-                let detail = Detail::Level(verdicts.level(*slot));
+                let detail = MeshDetail::Level(verdicts.level(*slot));
                 u64::from(table.primitives_of(*slot, detail))
             })
             .sum::<u64>();

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use antumbra_draw::passes::{self, Submitted};
-use antumbra_draw::{Detail, DrawList, PipelineKind, SceneTable, ViewFrame};
+use antumbra_draw::passes::{self, ListDraws};
+use antumbra_draw::{DrawList, MeshDetail, PipelineKind, SceneTable, ViewFrame};
 use antumbra_graph::{BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext};
 
 use antumbra_cull::{Asked, CULL, DRAW, FrameGraph, Stamp, ViewNodes, question};
@@ -20,7 +20,7 @@ struct Test {
 /// A list, and its answers.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Asking {
-    pub list: Submitted,
+    pub list: ListDraws,
     pub asked: Host<Asked>,
     /// A u64 an entry.
     pub answers: Buffer,
@@ -40,9 +40,9 @@ impl Asking {
     /// The versions that a host node writes.
     pub fn written_by(self, node: &mut HostBuilder<'_>) -> Self {
         Self {
-            list: Submitted {
+            list: ListDraws {
                 list: node.write(self.list.list),
-                ids: node.upload(self.list.ids),
+                slots: node.upload(self.list.slots),
             },
             asked: node.write(self.asked),
             answers: self.answers,
@@ -84,7 +84,7 @@ impl Asking {
         let mut tests: Vec<Test> = slots
             .map(|slot| Test {
                 batch: table.batch_of(slot),
-                boxed: question(table, view, slot) == Detail::Box,
+                boxed: question(table, view, slot) == MeshDetail::Box,
                 settled: settled(slot),
                 slot,
             })
@@ -94,8 +94,8 @@ impl Asking {
         list.clear();
         for test in &tests {
             let detail = match test.boxed {
-                true => Detail::Box,
-                false => Detail::Level(0),
+                true => MeshDetail::Box,
+                false => MeshDetail::Level(0),
             };
             list.push(table, test.slot, detail);
         }
@@ -107,7 +107,7 @@ impl Asking {
             let ends = tests
                 .chunk_by(joins)
                 .flat_map(|alike| alike.chunks(most as usize));
-            list.join(ends.map(|together| {
+            list.group_queries(ends.map(|together| {
                 end += together.len() as u32;
                 end
             }));
@@ -121,11 +121,11 @@ impl Asking {
         list: &mut DrawList,
         stamp: Stamp,
     ) -> Result<u32, BodyError> {
-        ctx.upload(self.list.ids, 0, bytemuck::cast_slice(list.ids()))?;
+        ctx.upload(self.list.slots, 0, bytemuck::cast_slice(list.slots()))?;
         let asked = Asked {
             stamp,
-            slots: Arc::new(list.ids().to_vec()),
-            ends: Arc::new(list.question_ends().to_vec()),
+            slots: Arc::new(list.slots().to_vec()),
+            ends: Arc::new(list.query_ends().to_vec()),
         };
         let queries = asked.queries();
         *ctx.get_mut(self.asked)? = asked;
@@ -136,13 +136,14 @@ impl Asking {
     pub fn shade(self, g: &mut FrameGraph<'_>, view: &mut ViewNodes, name: &str) -> Self {
         let kind = g.shaded_kind();
         let spec = g.pass(view.named(name), DRAW, kind);
-        let targets = (view.targets.colour, view.targets.depth);
-        let inputs = view.inputs();
-        let (colour, depth, answers) =
+        let (inputs, targets) = (view.inputs(), view.targets);
+        let queried =
             passes::shaded_query_pass(g.graph(), &spec, inputs, self.list, targets, self.answers);
-        view.targets.colour = colour;
-        view.targets.depth = depth;
-        Self { answers, ..self }
+        view.targets = queried.targets;
+        Self {
+            answers: queried.answers,
+            ..self
+        }
     }
 
     /// Tests the list against the depth so far, a query an entry.
@@ -158,19 +159,19 @@ impl Asking {
 fn fill(list: &mut DrawList, table: &SceneTable, slots: impl Iterator<Item = u32>) {
     list.clear();
     for slot in slots {
-        list.push(table, slot, Detail::Level(0));
+        list.push(table, slot, MeshDetail::Level(0));
     }
 }
 
 /// Submits full meshes that nothing is asked about, in this order.
 pub(super) fn submit_unasked(
     ctx: &mut HostContext<'_>,
-    set: Submitted,
+    set: ListDraws,
     table: &SceneTable,
     slots: impl Iterator<Item = u32>,
 ) -> Result<(), BodyError> {
     let mut list = ctx.get_mut(set.list)?;
     fill(&mut list, table, slots);
-    ctx.upload(set.ids, 0, bytemuck::cast_slice(list.ids()))?;
+    ctx.upload(set.slots, 0, bytemuck::cast_slice(list.slots()))?;
     Ok(())
 }

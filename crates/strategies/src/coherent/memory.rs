@@ -132,7 +132,7 @@ impl Memory {
             let Some(memo) = self.memos.get_mut(slot as usize) else {
                 continue;
             };
-            if occupant.born > asked.stamp.epoch || memo.of != Some(occupant.key) {
+            if occupant.added_epoch > asked.stamp.epoch || memo.of != Some(occupant.key) {
                 continue;
             }
             if seen

@@ -6,9 +6,9 @@
 
 use std::sync::Arc;
 
-use antumbra_draw::passes::{self, Indirect};
-use antumbra_draw::{Detail, IDENTITY_FORMAT, PipelineKind};
-use antumbra_graph::{Bind, Buffer, Clear, Host, Texture, TextureDesc};
+use antumbra_draw::passes::{self, DepthTest, IndirectDraws};
+use antumbra_draw::{IDENTITY_FORMAT, MeshDetail, PipelineKind};
+use antumbra_graph::{Bind, Buffer, Clear, Host, TextureDesc};
 
 use super::Coherence;
 use super::turns::Turns;
@@ -92,7 +92,7 @@ fn solid(
                 !table.is_transparent(*slot) && (exempt || !candidates.is_exempt(*slot))
             };
             let members = candidates.inside().iter().copied().filter(wanted);
-            laid.list.fill(table, members, Detail::Level(0));
+            laid.list.fill(table, members, MeshDetail::Level(0));
             laid.bound(table, |_| Bounds::SEEN, |slot| candidates.is_exempt(slot));
             Ok(())
         },
@@ -125,7 +125,7 @@ fn test(
                 .testable()
                 .filter(due)
                 .map(|slot| {
-                    let boxed = question(table, frame, slot) == Detail::Box;
+                    let boxed = question(table, frame, slot) == MeshDetail::Box;
                     (table.batch_of(slot), boxed, slot)
                 })
                 .collect();
@@ -133,8 +133,8 @@ fn test(
             laid.list.clear();
             for (_, boxed, slot) in tests {
                 let detail = match boxed {
-                    true => Detail::Box,
-                    false => Detail::Level(0),
+                    true => MeshDetail::Box,
+                    false => MeshDetail::Level(0),
                 };
                 laid.list.push(table, slot, detail);
             }
@@ -147,18 +147,17 @@ fn test(
 }
 
 /// Counts the visible samples of what was kept.
-fn count(g: &mut FrameGraph<'_>, view: &ViewNodes, what: Indirect) -> Buffer {
+fn count(g: &mut FrameGraph<'_>, view: &ViewNodes, what: IndirectDraws) -> Buffer {
     let (inputs, depth) = (view.inputs(), view.targets.depth);
-    let atomic = Counting::by_fragments(g.gpu()) == Counting::Atomics;
-    let kind = match atomic {
-        true => PipelineKind::CountAtomic,
-        false => PipelineKind::CountCompare,
+    let way = Counting::by_fragments(g.gpu());
+    let test = g.depth_test(way, depth, view.named("scratch depth"), view.size());
+    let kind = match test {
+        DepthTest::Early { .. } => PipelineKind::CountAtomic,
+        DepthTest::InShader { .. } => PipelineKind::CountCompare,
     };
-    let scratch: Option<Texture> =
-        (!atomic).then(|| g.depth_texture(view.named("scratch depth"), view.size()));
     let counts = g.sample_counts(view);
     let spec = g.pass(view.named("test last occluded"), CULL, kind);
-    passes::count_indirect_pass(g.graph(), &spec, inputs, what, depth, scratch, counts)
+    passes::count_indirect_pass(g.graph(), &spec, inputs, what, test, counts)
 }
 
 /// Shades what is blended and was found visible.
@@ -224,7 +223,11 @@ fn verdicts(
 
 /// The larger of two counts a slot.
 fn join(g: &mut FrameGraph<'_>, view: &ViewNodes, one: Buffer, other: Buffer) -> Buffer {
-    let pipeline = ComputePipeline::new(g.gpu(), &antumbra_shaders::jobs::join::JOB, "join");
+    let pipeline = ComputePipeline::new(
+        g.gpu(),
+        &antumbra_shaders::jobs::max_counts::JOB,
+        "max_counts",
+    );
     let groups = g.scene_layout().slots.div_ceil(64).max(1);
     let joined = g.sample_counts(view);
     let mut node = g.graph().compute(view.named("join counts"));

@@ -4,8 +4,8 @@
 //! Culling for Stereoscopic Display of Complex Mechanical Sets*, 2007, section 3.1, tells it (OCF). The paper waits for the tests' answers within the
 //! frame; the frame-late form uses them in the next one and waits for nothing.
 
-use antumbra_draw::passes::Submitted;
-use antumbra_draw::{Detail, SceneTable, ViewFrame};
+use antumbra_draw::passes::ListDraws;
+use antumbra_draw::{MeshDetail, SceneTable, ViewFrame};
 use antumbra_graph::{BodyError, Host, HostBuilder, HostContext, ReadBack};
 
 use super::Coherence;
@@ -226,8 +226,8 @@ pub(super) fn frame_late(
             let mut list = ctx.get_mut(borrowed.list)?;
             let lends = |slot: &u32| lent.get(*slot).draws() && solid(slot);
             borrowed_slots.extend(candidates.inside().iter().copied().filter(lends));
-            list.fill(table, borrowed_slots.iter().copied(), Detail::Level(0));
-            ctx.upload(borrowed.ids, 0, bytemuck::cast_slice(list.ids()))?;
+            list.fill(table, borrowed_slots.iter().copied(), MeshDetail::Level(0));
+            ctx.upload(borrowed.slots, 0, bytemuck::cast_slice(list.slots()))?;
         }
         let is_lent = |slot: &u32| borrowed_slots.binary_search(slot).is_ok();
         asked.retain(|slot| !is_lent(slot));
@@ -315,23 +315,23 @@ fn judge(memory: &Memory, table: &SceneTable, candidates: &Candidates, verdicts:
 }
 
 /// The list of what is blended, where the scene has any.
-pub(super) fn blended_list(g: &mut FrameGraph<'_>, view: &ViewNodes) -> Option<Submitted> {
+pub(super) fn blended_list(g: &mut FrameGraph<'_>, view: &ViewNodes) -> Option<ListDraws> {
     let name = view.named("visible transparent set");
     g.scene_layout().transparent.then(|| g.unsubmitted(&name))
 }
 
 /// The version of a list that a host node writes.
-pub(super) fn written_by(list: Submitted, node: &mut HostBuilder<'_>) -> Submitted {
-    Submitted {
+pub(super) fn written_by(list: ListDraws, node: &mut HostBuilder<'_>) -> ListDraws {
+    ListDraws {
         list: node.write(list.list),
-        ids: node.upload(list.ids),
+        slots: node.upload(list.slots),
     }
 }
 
 /// Fills the list of what is blended and drawn.
 pub(super) fn submit_blended(
     ctx: &mut HostContext<'_>,
-    blended: Option<Submitted>,
+    blended: Option<ListDraws>,
     table: &SceneTable,
     view: &ViewFrame,
     verdicts: &Verdicts,
@@ -342,6 +342,6 @@ pub(super) fn submit_blended(
     let mut list = ctx.get_mut(blended.list)?;
     let drawn = verdicts.drawn().filter(|slot| table.is_transparent(*slot));
     back_to_front(&mut list, table, view, drawn.map(|slot| (slot, 0)));
-    ctx.upload(blended.ids, 0, bytemuck::cast_slice(list.ids()))?;
+    ctx.upload(blended.slots, 0, bytemuck::cast_slice(list.slots()))?;
     Ok(())
 }

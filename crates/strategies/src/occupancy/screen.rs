@@ -1,7 +1,7 @@
 //! Where a box lies as seen from the eye: outside, too near to be asked about, or on so many pixels.
 
 use antumbra_draw::ViewFrame;
-use antumbra_draw::boxes::Widening;
+use antumbra_draw::boxes::{BoxContents, Widening};
 use antumbra_scene::Aabb;
 use glam::{DVec3, Mat4, Vec2, Vec4, Vec4Swizzles};
 
@@ -47,8 +47,8 @@ pub struct PixelRect {
 }
 
 impl Screen {
-    /// For boxes seen by this view. `block`: pixels along a side of a block of the map, at least 1. `thin`: some boxes hold lines or points.
-    pub fn new(view: &ViewFrame, block: u32, thin: bool) -> Self {
+    /// For boxes seen by this view. `block`: pixels along a side of a block of the map, at least 1.
+    pub fn new(view: &ViewFrame, block: u32, contents: BoxContents) -> Self {
         let camera = &view.camera;
         let block = block.max(1);
         Self {
@@ -60,7 +60,7 @@ impl Screen {
             planes: (view.frustum.planes().iter())
                 .map(|plane| (plane.normal, plane.normal.abs(), plane.offset))
                 .collect(),
-            widening: Widening::new(view, thin),
+            widening: Widening::new(view, contents),
             block: block as f32,
             blocks: view.size.map(|side| side.div_ceil(block)),
         }

@@ -1,6 +1,6 @@
 //! The late walk as nodes of the graph: one batch of questions a frame, whose answers the next frame's walk goes by.
 
-use antumbra_draw::boxes::{SubmittedBoxes, box_query_pass};
+use antumbra_draw::boxes::{BoxDraws, BoxPassSpec, box_query_pass};
 use antumbra_graph::BufferDesc;
 use antumbra_scene::hierarchy::HierarchyShape;
 
@@ -10,7 +10,7 @@ use super::same_frame::{fill, questions, submit_transparent};
 use super::walk::How;
 use crate::sketch::Sketch;
 use antumbra_cull::{CULL, FrameGraph, Verdicts, ViewNodes, VisibleSet, outside};
-use antumbra_draw::passes::Submitted;
+use antumbra_draw::passes::ListDraws;
 
 /// Declares a walk that waits for nothing.
 pub fn frame_late(
@@ -42,11 +42,11 @@ pub fn frame_late(
         host.get(asked)
             .map_or(0, |asked| asked.ends.len() as u64 * 8)
     });
-    let draw = Submitted {
+    let draw = ListDraws {
         list: node.write(draw.list),
-        ids: node.upload(draw.ids),
+        slots: node.upload(draw.slots),
     };
-    let ask = SubmittedBoxes {
+    let ask = BoxDraws {
         list: node.write(ask.list),
         buffer: node.upload(ask.buffer),
     };
@@ -68,7 +68,7 @@ pub fn frame_late(
             Ok(())
         })?;
         *ctx.get_mut(asked)? = walk.asked(&boxes);
-        ctx.upload(draw.ids, 0, bytemuck::cast_slice(list.ids()))?;
+        ctx.upload(draw.slots, 0, bytemuck::cast_slice(list.slots()))?;
         ctx.upload(ask.buffer, 0, bytemuck::cast_slice(boxes.boxes()))?;
         if let Some(sketch) = sketch {
             ctx.get_mut(sketch)?.clone_from(&walk.sketch);
@@ -76,10 +76,13 @@ pub fn frame_late(
         Ok(())
     });
     g.shade_list(view, "shaded", draw);
-    let pipeline = g.box_pipeline();
-    let name = (view.named("ask for the next frame"), CULL);
+    let spec = BoxPassSpec {
+        name: view.named("ask for the next frame"),
+        group: CULL,
+        pipeline: g.box_pipeline(),
+    };
     let depth = view.targets.depth;
-    box_query_pass(g.graph(), name, &pipeline, inputs, ask, depth, answers);
+    box_query_pass(g.graph(), spec, inputs, ask, depth, answers);
     if g.scene_layout().transparent {
         let list = g.unsubmitted(&view.named("visible transparent set"));
         let list = submit_transparent(g, view, verdicts, list);

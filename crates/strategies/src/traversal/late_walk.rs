@@ -184,7 +184,7 @@ impl LateWalk {
         }
         self.sketch.map(&self.front.drawn_on);
         self.ask(sight, how, boxes);
-        verdicts.add_asked(boxes.questions());
+        verdicts.add_asked(boxes.query_count());
     }
 
     /// The slots to be drawn.
@@ -212,7 +212,7 @@ impl LateWalk {
             of: self.of.unwrap_or_default(),
             frame: self.frame,
             nodes: std::sync::Arc::new(std::mem::take(&mut self.asked)),
-            ends: std::sync::Arc::new(boxes.ends().to_vec()),
+            ends: std::sync::Arc::new(boxes.query_ends().to_vec()),
         }
     }
 
@@ -289,7 +289,10 @@ impl LateWalk {
             let joined = hidden && last && shared < how.together;
             shared = if joined { shared + 1 } else { 1 };
             last = hidden;
-            boxes.push(question, joined);
+            match joined {
+                true => boxes.push_to_last(question),
+                false => boxes.push(question),
+            }
             true
         });
         self.asked = asked;

@@ -1,7 +1,8 @@
 //! What every host node of a walk reads, declared and opened in one place.
 
+use antumbra_draw::boxes::BoxContents;
 use antumbra_draw::passes::ViewInputs;
-use antumbra_draw::{Class, ViewFrame};
+use antumbra_draw::{PipelineClass, ViewFrame};
 use antumbra_graph::{BodyError, Host, HostBuilder, HostContext};
 use antumbra_scene::Topology;
 use antumbra_scene::hierarchy::HierarchyShape;
@@ -19,21 +20,24 @@ pub(super) struct Looking {
     tree: Host<Tree>,
     /// What an outer strategy has left of it.
     left: Option<Host<Left>>,
-    /// Whether any entity is made of lines or points.
-    thin: bool,
+    /// What the boxes of the scene hold.
+    contents: BoxContents,
 }
 
 impl Looking {
     pub fn new(g: &mut FrameGraph<'_>, view: &ViewNodes, shape: HierarchyShape, how: How) -> Self {
-        let line_like = |class: Class| class.topology() != Topology::Triangles;
-        let thin = g.scene_layout().classes().any(line_like);
+        let line_like = |class: PipelineClass| class.topology() != Topology::Triangles;
+        let contents = match g.scene_layout().classes().any(line_like) {
+            true => BoxContents::AnyTopology,
+            false => BoxContents::Triangles,
+        };
         let tree = g.tree(view, shape);
         Self {
             inputs: view.inputs(),
             how,
             tree,
             left: left_of(g, view, tree),
-            thin,
+            contents,
         }
     }
 
@@ -60,7 +64,7 @@ impl Looking {
             ctx.get(self.tree)?,
         );
         let left = self.left.map(|left| ctx.get(left)).transpose()?;
-        let sight = Sight::new(&scene.table, &tree, &frame, &self.how, self.thin);
+        let sight = Sight::new(&scene.table, &tree, &frame, &self.how, self.contents);
         act(&sight.at_what_is(left.as_deref()), &frame)
     }
 }

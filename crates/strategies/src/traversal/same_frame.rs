@@ -1,8 +1,8 @@
 //! The walk as nodes of the graph: a loop whose turns draw what is known to be visible, ask about those who wait, and wait for the answers.
 
-use antumbra_draw::boxes::{SubmittedBoxes, box_query_pass};
-use antumbra_draw::passes::{self, Submitted};
-use antumbra_draw::{Detail, DrawList, SceneTable};
+use antumbra_draw::boxes::{BoxDraws, BoxPassSpec, box_query_pass};
+use antumbra_draw::passes::{self, ListDraws};
+use antumbra_draw::{DrawList, MeshDetail, SceneTable};
 use antumbra_graph::{BufferDesc, Host};
 use antumbra_scene::hierarchy::HierarchyShape;
 
@@ -82,11 +82,11 @@ fn turn(
     let mut node = g.graph().host_node(view.named("go on"));
     looking.declare(&mut node);
     let (walk, verdicts) = (node.write(walk), node.write(verdicts));
-    let draw = Submitted {
+    let draw = ListDraws {
         list: node.write(draw.list),
-        ids: node.upload(draw.ids),
+        slots: node.upload(draw.slots),
     };
-    let ask = SubmittedBoxes {
+    let ask = BoxDraws {
         list: node.write(ask.list),
         buffer: node.upload(ask.buffer),
     };
@@ -99,35 +99,29 @@ fn turn(
             walk.found().clear();
             Ok(())
         })?;
-        ctx.upload(draw.ids, 0, bytemuck::cast_slice(list.ids()))?;
+        ctx.upload(draw.slots, 0, bytemuck::cast_slice(list.slots()))?;
         ctx.upload(ask.buffer, 0, bytemuck::cast_slice(boxes.boxes()))?;
         Ok(())
     });
     let kind = g.shaded_kind();
     let drawing = g.pass(view.named("draw the visible"), DRAW, kind);
-    let targets = view.targets;
-    let (colour, depth) = passes::shaded_pass(
-        g.graph(),
-        &drawing,
-        inputs,
-        draw,
-        targets.colour,
-        targets.depth,
-    );
-    view.targets.colour = colour;
-    view.targets.depth = depth;
+    view.targets = passes::shaded_pass(g.graph(), &drawing, inputs, draw, view.targets);
+    let depth = view.targets.depth;
     let answers = g
         .graph()
         .buffer(view.named("answers"), BufferDesc::new(most * 8));
-    let pipeline = g.box_pipeline();
-    let name = (view.named("ask about those who wait"), CULL);
-    let answers = box_query_pass(g.graph(), name, &pipeline, inputs, ask, depth, answers);
+    let spec = BoxPassSpec {
+        name: view.named("ask about those who wait"),
+        group: CULL,
+        pipeline: g.box_pipeline(),
+    };
+    let answers = box_query_pass(g.graph(), spec, inputs, ask, depth, answers);
     let done = g.graph().host::<bool>(view.named("done"));
     let mut node = g.graph().host_node(view.named("wait"));
     looking.declare(&mut node);
     node.read(ask.list).read_back(answers).bytes(move |host| {
         host.get(ask.list)
-            .map_or(0, |boxes| u64::from(boxes.questions()) * 8)
+            .map_or(0, |boxes| u64::from(boxes.query_count()) * 8)
     });
     let (walk, verdicts, done) = (node.write(walk), node.write(verdicts), node.write(done));
     node.run(move |ctx| {
@@ -156,12 +150,12 @@ pub(super) fn fill(list: &mut DrawList, table: &SceneTable, found: &mut [u32], o
     match order {
         Order::State => {
             found.sort_unstable();
-            list.fill(table, found.iter().copied(), Detail::Level(0));
+            list.fill(table, found.iter().copied(), MeshDetail::Level(0));
         }
         Order::Depth => {
             list.clear();
             for slot in found {
-                list.push(table, *slot, Detail::Level(0));
+                list.push(table, *slot, MeshDetail::Level(0));
             }
         }
     }
@@ -172,17 +166,17 @@ pub(crate) fn submit_transparent(
     g: &mut FrameGraph<'_>,
     view: &ViewNodes,
     verdicts: Host<Verdicts>,
-    list: Submitted,
-) -> Submitted {
+    list: ListDraws,
+) -> ListDraws {
     let inputs = view.inputs();
     let mut node = g.graph().host_node(view.named("order the transparent"));
     node.group(CULL)
         .read(inputs.scene)
         .read(inputs.view)
         .read(verdicts);
-    let list = Submitted {
+    let list = ListDraws {
         list: node.write(list.list),
-        ids: node.upload(list.ids),
+        slots: node.upload(list.slots),
     };
     node.run(move |ctx| {
         let (scene, frame, verdicts) = (
@@ -194,7 +188,7 @@ pub(crate) fn submit_transparent(
         let mut transparent = ctx.get_mut(list.list)?;
         let drawn = verdicts.drawn().filter(|slot| table.is_transparent(*slot));
         back_to_front(&mut transparent, table, &frame, drawn.map(|slot| (slot, 0)));
-        ctx.upload(list.ids, 0, bytemuck::cast_slice(transparent.ids()))?;
+        ctx.upload(list.slots, 0, bytemuck::cast_slice(transparent.slots()))?;
         Ok(())
     });
     list

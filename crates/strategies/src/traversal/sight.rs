@@ -1,6 +1,6 @@
 //! What a walk looks at in one frame: the scene's table, the tree over it, and the screen.
 
-use antumbra_draw::boxes::GpuBox;
+use antumbra_draw::boxes::{BoxContents, GpuBox};
 use antumbra_draw::{SceneTable, ViewFrame};
 use antumbra_scene::hierarchy::HierarchyNode;
 
@@ -48,18 +48,18 @@ pub struct Sight<'a> {
 }
 
 impl<'a> Sight<'a> {
-    /// Looks at a scene. `thin`: some of its entities are made of lines or points.
+    /// Looks at a scene. `contents`: what the boxes of its entities hold.
     pub fn new(
         table: &'a SceneTable,
         tree: &'a Tree,
         view: &ViewFrame,
         how: &How,
-        thin: bool,
+        contents: BoxContents,
     ) -> Self {
         Self {
             table,
             tree,
-            screen: Screen::new(view, how.block, thin),
+            screen: Screen::new(view, how.block, contents),
             grain: how.grain,
             left: None,
         }

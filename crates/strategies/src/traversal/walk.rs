@@ -171,13 +171,16 @@ impl Walk {
             let joined = hidden && last && shared < how.together;
             shared = if joined { shared + 1 } else { 1 };
             last = hidden;
-            boxes.push(question, joined);
+            match joined {
+                true => boxes.push_to_last(question),
+                false => boxes.push(question),
+            }
             true
         });
         self.asked = asked;
         self.ends.clear();
-        self.ends.extend_from_slice(boxes.ends());
-        verdicts.add_asked(boxes.questions());
+        self.ends.extend_from_slice(boxes.query_ends());
+        verdicts.add_asked(boxes.query_count());
     }
 
     /// Takes the answers, in the order of the questions: whether any sample was visible.

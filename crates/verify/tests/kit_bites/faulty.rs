@@ -7,7 +7,7 @@ use antumbra_cull::{
     Asked, CountLayout, Counting, DeclareError, FrameGraph, Latency, Samples, Stamp, Strategy,
     Verdict, Verdicts, ViewNodes, VisibleSet, outside,
 };
-use antumbra_draw::Detail;
+use antumbra_draw::MeshDetail;
 use antumbra_strategies::ThreePass;
 
 /// Culls every third entity, and claims to be conservative.
@@ -86,7 +86,7 @@ impl Strategy for Late {
             threshold,
         } = *self;
         let inside = g.in_frustum(view);
-        let proxies = g.proxies(view, inside, Detail::Level(0), Detail::Level(0));
+        let proxies = g.proxies(view, inside, MeshDetail::Level(0), MeshDetail::Level(0));
         let counts = g.count_samples(view, proxies, Counting::Queries, view.size());
         let latest = g.graph().host::<Latest>(view.named("latest"));
         let mut node = g.graph().host_node(view.named("read late"));
@@ -113,7 +113,7 @@ impl Strategy for Late {
                     .asked
                     .filter(|asked| trusts_across_cuts || asked.cuts == now.cuts);
                 for slot in inside.inside() {
-                    let born = table.occupant(*slot).unwrap().born;
+                    let born = table.occupant(*slot).unwrap().added_epoch;
                     let known = asked.filter(|asked| trusts_across_births || born <= asked.epoch);
                     let verdict = match known.and(latest.samples.get(*slot)) {
                         _ if inside.is_near(*slot) => Verdict::Untested,
@@ -162,7 +162,7 @@ impl Strategy for BoxTest {
     ) -> Result<VisibleSet, DeclareError> {
         let knows_near = self.knows_near;
         let inside = g.in_frustum(view);
-        let proxies = g.proxies(view, inside, Detail::Level(0), Detail::Box);
+        let proxies = g.proxies(view, inside, MeshDetail::Level(0), MeshDetail::Box);
         let counts = g.count_samples(view, proxies, Counting::Queries, view.size());
         let chosen = g.choose(
             view,

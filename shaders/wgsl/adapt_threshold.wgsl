@@ -1,12 +1,12 @@
-//!import turned
-// A threshold as high as an allowance lets it be, by counts that stay on the GPU: of those with the fewest visible samples as many as share no more
-// than is allowed. One workgroup: how many have each count, then sums over counts. All lanes go round a loop equally often: on Mesa's GL those that
-// leave one before their neighbours do nothing any more.
+//!import threshold
+// Finds the highest threshold that leaves out no more visible samples than allowed, from counts that stay on the GPU.
+// One workgroup: a histogram of the counts, then prefix sums over it. Entities with the fewest visible samples are left out first.
+// All lanes run each loop equally often: on Mesa's GL, lanes that leave a loop before their neighbours execute nothing after it.
 
 struct Settings {
-    // Entities that are judged.
+    // Number of judged entities.
     count: u32,
-    // Visible samples that may be left out.
+    // Visible samples that may be left out, in total.
     allowed: u32,
     // The threshold that holds whatever is allowed.
     least: u32,
@@ -14,26 +14,29 @@ struct Settings {
 }
 
 const LANES: u32 = 64u;
-// Nobody with more visible samples is left out by an allowance.
+// The allowance leaves out no entity with more visible samples than this.
 const LARGEST: u32 = 1024u;
-// Counts a lane, from 1 on.
+// Histogram bins a lane; lane 0 starts at a count of 1.
 const EACH: u32 = LARGEST / LANES;
 
 @group(0) @binding(0) var<storage, read> settings: Settings;
+// Slots of the judged entities.
 @group(0) @binding(1) var<storage, read> judged: array<u32>;
 // Visible samples by slot.
 @group(0) @binding(2) var<storage, read> counts: array<u32>;
-@group(0) @binding(3) var<storage, read_write> turned: Turned;
+@group(0) @binding(3) var<storage, read_write> adapted: AdaptedThreshold;
 
-var<workgroup> having: array<atomic<u32>, LARGEST>;
+// How many judged entities have a count of index + 1.
+var<workgroup> histogram: array<atomic<u32>, LARGEST>;
 var<workgroup> sums: array<u32, LANES>;
 var<workgroup> highest: array<u32, LANES>;
 
+// Saturating addition.
 fn plus(a: u32, b: u32) -> u32 {
     return select(a + b, 0xffffffffu, a + b < a);
 }
 
-// Visible samples of one that is judged; none beyond the last.
+// Visible samples of a judged entity; 0 past the end of the list.
 fn samples(at: u32) -> u32 {
     if at < settings.count {
         return counts[judged[at]];
@@ -41,25 +44,25 @@ fn samples(at: u32) -> u32 {
     return 0u;
 }
 
-// Samples that all who have so many share.
-fn shared_by(count: u32) -> u32 {
-    let number = atomicLoad(&having[count - 1u]);
+// Sum of the visible samples of all entities that have exactly `count` of them, saturating.
+fn samples_in_bin(count: u32) -> u32 {
+    let number = atomicLoad(&histogram[count - 1u]);
     return select(number * count, 0xffffffffu, number > 0xffffffffu / count);
 }
 
 @compute @workgroup_size(LANES)
-fn turn(@builtin(local_invocation_index) lane: u32) {
+fn adapt_threshold(@builtin(local_invocation_index) lane: u32) {
     for (var start = 0u; start < settings.count; start += LANES) {
         let count = samples(start + lane);
         if count > 0u && count <= LARGEST {
-            atomicAdd(&having[count - 1u], 1u);
+            atomicAdd(&histogram[count - 1u], 1u);
         }
     }
     workgroupBarrier();
     let first = lane * EACH + 1u;
     var sum = 0u;
     for (var count = first; count < first + EACH; count++) {
-        sum = plus(sum, shared_by(count));
+        sum = plus(sum, samples_in_bin(count));
     }
     sums[lane] = sum;
     workgroupBarrier();
@@ -69,7 +72,7 @@ fn turn(@builtin(local_invocation_index) lane: u32) {
     }
     var fits = 0u;
     for (var count = first; count < first + EACH; count++) {
-        let more = shared_by(count);
+        let more = samples_in_bin(count);
         sum = plus(sum, more);
         fits = select(fits, count, more > 0u && sum <= settings.allowed);
     }
@@ -84,7 +87,7 @@ fn turn(@builtin(local_invocation_index) lane: u32) {
         let count = samples(start + lane);
         sum += select(0u, count, count <= threshold);
     }
-    // All have read what was in them before.
+    // `sums` is reused: every lane has read its previous values before the last barrier.
     sums[lane] = sum;
     workgroupBarrier();
     if lane == 0u {
@@ -92,6 +95,6 @@ fn turn(@builtin(local_invocation_index) lane: u32) {
         for (var other = 0u; other < LANES; other++) {
             left_out += sums[other];
         }
-        turned = Turned(0u, threshold, left_out, 0u);
+        adapted = AdaptedThreshold(0u, threshold, left_out, 0u);
     }
 }
