@@ -15,6 +15,7 @@ mod strata;
 mod through;
 
 use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, PoisonError};
 
 pub use interval::Estimate;
 use plan::Costs;
@@ -181,6 +182,21 @@ pub struct Audit {
 pub(crate) struct Experience {
     moments: Moments,
     costs: Costs,
+}
+
+/// Hands experience to the audit of a plan, before its next frame.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Lessons(Arc<Mutex<Option<Experience>>>);
+
+impl Lessons {
+    /// Leaves experience to be taken.
+    pub fn teach(&self, experience: Experience) {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(experience);
+    }
+
+    fn take(&self) -> Option<Experience> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
 }
 
 impl Audit {

@@ -12,9 +12,9 @@ use std::sync::Arc;
 use antumbra_draw::passes::{self, DepthTest, IdTargets, ListDraws};
 use antumbra_draw::{Gpu, IDENTITY_FORMAT, MeshDetail, PipelineKind, SceneTable, ViewFrame};
 use antumbra_graph::{Bind, Buffer, BufferDesc, Clear, Host, Texture, TextureDesc};
+use antumbra_shaders::jobs;
 
 use crate::candidates::{Asked, Candidates};
-use crate::compute_pipeline::ComputePipeline;
 use crate::frame_graph::{CULL, FrameGraph};
 use crate::order::front_to_back;
 use crate::samples::CountLayout;
@@ -402,8 +402,7 @@ impl FrameGraph<'_> {
         [width, height]: [u32; 2],
         counts: Buffer,
     ) -> Buffer {
-        let pipeline =
-            ComputePipeline::new(self.gpu(), &antumbra_shaders::jobs::histogram::JOB, "count");
+        let pipeline = self.compute_pipeline(&jobs::histogram::JOB, "count");
         let mut node = self.graph().compute(view.named("histogram"));
         node.group(CULL).sample(ids);
         let counts = node.storage_write(counts);

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use antumbra_draw::boxes::{BoxDraws, BoxPipeline};
 use antumbra_draw::passes::{self, ListDraws, PassSpec};
 use antumbra_draw::{
-    DEPTH_FORMAT, DrawList, Gpu, PassPipelines, PipelineKind, SceneLayout, SceneTable, ViewFrame,
+    DEPTH_FORMAT, DrawList, Gpu, PipelineKind, SceneLayout, SceneTable, ViewFrame,
 };
 use antumbra_graph::{
     BodyError, BufferDesc, Clear, Graph, Host, HostBuilder, HostContext, LoopOptions, Texture,
@@ -15,10 +15,13 @@ use antumbra_graph::{
 };
 
 use antumbra_scene::hierarchy::HierarchyShape;
+use antumbra_shaders::Job;
 
 use crate::candidates::Candidates;
+use crate::compute_pipeline::ComputePipeline;
 use crate::narrowing::Narrowing;
 use crate::order::back_to_front;
+use crate::pipelines::Pipelines;
 use crate::samples::outside;
 use crate::strategy::VisibleSet;
 use crate::tree::Tree;
@@ -48,8 +51,7 @@ pub(crate) struct Shared {
     pub gpu: Gpu,
     pub layout: SceneLayout,
     pub colour_format: wgpu::TextureFormat,
-    pub pipelines: HashMap<PipelineKind, Arc<PassPipelines>>,
-    pub boxes: Option<Arc<BoxPipeline>>,
+    pub pipelines: Pipelines,
     /// The trees that are kept, one a shape, for all views.
     pub trees: HashMap<HierarchyShape, Host<Tree>>,
     /// What strategies show of how they chose.
@@ -126,13 +128,10 @@ impl<'g> FrameGraph<'g> {
             pipelines,
             ..
         } = &mut *self.shared;
-        let pipelines = pipelines
-            .entry(kind)
-            .or_insert_with(|| Arc::new(PassPipelines::new(gpu, kind, layout.classes())));
         PassSpec {
             name,
             group,
-            pipelines: Arc::clone(pipelines),
+            pipelines: pipelines.pass(gpu, kind, layout),
         }
     }
 
@@ -155,8 +154,14 @@ impl<'g> FrameGraph<'g> {
 
     /// What draws boxes that are asked about.
     pub fn box_pipeline(&mut self) -> Arc<BoxPipeline> {
-        let Shared { gpu, boxes, .. } = &mut *self.shared;
-        Arc::clone(boxes.get_or_insert_with(|| Arc::new(BoxPipeline::new(gpu))))
+        let Shared { gpu, pipelines, .. } = &mut *self.shared;
+        pipelines.boxes(gpu)
+    }
+
+    /// A compute pipeline of one bind group, made once a stage.
+    pub fn compute_pipeline(&mut self, job: &Job, entry: &'static str) -> Arc<ComputePipeline> {
+        let Shared { gpu, pipelines, .. } = &mut *self.shared;
+        pipelines.compute(gpu, job, entry)
     }
 
     /// A list of up to so many boxes, and the buffer they go to.

@@ -17,6 +17,7 @@ mod latency;
 mod narrowing;
 pub mod on_gpu;
 pub mod order;
+mod pipelines;
 mod question;
 mod registry;
 mod samples;

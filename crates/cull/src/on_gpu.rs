@@ -7,11 +7,10 @@ use antumbra_draw::{
 use antumbra_graph::{
     Bind, BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext, Texture,
 };
-use antumbra_shaders::assert_layout;
+use antumbra_shaders::{assert_layout, jobs};
 use bytemuck::{Pod, Zeroable};
 
 use crate::candidates::{Asked, Candidates};
-use crate::compute_pipeline::ComputePipeline;
 use crate::counting::Counts;
 use crate::frame_graph::{CULL, DRAW, FrameGraph};
 use crate::order::back_to_front;
@@ -310,8 +309,7 @@ impl FrameGraph<'_> {
         counts: Buffer,
         turned: Option<Turned>,
     ) -> IndirectDraws {
-        let pipeline =
-            ComputePipeline::new(self.gpu(), &antumbra_shaders::jobs::compact::JOB, "compact");
+        let pipeline = self.compute_pipeline(&jobs::compact::JOB, "compact");
         let slots = self.graph().buffer(
             view.named(&format!("{name}: kept slots")),
             BufferDesc::new(layout.entry_bytes),
@@ -396,8 +394,7 @@ impl FrameGraph<'_> {
 
     /// Brings the answers of hardware queries into the order of slots.
     fn scatter(&mut self, view: &ViewNodes, counts: Counts) -> Buffer {
-        let pipeline =
-            ComputePipeline::new(self.gpu(), &antumbra_shaders::jobs::scatter::JOB, "scatter");
+        let pipeline = self.compute_pipeline(&jobs::scatter::JOB, "scatter");
         let bytes = self.slot_bytes();
         let asked = self
             .graph()

@@ -3,20 +3,22 @@
 //! It runs on its own (it submits), or inside somebody else's frame (it records into their encoder, into their textures).
 
 mod built;
+mod kept;
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
 use antumbra_draw::{DeviceError, DrawError, Gpu, GpuScene, ViewFrame, read_back};
 use antumbra_graph::{CompileErrors, ExecuteError, FrameReport, Host, Mode, Plan};
 use antumbra_scene::{Camera, CameraError};
-use built::{Built, build};
+use built::{Built, Inherited, build};
+use kept::KeptPlans;
 use thiserror::Error;
 
 use crate::audit::{Audit, AuditOptions};
 use crate::budget::{Budget, Keeping, Standing};
 use crate::candidates::Asked;
 use crate::narrowing::{Narrowing, hide};
+use crate::pipelines::Pipelines;
 use crate::samples::Samples;
 use crate::strategy::{DeclareError, Strategy, VerdictSource};
 use crate::tuning::Step;
@@ -155,10 +157,11 @@ pub struct Stage {
     specs: Vec<ViewSpec>,
     options: StageOptions,
     built: Built,
+    kept: KeptPlans,
+    pipelines: Pipelines,
     cuts: Vec<u64>,
-    /// Frames drawn so far, and how many of them by earlier plans.
+    /// Frames drawn so far, by all plans.
     frames: u64,
-    before: u64,
     audits: Vec<Audit>,
     keeping: Option<Keeping>,
 }
@@ -211,13 +214,13 @@ impl Stage {
                 Keeping::new(budget, strategy.as_mut(), may_wait)
             })
             .transpose()?;
-        let built = build(
-            scene,
-            strategy.as_mut(),
-            &specs,
-            &options,
-            (HashMap::new(), &[]),
-        )?;
+        let mut pipelines = Pipelines::default();
+        let inherited = Inherited {
+            pipelines: &mut pipelines,
+            audits: &[],
+            frames: 0,
+        };
+        let built = build(scene, strategy.as_mut(), &specs, &options, inherited)?;
         let cuts = vec![0; specs.len()];
         let audits = specs.iter().map(|_| Audit::default()).collect();
         Ok(Self {
@@ -226,9 +229,10 @@ impl Stage {
             specs,
             options,
             built,
+            kept: KeptPlans::default(),
+            pipelines,
             cuts,
             frames: 0,
-            before: 0,
             audits,
             keeping,
         })
@@ -299,16 +303,20 @@ impl Stage {
     /// Takes over what audits have come in, and lets the controller know.
     fn collect(&mut self) {
         self.frames += 1;
-        for (built, audit) in self.built.views.iter().zip(&mut self.audits) {
+        self.built.frames += 1;
+        for (view, audit) in self.audits.iter_mut().enumerate() {
+            let Some(built) = self.built.views.get(view) else {
+                continue;
+            };
             let Some(of_plan) = built.audit.and_then(|audit| self.built.plan.get(audit)) else {
                 continue;
             };
-            let known = audit.audited().saturating_sub(built.audited_before);
-            let fresh = of_plan.audited().saturating_sub(known) as usize;
+            let audited = of_plan.audited();
+            let fresh = audited.saturating_sub(built.audits_taken) as usize;
             let skipped = of_plan.frames().len().saturating_sub(fresh);
             for found in of_plan.frames().skip(skipped) {
                 let mut found = found.clone();
-                found.frame += self.before;
+                found.frame = self.built.stage_frame(found.frame);
                 if let Some(keeping) = &mut self.keeping {
                     keeping.note_audit(&found, self.frames);
                 }
@@ -317,7 +325,42 @@ impl Stage {
             if fresh > 0 {
                 audit.learn(of_plan.experience().clone());
             }
+            if let Some(built) = self.built.views.get_mut(view) {
+                built.audits_taken = audited;
+            }
         }
+    }
+
+    /// The step that a budget is on; 0 without one.
+    fn step(&self) -> usize {
+        self.standing().map_or(0, |(standing, _)| standing.step)
+    }
+
+    /// Declares the strategy's nodes again, for the scene and the settings as they are now.
+    fn declare(&mut self, scene: &GpuScene) -> Result<Built, StageError> {
+        if let Some(audit) = &mut self.options.audit {
+            // A new plan counts its frames from 0, and must not draw the same patches once more.
+            audit.seed = audit.seed.wrapping_add(1 << 32);
+        }
+        let inherited = Inherited {
+            pipelines: &mut self.pipelines,
+            audits: &self.audits,
+            frames: self.frames,
+        };
+        let strategy = self.strategy.as_mut();
+        build(scene, strategy, &self.specs, &self.options, inherited)
+    }
+
+    /// A kept plan, ready to go on. For its nodes the time since is a camera cut: answers from before it are not used.
+    fn resumed(&mut self, mut kept: Built) -> Built {
+        kept.resume(self.frames);
+        for cuts in &mut self.cuts {
+            *cuts += 1;
+        }
+        for (built, audit) in kept.views.iter().zip(&self.audits) {
+            built.lessons.teach(audit.experience().clone());
+        }
+        kept
     }
 
     fn prepare(&mut self, scene: &GpuScene, views: &[ViewInput<'_>]) -> Result<(), StageError> {
@@ -328,28 +371,21 @@ impl Stage {
                 self.specs.len()
             )));
         }
-        let turned = match &mut self.keeping {
+        let step = self.step();
+        let moved = match &mut self.keeping {
             Some(keeping) => keeping.follow(self.strategy.as_mut())?,
             None => false,
         };
-        let another = scene.number() != self.built.number;
-        if turned || another || scene.layout() != self.built.layout {
-            // Pipelines follow the classes alone: a scene that outgrows its buffers keeps them.
-            let pipelines = match scene.layout().classes == self.built.layout.classes {
-                true => self.built.pipelines.clone(),
-                false => HashMap::new(),
+        if scene.number() != self.built.number || scene.layout() != self.built.layout {
+            self.kept.clear();
+            self.built = self.declare(scene)?;
+        } else if moved {
+            let next = match self.kept.take(self.step()) {
+                Some(kept) => self.resumed(kept),
+                None => self.declare(scene)?,
             };
-            let strategy = self.strategy.as_mut();
-            if let Some(audit) = &mut self.options.audit {
-                // A new plan counts its frames from 0, and shall not draw the same lots once more.
-                audit.seed = audit.seed.wrapping_add(1 << 32);
-            }
-            let kept = (pipelines, self.audits.as_slice());
-            self.built = build(scene, strategy, &self.specs, &self.options, kept)?;
-            self.before = self.frames;
-            for (built, audit) in self.built.views.iter_mut().zip(&self.audits) {
-                built.audited_before = audit.audited();
-            }
+            let left = std::mem::replace(&mut self.built, next);
+            self.kept.keep(step, left);
         }
         let Built {
             plan,

@@ -1,11 +1,10 @@
 //! A threshold for sets that are chosen on the GPU, as high as an allowance lets it be: by this frame's own counts, which no host has seen.
 
 use antumbra_graph::{Bind, Buffer, BufferDesc, Host};
-use antumbra_shaders::assert_layout;
+use antumbra_shaders::{assert_layout, jobs};
 use bytemuck::{Pod, Zeroable};
 
 use crate::candidates::Candidates;
-use crate::compute_pipeline::ComputePipeline;
 use crate::frame_graph::{CULL, FrameGraph};
 use crate::samples::{Allowance, SampleRule};
 use crate::view_nodes::ViewNodes;
@@ -58,11 +57,7 @@ impl FrameGraph<'_> {
         counts: Buffer,
         (rule, within): (SampleRule, Allowance),
     ) -> Turned {
-        let pipeline = ComputePipeline::new(
-            self.gpu(),
-            &antumbra_shaders::jobs::adapt_threshold::JOB,
-            "adapt_threshold",
-        );
+        let pipeline = self.compute_pipeline(&jobs::adapt_threshold::JOB, "adapt_threshold");
         let bytes = self.slot_bytes();
         let mut buffer = |name: &str, bytes| {
             let name = view.named(name);

@@ -2,7 +2,14 @@
 //! the mean of the wrong pixels stays under what was set.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{AuditOptions, Budget, Stage, StageError, StageOptions, ViewInput, ViewSpec};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use antumbra_cull::{
+    AuditOptions, Budget, DeclareError, FrameGraph, Setting, SettingError, Stage, StageError,
+    StageOptions, Step, Strategy, Tunable, Value, Verdict, ViewInput, ViewNodes, ViewSpec,
+    VisibleSet,
+};
 use antumbra_draw::GpuScene;
 use antumbra_scene::Camera;
 use antumbra_strategies::registry;
@@ -219,4 +226,120 @@ fn a_strategy_without_steps_that_errs_cannot_keep_a_budget() {
     // One that never errs keeps any.
     let frustum = registry().make("frustum").unwrap();
     assert!(Stage::new(&scene, frustum, specs, options).is_ok());
+}
+
+/// How often a strategy was declared, and whether what its nodes remember survives a change of step and back.
+struct Counted {
+    declared: Arc<AtomicU32>,
+    remembered: Arc<AtomicU32>,
+    coarse: bool,
+}
+
+/// What a node of it remembers: the frames that its plan has run.
+#[derive(Default)]
+struct Frames(u32);
+
+const COARSE: &[antumbra_cull::Parameter<Counted>] = &[antumbra_cull::Parameter::switch(
+    "coarse",
+    "nothing but another plan",
+    |s| s.coarse,
+    |s, on| s.coarse = on,
+)];
+
+impl Strategy for Counted {
+    fn name(&self) -> &str {
+        "counted"
+    }
+    fn summary(&self) -> &str {
+        "counts its plans"
+    }
+    fn conservative(&self) -> bool {
+        true
+    }
+    fn tuning(&self) -> Option<&dyn Tunable> {
+        Some(self)
+    }
+    fn tuning_mut(&mut self) -> Option<&mut dyn Tunable> {
+        Some(self)
+    }
+    fn declare(
+        &mut self,
+        g: &mut FrameGraph<'_>,
+        view: &mut ViewNodes,
+    ) -> Result<VisibleSet, DeclareError> {
+        self.declared.fetch_add(1, Ordering::Relaxed);
+        let remembered = Arc::clone(&self.remembered);
+        let inside = g.in_frustum(view);
+        let frames = g.graph().host::<Frames>("frames");
+        let mut node = g.graph().host_node("count frames");
+        node.read(inside);
+        let frames = node.updates(frames);
+        node.run(move |ctx| {
+            let mut frames = ctx.get_mut(frames)?;
+            frames.0 += 1;
+            remembered.store(frames.0, Ordering::Relaxed);
+            Ok(())
+        });
+        g.show(view, "frames", frames);
+        Ok(g.visible_by(view, inside, |_, _, _| Verdict::Untested))
+    }
+}
+
+impl Tunable for Counted {
+    fn settings(&self) -> Vec<Setting> {
+        antumbra_cull::describe(COARSE, self)
+    }
+    fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
+        antumbra_cull::assign("counted", COARSE, self, key, value)
+    }
+    fn steps(&self) -> Vec<Step> {
+        [false, true]
+            .map(|on| Step::of([("coarse", on.into())]))
+            .into()
+    }
+}
+
+#[test]
+fn a_step_that_was_stood_on_before_keeps_its_plan_and_memory() {
+    let gpu = vulkan();
+    let scene = GpuScene::new(gpu, &mut balls_with_proxies(7)).unwrap();
+    let (declared, remembered) = (Arc::<AtomicU32>::default(), Arc::<AtomicU32>::default());
+    let strategy = Counted {
+        declared: Arc::clone(&declared),
+        remembered: Arc::clone(&remembered),
+        coarse: false,
+    };
+    let options = StageOptions {
+        budget: Some(Budget::FrameTime(10.0)),
+        ..StageOptions::default()
+    };
+    let specs = vec![ViewSpec::main(64, 48)];
+    let mut stage = Stage::new(&scene, Box::new(strategy), specs, options).unwrap();
+    let mut on_step = [0; 2];
+    let mut changes = 0;
+    let mut before = None;
+    for frame in 0..600 {
+        stage
+            .frame(&scene, &[ViewInput::new(camera(frame))])
+            .unwrap();
+        let step = stage.standing().unwrap().0.step;
+        on_step[step] += 1;
+        changes += u32::from(before.is_some_and(|before| before != step));
+        before = Some(step);
+        // Each plan goes on counting where it was left.
+        assert_eq!(
+            remembered.load(Ordering::Relaxed),
+            on_step[step],
+            "frame {frame}"
+        );
+        assert_eq!(stage.shown::<Frames>(0, "frames").unwrap().0, on_step[step]);
+        // The coarse step is too slow at times, the other one too fast.
+        stage.note_time(if step == 0 { 20.0 } else { 1.0 });
+    }
+    assert!(changes >= 2, "{changes} changes");
+    assert_eq!(
+        declared.load(Ordering::Relaxed),
+        2,
+        "after {changes} changes"
+    );
 }

@@ -154,8 +154,7 @@ impl PassPipelines {
         classes: impl Iterator<Item = PipelineClass>,
     ) -> Self {
         let job = kind.job();
-        let module = antumbra_shaders::module(&gpu.device, job);
-        let layouts: Vec<_> = (0..kind.groups())
+        let layouts = (0..kind.groups())
             .map(|group| {
                 gpu.device
                     .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
@@ -164,7 +163,20 @@ impl PassPipelines {
                     })
             })
             .collect();
-        let groups: Vec<_> = layouts.iter().map(Some).collect();
+        let none = Self {
+            kind,
+            by_class: vec![None; PipelineClass::COUNT],
+            layouts,
+        };
+        none.with(gpu, classes)
+    }
+
+    /// The same pipelines, and those of more classes: what exists is not made again.
+    #[must_use]
+    pub fn with(&self, gpu: &Gpu, classes: impl Iterator<Item = PipelineClass>) -> Self {
+        let job = self.kind.job();
+        let module = antumbra_shaders::module(&gpu.device, job);
+        let groups: Vec<_> = self.layouts.iter().map(Some).collect();
         let layout = gpu
             .device
             .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -172,16 +184,18 @@ impl PassPipelines {
                 bind_group_layouts: &groups,
                 immediate_size: 0,
             });
-        let mut by_class = vec![None; PipelineClass::COUNT];
+        let mut by_class = self.by_class.clone();
         for class in classes {
-            if let Some(place) = by_class.get_mut(class.index()) {
-                *place = Some(create(gpu, kind, class, &module, &layout));
+            if let Some(place) = by_class.get_mut(class.index())
+                && place.is_none()
+            {
+                *place = Some(create(gpu, self.kind, class, &module, &layout));
             }
         }
         Self {
-            kind,
+            kind: self.kind,
             by_class,
-            layouts,
+            layouts: self.layouts.clone(),
         }
     }
 

@@ -17,7 +17,7 @@ use super::plan::{Lots, MOST, overhead};
 use super::sift::{ENTRY_BYTES, GpuSettings, Listed, MOST_ENTRIES, draw_bytes};
 use super::strata::{DOUBTFUL, Patches, STRATA};
 use super::through;
-use super::{AUDIT, Audit, AuditOptions, Experience, FrameAudit, Hit};
+use super::{AUDIT, Audit, AuditOptions, Experience, FrameAudit, Hit, Lessons};
 use crate::candidates::{Asked, Candidates};
 use crate::counting::Counting;
 use crate::frame_graph::FrameGraph;
@@ -64,13 +64,13 @@ impl Looked {
 
 impl FrameGraph<'_> {
     /// Audits what a view has drawn: after all of its nodes, with its final depth. What the audit finds is in the value, a frame or two late.
-    /// It goes on from what an earlier plan's audit has learned.
+    /// It goes on from what the audits of other plans have learned.
     pub(crate) fn audit(
         &mut self,
         view: &ViewNodes,
         set: &VisibleSet,
         options: AuditOptions,
-        learned: Experience,
+        lessons: Lessons,
     ) -> Host<Audit> {
         let [width, height] = view.size();
         let patches =
@@ -86,7 +86,7 @@ impl FrameGraph<'_> {
         // What does not fit into a dispatch of one row leaves the frame out.
         let entries = entries.min(MOST_ENTRIES);
         let looked = self.graph().host::<Looked>(view.named("audit: looked at"));
-        let audit = self.read_marks(view, shown, looked, learned);
+        let audit = self.read_marks(view, shown, looked, lessons);
         let (listed, looked) = self.choose_patches(view, set, options, (audit, looked), entries);
         let depth = view.targets.depth;
         let (sifted, shown) = self.sift(view, listed, (depth, shown), entries);
@@ -109,17 +109,16 @@ impl FrameGraph<'_> {
         view: &ViewNodes,
         shown: Buffer,
         looked: Host<Looked>,
-        learned: Experience,
+        lessons: Lessons,
     ) -> Host<Audit> {
         let audit = self.graph().host::<Audit>(view.named("audit"));
         let mut node = self.graph().host_node(view.named("audit: read late"));
         node.group(AUDIT);
         let marks = node.read_previous(shown, looked);
         let audit = node.updates(audit);
-        let mut learned = Some(learned);
         node.run(move |ctx| {
             let mut audit = ctx.get_mut(audit)?;
-            if let Some(learned) = learned.take() {
+            if let Some(learned) = lessons.take() {
                 audit.learn(learned);
             }
             if let Some(late) = ctx.late(marks) {

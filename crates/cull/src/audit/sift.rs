@@ -4,12 +4,11 @@
 use antumbra_draw::INDIRECT_DRAW_BYTES;
 use antumbra_draw::patches::{GpuPatchEntry, PatchDraws, PatchList};
 use antumbra_graph::{Bind, Buffer, BufferDesc, Host, Texture};
-use antumbra_shaders::assert_layout;
+use antumbra_shaders::{assert_layout, jobs};
 use bytemuck::{Pod, Zeroable};
 
 use super::AUDIT;
 use super::nodes::Looked;
-use crate::compute_pipeline::ComputePipeline;
 use crate::frame_graph::FrameGraph;
 use crate::turned::Turned;
 use crate::view_nodes::ViewNodes;
@@ -75,11 +74,7 @@ impl FrameGraph<'_> {
         (depth, shown): (Texture, Buffer),
         entries: u64,
     ) -> (PatchDraws, Buffer) {
-        let pipeline = ComputePipeline::new(
-            self.gpu(),
-            &antumbra_shaders::jobs::cull_patches::JOB,
-            "cull_patches",
-        );
+        let pipeline = self.compute_pipeline(&jobs::cull_patches::JOB, "cull_patches");
         let kept = self.graph().buffer(
             view.named("audit: kept"),
             BufferDesc::new(entries * KEPT_BYTES),

@@ -5,15 +5,15 @@ use std::sync::Arc;
 
 use antumbra_draw::passes::{Targets, ViewInputs};
 use antumbra_draw::{
-    DEPTH_FORMAT, GpuLights, GpuScene, GpuView, PassPipelines, PipelineKind, SceneFrame,
-    SceneLayout, ViewFrame,
+    DEPTH_FORMAT, GpuLights, GpuScene, GpuView, SceneFrame, SceneLayout, ViewFrame,
 };
 use antumbra_graph::{BufferDesc, Clear, CompileOptions, Graph, Host, Mode, Plan, TextureDesc};
 
 use super::{StageError, StageOptions, ViewSpec};
-use crate::audit::Audit;
+use crate::audit::{Audit, Lessons};
 use crate::frame_graph::{CULL, FrameGraph, Shared, Shown};
 use crate::narrowing::Narrowing;
+use crate::pipelines::Pipelines;
 use crate::strategy::{Strategy, VerdictSource};
 use crate::view_nodes::ViewNodes;
 
@@ -22,8 +22,11 @@ pub(super) struct Built {
     /// The scene it was built for: what it remembers is about that one's slots and epochs.
     pub number: u64,
     pub layout: SceneLayout,
-    pub pipelines: HashMap<PipelineKind, Arc<PassPipelines>>,
     pub plan: Plan,
+    /// Frames it has run.
+    pub frames: u64,
+    resumed: Stretch,
+    earlier: Stretch,
     pub scene: Host<SceneFrame>,
     pub views: Vec<BuiltView>,
     pub shown: Vec<Shown>,
@@ -38,17 +41,61 @@ pub(super) struct BuiltView {
     pub verdicts: VerdictSource,
     pub narrowing: Option<Narrowing>,
     pub audit: Option<Host<Audit>>,
-    /// Audited frames of earlier plans.
-    pub audited_before: u64,
+    /// Audited frames that the stage has taken over from this plan.
+    pub audits_taken: u64,
+    /// What the audits of other plans have learned, for this plan's audit to go on from.
+    pub lessons: Lessons,
 }
 
-/// Declares a strategy's nodes on a new graph, with what pipelines and audits earlier plans left, and compiles it.
+impl Built {
+    /// The stage's number of a frame, from the plan's own.
+    pub fn stage_frame(&self, frame: u64) -> u64 {
+        match frame < self.resumed.plan_frame {
+            true => self.earlier.stage_frame(frame),
+            false => self.resumed.stage_frame(frame),
+        }
+    }
+
+    /// Goes on at a frame of the stage, after other plans have run.
+    pub fn resume(&mut self, stage_frame: u64) {
+        self.earlier = std::mem::replace(
+            &mut self.resumed,
+            Stretch {
+                plan_frame: self.frames,
+                stage_frame,
+            },
+        );
+    }
+}
+
+/// Frames that a plan ran without a break: the first one by the plan's count and by the stage's.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Stretch {
+    plan_frame: u64,
+    stage_frame: u64,
+}
+
+impl Stretch {
+    fn stage_frame(&self, frame: u64) -> u64 {
+        (frame + self.stage_frame).saturating_sub(self.plan_frame)
+    }
+}
+
+/// What earlier plans of a stage leave to the next one.
+pub(super) struct Inherited<'a> {
+    pub pipelines: &'a mut Pipelines,
+    pub audits: &'a [Audit],
+    /// Frames that the stage has run.
+    pub frames: u64,
+}
+
+/// Declares a strategy's nodes on a new graph and compiles it.
 pub(super) fn build(
     scene: &GpuScene,
     strategy: &mut dyn Strategy,
     specs: &[ViewSpec],
     options: &StageOptions,
-    (pipelines, audits): (HashMap<PipelineKind, Arc<PassPipelines>>, &[Audit]),
+    inherited: Inherited<'_>,
 ) -> Result<Built, StageError> {
     let gpu = scene.gpu();
     let layout = scene.layout();
@@ -58,36 +105,86 @@ pub(super) fn build(
         gpu: gpu.clone(),
         layout: layout.clone(),
         colour_format: options.colour_format,
-        pipelines,
-        boxes: None,
+        pipelines: std::mem::take(inherited.pipelines),
         trees: HashMap::new(),
         shown: Vec::new(),
     };
+    let declared = declare(
+        &mut graph,
+        &mut shared,
+        scene_handle,
+        strategy,
+        specs,
+        options,
+        inherited.audits,
+    );
+    // Whatever came of it, what was compiled is kept.
+    *inherited.pipelines = std::mem::take(&mut shared.pipelines);
+    let views = declared?;
+    let compile = CompileOptions {
+        mode: options.mode,
+        timing: options.timing,
+        ..CompileOptions::owned(&gpu.device)
+    };
+    let plan = graph
+        .compile(&compile)
+        .map_err(|errors| StageError::Compile {
+            strategy: strategy.name().to_owned(),
+            errors,
+        })?;
+    Ok(Built {
+        number: scene.number(),
+        layout,
+        plan,
+        frames: 0,
+        resumed: Stretch {
+            plan_frame: 0,
+            stage_frame: inherited.frames,
+        },
+        earlier: Stretch::default(),
+        scene: scene_handle,
+        views,
+        shown: shared.shown,
+    })
+}
+
+/// Declares a strategy's nodes for every view.
+fn declare(
+    graph: &mut Graph,
+    shared: &mut Shared,
+    scene_handle: Host<SceneFrame>,
+    strategy: &mut dyn Strategy,
+    specs: &[ViewSpec],
+    options: &StageOptions,
+    audits: &[Audit],
+) -> Result<Vec<BuiltView>, StageError> {
     let mut views = Vec::with_capacity(specs.len());
     for (index, spec) in specs.iter().enumerate() {
         let frame = graph.import_host::<ViewFrame>(format!("{} camera", spec.name));
         let needs_reference = strategy.needs_reference();
         let reference =
             needs_reference.then(|| graph.import_host(format!("{} reference", spec.name)));
-        let (targets, imported) = targets(&mut graph, spec, options);
+        let (targets, imported) = targets(graph, spec, options);
         let mut nodes = ViewNodes {
             name: spec.name.clone(),
             index,
             count: specs.len(),
             size: spec.size,
-            inputs: inputs(&mut graph, spec, specs.len(), scene_handle, frame),
+            inputs: inputs(graph, spec, specs.len(), scene_handle, frame),
             targets,
             reference,
             in_frustum: None,
             narrowing: None,
         };
-        let mut declared = FrameGraph::new(&mut graph, &mut shared);
+        let mut declared = FrameGraph::new(graph, shared);
         let set = strategy.declare(&mut declared, &mut nodes)?;
-        let learned = audits.get(index).map(Audit::experience).cloned();
-        let learned = learned.unwrap_or_default();
+        let lessons = Lessons::default();
+        if let Some(audit) = audits.get(index) {
+            lessons.teach(audit.experience().clone());
+        }
         let audit = options
             .audit
-            .map(|options| declared.audit(&nodes, &set, options, learned));
+            .map(|options| declared.audit(&nodes, &set, options, lessons.clone()));
         // Writing an import keeps its writers; an output would ask more usages of its owner's texture.
         if imported.is_none() {
             graph.output(nodes.targets.colour);
@@ -124,29 +221,11 @@ pub(super) fn build(
             verdicts: set.verdicts,
             narrowing: set.narrowing,
             audit,
-            audited_before: 0,
+            audits_taken: 0,
+            lessons,
         });
     }
-    let compile = CompileOptions {
-        mode: options.mode,
-        timing: options.timing,
-        ..CompileOptions::owned(&gpu.device)
-    };
-    let plan = graph
-        .compile(&compile)
-        .map_err(|errors| StageError::Compile {
-            strategy: strategy.name().to_owned(),
-            errors,
-        })?;
-    Ok(Built {
-        number: scene.number(),
-        layout,
-        pipelines: shared.pipelines,
-        plan,
-        scene: scene_handle,
-        views,
-        shown: shared.shown,
-    })
+    Ok(views)
 }
 
 /// The view's textures: the plan's own, or its owner's.

@@ -9,14 +9,15 @@ use std::sync::Arc;
 use antumbra_draw::passes::{self, DepthTest, IndirectDraws};
 use antumbra_draw::{IDENTITY_FORMAT, MeshDetail, PipelineKind};
 use antumbra_graph::{Bind, Buffer, Clear, Host, TextureDesc};
+use antumbra_shaders::jobs;
 
 use super::Coherence;
 use super::turns::Turns;
 use antumbra_cull::on_gpu::{Bounds, Layout};
 use antumbra_cull::order::back_to_front;
 use antumbra_cull::{
-    Asked, CULL, Candidates, ComputePipeline, CountLayout, Counting, Counts, FrameGraph, ViewNodes,
-    VisibleSet, question,
+    Asked, CULL, Candidates, CountLayout, Counting, Counts, FrameGraph, ViewNodes, VisibleSet,
+    question,
 };
 
 /// An eye, and how many pixels each slot owns in it: last frame for the first eye, this frame for those after it.
@@ -223,11 +224,7 @@ fn verdicts(
 
 /// The larger of two counts a slot.
 fn join(g: &mut FrameGraph<'_>, view: &ViewNodes, one: Buffer, other: Buffer) -> Buffer {
-    let pipeline = ComputePipeline::new(
-        g.gpu(),
-        &antumbra_shaders::jobs::max_counts::JOB,
-        "max_counts",
-    );
+    let pipeline = g.compute_pipeline(&jobs::max_counts::JOB, "max_counts");
     let groups = g.scene_layout().slots.div_ceil(64).max(1);
     let joined = g.sample_counts(view);
     let mut node = g.graph().compute(view.named("join counts"));

@@ -1,0 +1,31 @@
+//! Plans of steps that a budget has left and may come back to: a step that it was on before keeps its plan and what its nodes remember.
+
+use super::built::Built;
+
+/// Plans that are kept beside the present one. A controller moves between neighbouring steps, and each plan holds its own textures and buffers.
+const MOST: usize = 3;
+
+/// The kept plans, each with the step it was made for.
+#[derive(Default)]
+pub(super) struct KeptPlans(Vec<(usize, Built)>);
+
+impl KeptPlans {
+    /// Keeps a plan; the one that was kept longest makes room for it.
+    pub fn keep(&mut self, step: usize, plan: Built) {
+        if self.0.len() == MOST {
+            self.0.remove(0);
+        }
+        self.0.push((step, plan));
+    }
+
+    /// Takes back the plan of a step.
+    pub fn take(&mut self, step: usize) -> Option<Built> {
+        let at = self.0.iter().position(|(kept, _)| *kept == step)?;
+        Some(self.0.remove(at).1)
+    }
+
+    /// Drops them all: they were made for another scene or layout.
+    pub fn clear(&mut self) {
+        self.0.clear();
+    }
+}
