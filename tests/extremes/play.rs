@@ -5,7 +5,7 @@ use antumbra::draw::{Gpu, GpuScene};
 use antumbra::scene::{Camera, EntityKey, Scene};
 use antumbra::strategies::registry;
 use antumbra::verify::kit::Kit;
-use antumbra::verify::{IdImage, Members, Oracle};
+use antumbra::verify::{EntitySet, IdBuffer, Oracle};
 use antumbra_testing::gpus;
 
 use crate::twin::Twin;
@@ -118,18 +118,18 @@ impl Play {
             size: self.size,
             ..Kit::default()
         };
-        kit.play_on(gpu, make, &self.scene, &self.eyes(name))
+        kit.check_scene(gpu, make, &self.scene, &self.eyes(name))
             .map_err(|failure| failure.to_string())
     }
 
     /// What the oracle sees in each frame, with the scene to ask for slots.
-    pub fn seen(&self, gpu: &Gpu) -> (GpuScene, Vec<IdImage>) {
+    pub fn seen(&self, gpu: &Gpu) -> (GpuScene, Vec<IdBuffer>) {
         let scene = GpuScene::new(gpu, &mut self.scene.clone()).unwrap();
         let mut oracle = Oracle::new(&scene, self.size);
         let images = self
             .frames
             .iter()
-            .map(|camera| oracle.look(&scene, camera, Members::Frustum).unwrap())
+            .map(|camera| oracle.render(&scene, camera, EntitySet::InFrustum).unwrap())
             .collect();
         (scene, images)
     }
@@ -178,7 +178,7 @@ impl Play {
     }
 }
 
-/// The number that stands for an entity in an [`IdImage`]; 0 for none.
+/// The number that stands for an entity in an [`IdBuffer`]; 0 for none.
 pub fn id_of(scene: &GpuScene, entity: Option<EntityKey>) -> u32 {
     entity.map_or(0, |entity| scene.slot(entity).unwrap() + 1)
 }

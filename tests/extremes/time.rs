@@ -5,7 +5,7 @@
 use antumbra::cull::{Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
 use antumbra::draw::{Gpu, GpuScene};
 use antumbra::scene::Camera;
-use antumbra::verify::{Members, Oracle};
+use antumbra::verify::{EntitySet, Oracle};
 use antumbra_testing::{SceneBuilder, gpus, look_at, perspective_degrees, placed};
 use glam::DVec3;
 
@@ -55,7 +55,7 @@ impl<'a> Run<'a> {
     fn frame(&mut self, scene: &GpuScene, camera: Camera) -> (Vec<u32>, Verdicts) {
         let mut oracle = Oracle::new(scene, [64, 48]);
         let owners = oracle
-            .look(scene, &camera, Members::Frustum)
+            .render(scene, &camera, EntitySet::InFrustum)
             .unwrap()
             .owners();
         assert!(owners.len() > 5);

@@ -6,7 +6,7 @@ use antumbra::cull::{StageError, ViewInput};
 use antumbra::draw::GpuScene;
 use antumbra::measure::path::Path;
 use antumbra::scene::{Aabb, Camera, Stereo};
-use antumbra::verify::{Members, Oracle};
+use antumbra::verify::{EntitySet, Oracle};
 use clap::Args as ClapArgs;
 
 use crate::failure::Failure;
@@ -69,7 +69,7 @@ pub fn inputs(
     let input = |camera: &Camera| {
         let reference = match &mut oracle {
             Some(oracle) => {
-                let image = oracle.look(scene, camera, Members::Frustum)?;
+                let image = oracle.render(scene, camera, EntitySet::InFrustum)?;
                 Some(Arc::new(image.owners()))
             }
             None => None,

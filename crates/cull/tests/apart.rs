@@ -57,7 +57,7 @@ impl Strategy for Apart {
 fn what_nobody_asks_about_is_drawn() {
     let kit = Kit {
         cases: vec![Case::RandomScenes],
-        scenes: 2,
+        random_scenes: 2,
         ..Kit::default()
     };
     for latency in [Latency::SameFrame, Latency::OnGpu] {

@@ -147,7 +147,7 @@ fn all() -> Vec<String> {
 fn whoever_is_taken_away_is_not_drawn_by_any_strategy() {
     let kit = Kit {
         size: [64, 48],
-        scenes: 1,
+        random_scenes: 1,
         cases: vec![
             Case::RandomScenes,
             Case::NearPlane,

@@ -13,7 +13,7 @@ use antumbra_scene::{
     AlphaMode, Camera, Drawable, Geometry, Material, Mesh, Scene, Topology, icosphere,
 };
 use antumbra_testing::{add, gl, glass, holes, look_at, perspective, stage_with, views, vulkan};
-use antumbra_verify::{Members, Oracle};
+use antumbra_verify::{EntitySet, Oracle};
 use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [240, 180];
@@ -193,7 +193,7 @@ fn all_ways_agree(gpu: &Gpu) {
     let members: Vec<u32> = table.live_slots().filter(counts).collect();
     let mut oracle = Oracle::new(&scene, SIZE);
     let image = oracle
-        .look(&scene, &camera, Members::Slots(&members))
+        .render(&scene, &camera, EntitySet::Slots(&members))
         .unwrap();
     let owned = image.samples_by_slot();
     let mut compared = [0, 0];

@@ -5,7 +5,7 @@ use antumbra_cull::{SampleRule, Verdict};
 use antumbra_draw::{Gpu, GpuScene};
 use antumbra_scene::{Camera, Drawable, EntityKey, Material, Mesh, Scene, icosphere};
 use antumbra_testing::{Settled, add, cuboid, drawable, gl, glass, look_at, perspective, vulkan};
-use antumbra_verify::{Members, Oracle};
+use antumbra_verify::{EntitySet, Oracle};
 use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [160, 120];
@@ -56,7 +56,7 @@ fn levels_follow_visible_samples(gpu: &Gpu) {
     let slots: Vec<u32> = keys.iter().map(|key| scene.slot(*key).unwrap()).collect();
     let mut oracle = Oracle::new(&scene, SIZE);
     let ids = oracle
-        .look(&scene, &camera(), Members::Frustum)
+        .render(&scene, &camera(), EntitySet::InFrustum)
         .unwrap()
         .ids;
     let rule = SampleRule {

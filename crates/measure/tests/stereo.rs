@@ -11,7 +11,7 @@ use antumbra_measure::report::{ErrorReport, Report, StereoFacts};
 use antumbra_scene::{Projection, Scene, Stereo, StereoError};
 use antumbra_strategies::registry;
 use antumbra_testing::{auto, balls_with_proxies};
-use antumbra_verify::{Members, Oracle};
+use antumbra_verify::{EntitySet, Oracle};
 
 const SIZE: [u32; 2] = [96, 72];
 const FRAMES: usize = 3;
@@ -137,7 +137,7 @@ fn what_owns_pixels_differs_from_eye_to_eye() {
     let mut sum = 0;
     for camera in path.cameras() {
         let owners = stereo().eyes(&camera).unwrap().map(|eye| {
-            let seen = oracle.look(&on_gpu, &eye, Members::Frustum).unwrap();
+            let seen = oracle.render(&on_gpu, &eye, EntitySet::InFrustum).unwrap();
             seen.owners()
         });
         assert_ne!(owners[0], owners[1]);

@@ -9,7 +9,7 @@ use antumbra_graph::Mode;
 use antumbra_scene::{Camera, Stereo};
 use antumbra_strategies::registry;
 use antumbra_testing::{balls, frame, look_at, perspective, vulkan};
-use antumbra_verify::{Members, Oracle};
+use antumbra_verify::{EntitySet, Oracle};
 use glam::DVec3;
 
 const SIZE: [u32; 2] = [160, 128];
@@ -123,7 +123,7 @@ fn both_eyes_are_right_however_far_apart_they_are() {
             let cameras = eyes(step as f64, interocular);
             let verdicts = frame(&mut stage, &scene, &cameras);
             for (camera, verdicts) in cameras.iter().zip(&verdicts) {
-                let reference = oracle.look(&scene, camera, Members::Frustum).unwrap();
+                let reference = oracle.render(&scene, camera, EntitySet::InFrustum).unwrap();
                 for owner in reference.owners() {
                     assert!(verdicts.get(owner).draws(), "{latency}: slot {owner}");
                 }
@@ -145,7 +145,7 @@ fn whoever_appears_is_drawn_within_the_frames_of_the_fraction() {
                 frame(&mut stage, &scene, &[camera(0.0)]);
             }
             let moved = camera(9.0);
-            let reference = oracle.look(&scene, &moved, Members::Frustum).unwrap();
+            let reference = oracle.render(&scene, &moved, EntitySet::InFrustum).unwrap();
             let mut late = Vec::new();
             for _ in 0..frames {
                 let verdicts = &frame(&mut stage, &scene, &[moved])[0];

@@ -5,7 +5,7 @@ use antumbra_cull::Counting;
 use antumbra_draw::{AdapterChoice, Gpu};
 use antumbra_strategies::registry;
 use antumbra_testing::{gl, vulkan};
-use antumbra_verify::kit::{Breach, Case, Kit, KitFailure};
+use antumbra_verify::kit::{Case, Kit, KitFailure, ViolationKind};
 
 /// Checks strategies given as the registry reads them, and shows all that fail at once.
 fn conform(gpu: &Gpu, kit: &Kit, strategies: impl IntoIterator<Item = String>) {
@@ -52,7 +52,7 @@ fn three_passes(gpu: &Gpu, latency: &str) -> Vec<String> {
 fn small() -> Kit {
     Kit {
         size: [96, 72],
-        scenes: 2,
+        random_scenes: 2,
         ..Kit::default()
     }
 }
@@ -64,7 +64,7 @@ fn quick(latency: &str) -> Kit {
         _ => vec![Case::RandomScenes, Case::NearPlane],
     };
     Kit {
-        scenes: 1,
+        random_scenes: 1,
         cases,
         ..small()
     }
@@ -77,7 +77,7 @@ fn baselines(gpu: &Gpu) {
 fn stop_and_wait(gpu: &Gpu) {
     // One query a wait takes its time with five thousand.
     let fewer = Kit {
-        many: 300,
+        many_entities: 300,
         ..small()
     };
     conform(gpu, &fewer, named(&["stop-and-wait"]));
@@ -123,7 +123,7 @@ fn coherent(gpu: &Gpu) {
             format!("{strategy}:latency=on-gpu:fraction=0.5"),
         ];
         let patient = Kit {
-            settle: 16,
+            settle_frames: 16,
             ..small()
         };
         conform(gpu, &patient, parts);
@@ -146,12 +146,12 @@ fn walks(gpu: &Gpu) {
         "occupancy-map:latency=frame-late:occluded-for=3:visible-for=3",
     ];
     let patient = Kit {
-        settle: 16,
+        settle_frames: 16,
         ..small()
     };
     conform(gpu, &patient, named(&aggressive));
     let fewer = Kit {
-        many: 300,
+        many_entities: 300,
         ..small()
     };
     let single = [
@@ -262,5 +262,7 @@ fn settings_that_do_not_go_together_fail_every_case_in_words() {
     let KitFailure::Violations { violations, .. } = &failure else {
         panic!("{failure}");
     };
-    assert!(matches!(&violations[0].breach, Breach::Failed(text) if text.contains("threshold")));
+    assert!(
+        matches!(&violations[0].kind, ViolationKind::Failed(text) if text.contains("threshold"))
+    );
 }

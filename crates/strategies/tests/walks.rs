@@ -10,7 +10,7 @@ use antumbra_scene::{Camera, Drawable, EntityKey, Material, Scene, icosphere};
 use antumbra_strategies::Sketched;
 use antumbra_strategies::{Sketch, registry};
 use antumbra_testing::{cuboid, drawable, look_at, perspective, views, vulkan};
-use antumbra_verify::{Members, Oracle};
+use antumbra_verify::{EntitySet, Oracle};
 use glam::{DAffine3, DVec3};
 use rand::{RngExt as _, SeedableRng as _};
 use rand_pcg::Pcg32;
@@ -35,7 +35,7 @@ fn frame(stage: &mut Stage, scene: &GpuScene, camera: Camera) -> (Verdicts, Fram
 /// Slots that own a pixel and are not drawn.
 fn missed(scene: &GpuScene, camera: &Camera, verdicts: &Verdicts) -> Vec<u32> {
     let mut oracle = Oracle::new(scene, SIZE);
-    let reference = oracle.look(scene, camera, Members::Frustum).unwrap();
+    let reference = oracle.render(scene, camera, EntitySet::InFrustum).unwrap();
     let mut owners = reference.owners();
     owners.retain(|slot| !verdicts.get(*slot).draws());
     owners

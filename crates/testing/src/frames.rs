@@ -4,7 +4,7 @@ use antumbra_cull::{Stage, StageOptions, Strategy, Verdicts, ViewInput, ViewSpec
 use antumbra_draw::{GpuScene, read_back};
 use antumbra_scene::Camera;
 use antumbra_strategies::registry;
-use antumbra_verify::{Members, Oracle};
+use antumbra_verify::{EntitySet, Oracle};
 
 /// Views of these names, all of one size in pixels.
 pub fn views(names: &[&str], size: [u32; 2]) -> Vec<ViewSpec> {
@@ -75,9 +75,9 @@ pub fn wrong_pixels_percent(
     camera: &Camera,
     verdicts: &Verdicts,
 ) -> f64 {
-    let reference = oracle.look(scene, camera, Members::Frustum).unwrap();
-    let drawn = Members::Drawn(verdicts);
-    let drawn = oracle.look(scene, camera, drawn).unwrap();
+    let reference = oracle.render(scene, camera, EntitySet::InFrustum).unwrap();
+    let drawn = EntitySet::Drawn(verdicts);
+    let drawn = oracle.render(scene, camera, drawn).unwrap();
     let pixels = reference.ids.len() as f64;
     reference.wrong_pixels(&drawn) as f64 * 100.0 / pixels
 }

@@ -18,7 +18,7 @@
 //! - The same input twice gives the same verdicts, and late answers settle while nothing moves.
 //! - Nothing fails, panics, or is refused by the device.
 //!
-//! [`Kit::play_on`] holds a strategy to the same on a scene of your own, from wherever you look at it.
+//! [`Kit::check_scene`] holds a strategy to the same on a scene of your own, from wherever you look at it.
 
 mod case;
 mod failure;
@@ -27,7 +27,7 @@ mod props;
 mod stories;
 
 pub use case::Case;
-pub use failure::{Breach, KitFailure, Violation};
+pub use failure::{KitFailure, Violation, ViolationKind};
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -46,16 +46,16 @@ pub struct Kit {
     /// What the random scenes follow from. Every failure names it.
     pub seed: u64,
     /// How many random scenes.
-    pub scenes: u32,
+    pub random_scenes: u32,
     /// Entities in [`Case::Many`]; the default exceeds the 4,096 queries of one query set.
-    pub many: u32,
+    pub many_entities: u32,
     /// The cases to play, in this order.
     pub cases: Vec<Case>,
     /// Whether late answers, once settled on a still scene, must cull nothing that owns a pixel. Ask it of a frame-late strategy
     /// whose only error is its lateness: full-resolution stand-ins, no threshold.
     pub exact_when_still: bool,
     /// Frames within which the verdicts of a still scene must settle.
-    pub settle: u32,
+    pub settle_frames: u32,
 }
 
 impl Default for Kit {
@@ -64,11 +64,11 @@ impl Default for Kit {
             adapter: AdapterChoice::Auto,
             size: [128, 96],
             seed: 1,
-            scenes: 4,
-            many: 5000,
+            random_scenes: 4,
+            many_entities: 5000,
             cases: Case::ALL.to_vec(),
             exact_when_still: false,
-            settle: 5,
+            settle_frames: 5,
         }
     }
 }
@@ -82,8 +82,17 @@ pub struct KitReport {
     pub adapter: String,
     /// The seed.
     pub seed: u64,
-    /// Each case, and how many frames of it were held against the oracle.
-    pub frames: Vec<(Case, u32)>,
+    /// The cases, in the order they were played.
+    pub cases: Vec<CaseReport>,
+}
+
+/// One case that passed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CaseReport {
+    /// The case.
+    pub case: Case,
+    /// How many frames of it were compared with the oracle.
+    pub frames: u32,
 }
 
 impl Kit {
@@ -116,7 +125,7 @@ impl Kit {
         gpu: &Gpu,
         make: impl Fn() -> Box<dyn Strategy>,
     ) -> Result<KitReport, KitFailure> {
-        let mut frames = Vec::with_capacity(self.cases.len());
+        let mut cases = Vec::with_capacity(self.cases.len());
         let mut violations = Vec::new();
         for case in &self.cases {
             // The next case begins with a fresh strategy and a fresh scene, whatever this one left behind.
@@ -125,7 +134,10 @@ impl Kit {
                 Ok(bench.frames)
             };
             match self.attempt(gpu, &make, *case, story) {
-                Ok(judged) => frames.push((*case, judged)),
+                Ok(frames) => cases.push(CaseReport {
+                    case: *case,
+                    frames,
+                }),
                 Err(violation) => violations.push(violation),
             }
         }
@@ -134,18 +146,18 @@ impl Kit {
                 strategy: title(make().as_ref()),
                 adapter: gpu.title(),
                 seed: self.seed,
-                frames,
+                cases,
             });
         }
         Err(self.failure(gpu, make().as_ref(), violations))
     }
 
-    /// Plays a scene of your own, as [`Case::Own`]: a camera a view and frame, as many views in each frame as in the first. Every frame is
+    /// Plays a scene of your own, as [`Case::Custom`]: a camera a view and frame, as many views in each frame as in the first. Every frame is
     /// held against the oracle as those of the cases are. What it answers is each frame's verdicts, a view each, to compare with others.
     ///
     /// # Errors
     /// [`KitFailure::Violations`] with the first thing that did not hold.
-    pub fn play_on(
+    pub fn check_scene(
         &self,
         gpu: &Gpu,
         make: impl Fn() -> Box<dyn Strategy>,
@@ -153,7 +165,7 @@ impl Kit {
         frames: &[Vec<Camera>],
     ) -> Result<Vec<Vec<Verdicts>>, KitFailure> {
         let story = |bench: &mut play::Bench<'_>| stories::own(bench, scene.clone(), frames);
-        self.attempt(gpu, &make, Case::Own, story)
+        self.attempt(gpu, &make, Case::Custom, story)
             .map_err(|violation| self.failure(gpu, make().as_ref(), vec![violation]))
     }
 
@@ -163,7 +175,7 @@ impl Kit {
         gpu: &'k Gpu,
         make: &'k dyn Fn() -> Box<dyn Strategy>,
         case: Case,
-        story: impl FnOnce(&mut play::Bench<'k>) -> Result<T, Breach>,
+        story: impl FnOnce(&mut play::Bench<'k>) -> Result<T, ViolationKind>,
     ) -> Result<T, Violation> {
         let mut bench = play::Bench {
             kit: self,
@@ -172,15 +184,15 @@ impl Kit {
             frame: 0,
             frames: 0,
         };
-        let breach = match catch_unwind(AssertUnwindSafe(|| story(&mut bench))) {
+        let kind = match catch_unwind(AssertUnwindSafe(|| story(&mut bench))) {
             Ok(Ok(told)) => return Ok(told),
-            Ok(Err(breach)) => breach,
-            Err(payload) => Breach::Panicked(said(payload.as_ref())),
+            Ok(Err(kind)) => kind,
+            Err(payload) => ViolationKind::Panicked(said(payload.as_ref())),
         };
         Err(Violation {
             case,
             frame: bench.frame,
-            breach,
+            kind,
         })
     }
 

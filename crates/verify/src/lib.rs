@@ -11,4 +11,4 @@
 pub mod kit;
 mod oracle;
 
-pub use oracle::{IdImage, Members, Oracle, Transparent};
+pub use oracle::{EntitySet, IdBuffer, Oracle, TransparentSums};

@@ -4,9 +4,9 @@
 //! order-independent sum of the visible entities' mixed ids stands for it, and a count an entity. (Item buffers: Weghorst, Hooper and
 //! Greenberg, *Improved Computational Methods for Ray Tracing*, 1984.)
 
-mod image;
+mod id_buffer;
 
-pub use image::{IdImage, Transparent};
+pub use id_buffer::{IdBuffer, TransparentSums};
 
 use std::sync::Arc;
 
@@ -21,13 +21,13 @@ use antumbra_graph::{
 use antumbra_scene::Camera;
 
 use antumbra_cull::{Candidates, StageError, Verdicts};
-use image::Padded;
+use id_buffer::Padded;
 
 /// What the oracle is to draw.
 #[derive(Debug, Clone, Copy)]
-pub enum Members<'a> {
+pub enum EntitySet<'a> {
     /// Everything in the frustum: the reference.
-    Frustum,
+    InFrustum,
     /// These slots, in any order; those that are free are left out.
     Slots(&'a [u32]),
     /// What these verdicts draw, at their levels of detail: what a strategy drew, in the reference's order.
@@ -47,10 +47,10 @@ struct Built {
     scene: Host<SceneFrame>,
     view: Host<ViewFrame>,
     wanted: Host<Wanted>,
-    image: Host<IdImage>,
+    image: Host<IdBuffer>,
 }
 
-/// [`Members`], as it travels into the graph.
+/// [`EntitySet`], as it travels into the graph.
 enum Wanted {
     Frustum,
     Slots(Vec<u32>, Verdicts),
@@ -92,12 +92,12 @@ impl Oracle {
     /// # Errors
     /// [`StageError::Camera`] for one that cannot see, [`StageError::Compile`] for a size the device cannot draw,
     /// [`StageError::Execute`] or [`StageError::Device`] when the device fails.
-    pub fn look(
+    pub fn render(
         &mut self,
         scene: &GpuScene,
         camera: &Camera,
-        members: Members<'_>,
-    ) -> Result<IdImage, StageError> {
+        members: EntitySet<'_>,
+    ) -> Result<IdBuffer, StageError> {
         camera.validate().map_err(|error| StageError::Camera {
             view: "oracle".to_owned(),
             error,
@@ -110,9 +110,11 @@ impl Oracle {
             .map_or_else(|| build(&self.gpu, self.size, layout), Ok)?;
         let built = self.built.insert(current);
         let wanted = match members {
-            Members::Frustum => Wanted::Frustum,
-            Members::Slots(slots) => Wanted::Slots(slots.to_vec(), Verdicts::default()),
-            Members::Drawn(verdicts) => Wanted::Slots(verdicts.drawn().collect(), verdicts.clone()),
+            EntitySet::InFrustum => Wanted::Frustum,
+            EntitySet::Slots(slots) => Wanted::Slots(slots.to_vec(), Verdicts::default()),
+            EntitySet::Drawn(verdicts) => {
+                Wanted::Slots(verdicts.drawn().collect(), verdicts.clone())
+            }
         };
         let plan = &mut built.plan;
         plan.set(built.scene, scene.frame())?;
@@ -297,8 +299,8 @@ fn sign(
 }
 
 /// Waits for it all and puts it into an image: the one sync point.
-fn read(g: &mut Graph, ids: Buffer, padded: Padded, sums: Option<Signatures>) -> Host<IdImage> {
-    let image = g.host::<IdImage>("image");
+fn read(g: &mut Graph, ids: Buffer, padded: Padded, sums: Option<Signatures>) -> Host<IdBuffer> {
+    let image = g.host::<IdBuffer>("image");
     let mut node = g.host_node("read");
     node.read_back(ids);
     if let Some(sums) = sums {
@@ -309,7 +311,7 @@ fn read(g: &mut Graph, ids: Buffer, padded: Padded, sums: Option<Signatures>) ->
         let mut image = ctx.get_mut(image)?;
         padded.unpack(ctx.bytes(ids)?, &mut image);
         image.transparent = match sums {
-            Some(sums) => Some(Transparent {
+            Some(sums) => Some(TransparentSums {
                 signatures: bytemuck::pod_collect_to_vec(ctx.bytes(sums.by_pixel)?),
                 samples: bytemuck::pod_collect_to_vec(ctx.bytes(sums.by_slot)?),
             }),

@@ -7,14 +7,14 @@ mod faulty;
 use antumbra_cull::{Strategy, Tunable};
 use antumbra_strategies::ThreePass;
 use antumbra_testing::{balls_with_proxies, look_at, perspective, vulkan};
-use antumbra_verify::kit::{Breach, Case, Kit, KitFailure, Violation};
+use antumbra_verify::kit::{Case, Kit, KitFailure, Violation, ViolationKind};
 use faulty::*;
 use glam::DVec3;
 
 fn kit(cases: &[Case]) -> Kit {
     Kit {
         cases: cases.to_vec(),
-        scenes: 1,
+        random_scenes: 1,
         ..Kit::default()
     }
 }
@@ -30,12 +30,16 @@ fn found<S: Strategy + Clone + 'static>(strategy: S, cases: &[Case]) -> Vec<Viol
 }
 
 /// That each case finds a breach of this kind.
-fn bites<S: Strategy + Clone + 'static>(strategy: S, cases: &[Case], kind: fn(&Breach) -> bool) {
+fn bites<S: Strategy + Clone + 'static>(
+    strategy: S,
+    cases: &[Case],
+    kind: fn(&ViolationKind) -> bool,
+) {
     let violations = found(strategy, cases);
     let caught: Vec<Case> = violations.iter().map(|v| v.case).collect();
     assert_eq!(caught, cases, "{violations:?}");
     for violation in violations {
-        assert!(kind(&violation.breach), "{violation}");
+        assert!(kind(&violation.kind), "{violation}");
     }
 }
 
@@ -48,9 +52,9 @@ fn a_late_strategy_without_fault_passes() {
     let report = kit
         .check_on(vulkan(), || Box::new(Late::default()))
         .unwrap_or_else(|failure| panic!("{failure}"));
-    assert_eq!(report.frames.len(), Case::ALL.len());
+    assert_eq!(report.cases.len(), Case::ALL.len());
     assert!(
-        report.frames.iter().all(|(_, frames)| *frames >= 2),
+        report.cases.iter().all(|played| played.frames >= 2),
         "{report:?}"
     );
 }
@@ -60,8 +64,8 @@ fn culling_at_random_is_a_false_cull() {
     bites(Random, &[Case::RandomScenes, Case::Many], is_false_cull);
 }
 
-fn is_false_cull(breach: &Breach) -> bool {
-    matches!(breach, Breach::FalseCull { pixels, .. } if *pixels > 0)
+fn is_false_cull(breach: &ViolationKind) -> bool {
+    matches!(breach, ViolationKind::FalseCull { pixels, .. } if *pixels > 0)
 }
 
 #[test]
@@ -105,15 +109,15 @@ fn a_scene_of_ones_own_is_played_and_judged() {
         vec![camera(1.0), camera(1.1)],
     ];
     let play = |strategy: Box<dyn Fn() -> Box<dyn Strategy>>| {
-        kit(&[]).play_on(vulkan(), strategy, &scene, &frames)
+        kit(&[]).check_scene(vulkan(), strategy, &scene, &frames)
     };
     let verdicts = play(Box::new(|| Box::new(Late::default()))).unwrap();
     assert_eq!(verdicts.iter().map(Vec::len).collect::<Vec<_>>(), [2, 2]);
     let failure = play(Box::new(|| Box::new(Random))).unwrap_err();
-    assert_eq!(failure.cases(), [Case::Own]);
+    assert_eq!(failure.cases(), [Case::Custom]);
     // Without a scene there is nothing to play.
-    let alone = found(Late::default(), &[Case::Own]);
-    assert!(alone[0].to_string().contains("play_on"), "{}", alone[0]);
+    let alone = found(Late::default(), &[Case::Custom]);
+    assert!(alone[0].to_string().contains("check_scene"), "{}", alone[0]);
 }
 
 #[test]
@@ -123,7 +127,7 @@ fn trusting_answers_across_a_cut_is_found() {
         ..Late::default()
     };
     bites(late, &[Case::Cut], |breach| {
-        matches!(breach, Breach::NotCovered { .. })
+        matches!(breach, ViolationKind::CulledWithoutAnswer { .. })
     });
     // And nothing else is wrong with it.
     assert_eq!(found(late, &[Case::SlotReuse, Case::NearPlane]).len(), 0);
@@ -136,7 +140,7 @@ fn answers_about_a_former_occupant_are_found() {
         ..Late::default()
     };
     bites(late, &[Case::SlotReuse], |breach| {
-        matches!(breach, Breach::NotCovered { .. })
+        matches!(breach, ViolationKind::CulledWithoutAnswer { .. })
     });
     assert_eq!(found(late, &[Case::Cut, Case::NearPlane]).len(), 0);
 }
@@ -145,7 +149,7 @@ fn answers_about_a_former_occupant_are_found() {
 fn boxes_tested_across_the_near_plane_are_found() {
     let boxes = BoxTest { knows_near: false };
     bites(boxes, &[Case::InsideBox, Case::NearPlane], |breach| {
-        matches!(breach, Breach::NearPlane { .. })
+        matches!(breach, ViolationKind::NearPlane { .. })
     });
     let boxes = BoxTest { knows_near: true };
     assert_eq!(found(boxes, &[Case::InsideBox, Case::NearPlane]).len(), 0);
@@ -154,17 +158,17 @@ fn boxes_tested_across_the_near_plane_are_found() {
 #[test]
 fn verdicts_that_are_not_what_was_drawn_are_found() {
     bites(Liar, &[Case::RandomScenes], |breach| {
-        matches!(breach, Breach::FalseVerdicts { .. })
+        matches!(breach, ViolationKind::FalseVerdicts { .. })
     });
 }
 
 #[test]
 fn verdicts_that_differ_each_time_are_found() {
     bites(Moody::default(), &[Case::Repeat], |breach| {
-        matches!(breach, Breach::NotRepeatable)
+        matches!(breach, ViolationKind::NotRepeatable)
     });
     bites(Moody::default(), &[Case::Still], |breach| {
-        matches!(breach, Breach::Unsettled { .. })
+        matches!(breach, ViolationKind::Unsettled { .. })
     });
 }
 
@@ -186,8 +190,8 @@ fn late_answers_that_never_come_right_are_found() {
         panic!("{failure}");
     };
     assert!(matches!(
-        violations[0].breach,
-        Breach::StillFalseCull { .. }
+        violations[0].kind,
+        ViolationKind::StillFalseCull { .. }
     ));
 }
 
@@ -196,7 +200,7 @@ fn a_panic_is_told_with_its_case_and_the_rest_goes_on() {
     bites(
         Panics,
         &[Case::Empty, Case::Behind],
-        |breach| matches!(breach, Breach::Panicked(message) if message == "on purpose"),
+        |breach| matches!(breach, ViolationKind::Panicked(message) if message == "on purpose"),
     );
 }
 

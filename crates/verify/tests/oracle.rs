@@ -4,7 +4,7 @@
 use antumbra_draw::{Gpu, GpuScene};
 use antumbra_scene::{AlphaMode, Camera, EntityKey, Material, Scene};
 use antumbra_testing::{add, cuboid, drawable, gl, look_at, perspective, vulkan};
-use antumbra_verify::{Members, Oracle};
+use antumbra_verify::{EntitySet, Oracle};
 use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [50, 40];
@@ -36,7 +36,9 @@ fn owners_follow_the_scene(gpu: &Gpu) {
     let mut gpu_scene = GpuScene::new(gpu, &mut scene).unwrap();
     let mut oracle = Oracle::new(&gpu_scene, SIZE);
     let camera = camera();
-    let empty = oracle.look(&gpu_scene, &camera, Members::Frustum).unwrap();
+    let empty = oracle
+        .render(&gpu_scene, &camera, EntitySet::InFrustum)
+        .unwrap();
     assert_eq!(empty.ids, vec![0; 2000]);
     assert_eq!((empty.owners(), &empty.transparent), (vec![], &None));
 
@@ -49,7 +51,9 @@ fn owners_follow_the_scene(gpu: &Gpu) {
     let solid = boxes(&mut scene, AlphaMode::Opaque, &places);
     gpu_scene.sync(&mut scene).unwrap();
     let slot = |key: &EntityKey| gpu_scene.slot(*key).unwrap();
-    let all = oracle.look(&gpu_scene, &camera, Members::Frustum).unwrap();
+    let all = oracle
+        .render(&gpu_scene, &camera, EntitySet::InFrustum)
+        .unwrap();
     assert_eq!(all.owners(), [slot(&solid[0]), slot(&solid[2])]);
     let middle = all.ids[20 * 50 + 25];
     assert_eq!(middle, slot(&solid[0]) + 1);
@@ -60,7 +64,7 @@ fn owners_follow_the_scene(gpu: &Gpu) {
     // Without the one in front the one behind owns pixels, and just where the front one did is the picture wrong.
     let rest = [slot(&solid[2]), slot(&solid[1])];
     let less = oracle
-        .look(&gpu_scene, &camera, Members::Slots(&rest))
+        .render(&gpu_scene, &camera, EntitySet::Slots(&rest))
         .unwrap();
     assert_eq!(less.owners(), [slot(&solid[1]), slot(&solid[2])]);
     assert_eq!(less.wrong_pixels(&all), owned);
@@ -72,7 +76,9 @@ fn owners_follow_the_scene(gpu: &Gpu) {
     let blended = boxes(&mut scene, AlphaMode::Blend, &glass);
     gpu_scene.sync(&mut scene).unwrap();
     let slot = |key: &EntityKey| gpu_scene.slot(*key).unwrap();
-    let glazed = oracle.look(&gpu_scene, &camera, Members::Frustum).unwrap();
+    let glazed = oracle
+        .render(&gpu_scene, &camera, EntitySet::InFrustum)
+        .unwrap();
     assert_eq!(glazed.ids, all.ids);
     assert_eq!(
         glazed.owners(),

@@ -10,7 +10,7 @@ use antumbra::measure::stereo_picture::{Part, join};
 use antumbra::scene::Camera;
 use antumbra::strategies::Sketch;
 use antumbra::terrain::HorizonStrategy;
-use antumbra::verify::{Members, Oracle};
+use antumbra::verify::{EntitySet, Oracle};
 use image::{Rgba, RgbaImage};
 
 use crate::args::RenderArgs;
@@ -119,7 +119,7 @@ fn show_culled(
         )
     };
     let slots: Vec<u32> = scene.table().live_slots().filter(culled).collect();
-    let hidden = oracle.look(scene, camera, Members::Slots(&slots))?;
+    let hidden = oracle.render(scene, camera, EntitySet::Slots(&slots))?;
     shine_through(image, &hidden.ids);
     Ok(())
 }

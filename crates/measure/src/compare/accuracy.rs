@@ -11,7 +11,7 @@ use antumbra_cull::Frustum;
 use antumbra_cull::{Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
 use antumbra_draw::{GpuScene, MeshDetail, read_back};
 use antumbra_scene::Camera;
-use antumbra_verify::{IdImage, Members, Oracle};
+use antumbra_verify::{EntitySet, IdBuffer, Oracle};
 use image::RgbaImage;
 
 use super::audited::Audited;
@@ -81,7 +81,7 @@ pub struct Worst {
 /// One view of a pose as it should be.
 struct Look {
     camera: Camera,
-    reference: IdImage,
+    reference: IdBuffer,
     owners: Arc<Vec<u32>>,
     /// Drawn when the first strategy gets something wrong.
     colour: Option<RgbaImage>,
@@ -197,7 +197,7 @@ impl Judge {
     }
 
     fn look(&mut self, scene: &GpuScene, camera: Camera) -> Result<Look, MeasureError> {
-        let reference = self.oracle.look(scene, &camera, Members::Frustum)?;
+        let reference = self.oracle.render(scene, &camera, EntitySet::InFrustum)?;
         Ok(Look {
             camera,
             owners: Arc::new(reference.owners()),
@@ -228,8 +228,8 @@ impl Judge {
         let wrong = match missing {
             0 if verdicts.levels() == 1 => None,
             _ => {
-                let drawn = Members::Drawn(&verdicts);
-                let seen = self.oracle.look(scene, &look.camera, drawn)?;
+                let drawn = EntitySet::Drawn(&verdicts);
+                let seen = self.oracle.render(scene, &look.camera, drawn)?;
                 Some(look.reference.wrong_pixel_mask(&seen))
             }
         };

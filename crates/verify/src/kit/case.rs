@@ -42,8 +42,8 @@ pub enum Case {
     Lenses,
     /// Walls that cover exactly, holes of one pixel, and dust that adds up to a surface.
     Gaps,
-    /// A scene of your own, played by [`Kit::play_on`](super::Kit::play_on); not among [`Self::ALL`].
-    Own,
+    /// A scene of your own, played by [`Kit::check_scene`](super::Kit::check_scene); not among [`Self::ALL`].
+    Custom,
 }
 
 impl Case {
@@ -90,7 +90,7 @@ impl Case {
             Self::Worlds => "tiny and huge worlds",
             Self::Lenses => "narrow, wide and parallel views",
             Self::Gaps => "exact covers and small gaps",
-            Self::Own => "a scene of one's own",
+            Self::Custom => "a scene of one's own",
         }
     }
 }

@@ -60,19 +60,19 @@ pub struct Violation {
     /// In which frame of it, from 0.
     pub frame: u32,
     /// What.
-    pub breach: Breach,
+    pub kind: ViolationKind,
 }
 
 impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}, frame {}: {}", self.case, self.frame, self.breach)
+        write!(f, "{}, frame {}: {}", self.case, self.frame, self.kind)
     }
 }
 
 /// What did not hold.
 #[derive(Debug, Error)]
 #[non_exhaustive]
-pub enum Breach {
+pub enum ViolationKind {
     /// A false cull of a strategy that claims to make none.
     #[error(
         "it claims to be conservative, yet slots {} own pixels and were not drawn; {pixels} pixels are wrong",
@@ -100,7 +100,7 @@ pub enum Breach {
         "slots {} own pixels and were culled by answers that do not cover them: first frame, cut, new in the slot, or new in the frustum",
         some(slots)
     )]
-    NotCovered {
+    CulledWithoutAnswer {
         /// The slots.
         slots: Vec<u32>,
     },
@@ -109,7 +109,7 @@ pub enum Breach {
         "slots {} have the verdict 'visible' before any answer covers them: it should be 'new' or 'untested'",
         some(slots)
     )]
-    VisibleUnasked {
+    VisibleWithoutAnswer {
         /// The slots.
         slots: Vec<u32>,
     },
@@ -136,7 +136,7 @@ pub enum Breach {
     #[error(
         "it claims to be conservative, yet its picture differs from drawing everything in {pixels} pixels, first at {first:?}"
     )]
-    WrongPicture {
+    WrongImage {
         /// How many pixels differ.
         pixels: usize,
         /// The first, from the upper left.
@@ -171,7 +171,7 @@ pub enum Breach {
 
 macro_rules! failed {
     ($($error:ty),*) => {$(
-        impl From<$error> for Breach {
+        impl From<$error> for ViolationKind {
             fn from(error: $error) -> Self {
                 Self::Failed(error.to_string())
             }

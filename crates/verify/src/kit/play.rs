@@ -7,8 +7,8 @@ use antumbra_draw::{Gpu, GpuScene, ViewFrame, read_back};
 use antumbra_scene::{Camera, EntityKey, Scene};
 
 use super::Kit;
-use super::failure::Breach;
-use crate::oracle::{IdImage, Members, Oracle};
+use super::failure::ViolationKind;
+use crate::oracle::{EntitySet, IdBuffer, Oracle};
 use antumbra_cull::{
     Candidates, Ideal, Latency, Stage, StageOptions, Strategy, Verdict, Verdicts, ViewInput,
     ViewSpec,
@@ -55,14 +55,14 @@ struct Claims {
 
 /// What was seen of one view before the strategy had its turn.
 struct Reference {
-    image: IdImage,
+    image: IdBuffer,
     owners: Arc<Vec<u32>>,
     candidates: Candidates,
 }
 
 impl<'b, 'k> Play<'b, 'k> {
     /// Opens a scene with one view.
-    pub fn new(bench: &'b mut Bench<'k>, scene: Scene) -> Result<Self, Breach> {
+    pub fn new(bench: &'b mut Bench<'k>, scene: Scene) -> Result<Self, ViolationKind> {
         Self::with_views(bench, scene, &["main"])
     }
 
@@ -71,7 +71,7 @@ impl<'b, 'k> Play<'b, 'k> {
         bench: &'b mut Bench<'k>,
         mut scene: Scene,
         names: &[&str],
-    ) -> Result<Self, Breach> {
+    ) -> Result<Self, ViolationKind> {
         let gpu_scene = GpuScene::new(bench.gpu, &mut scene)?;
         let specs: Vec<ViewSpec> = names
             .iter()
@@ -105,33 +105,33 @@ impl<'b, 'k> Play<'b, 'k> {
     }
 
     /// Plays a frame of one view.
-    pub fn frame(&mut self, camera: &Camera) -> Result<(), Breach> {
+    pub fn frame(&mut self, camera: &Camera) -> Result<(), ViolationKind> {
         self.frames(&[(*camera, false)])
     }
 
     /// Plays a frame of one view right after the camera jumped.
-    pub fn cut(&mut self, camera: &Camera) -> Result<(), Breach> {
+    pub fn cut(&mut self, camera: &Camera) -> Result<(), ViolationKind> {
         self.frames(&[(*camera, true)])
     }
 
     /// Plays a frame in which nothing changed since the last, which may be one too few for late answers to settle.
-    pub fn still(&mut self, camera: &Camera) -> Result<(), Breach> {
+    pub fn still(&mut self, camera: &Camera) -> Result<(), ViolationKind> {
         let before = std::mem::take(&mut self.last);
         let still = self.still + 1;
         self.frame(camera)?;
         self.still = still;
         let agree = before.iter().zip(&self.last).all(|(a, b)| a.agree(b));
-        if still > self.bench.kit.settle && !agree {
-            return Err(Breach::Unsettled { frames: still });
+        if still > self.bench.kit.settle_frames && !agree {
+            return Err(ViolationKind::Unsettled { frames: still });
         }
         let slots = self.history.len();
-        if still >= self.bench.kit.settle && self.bench.kit.exact_when_still && slots > 0 {
+        if still >= self.bench.kit.settle_frames && self.bench.kit.exact_when_still && slots > 0 {
             let reference = self
                 .oracle
-                .look(&self.gpu_scene, camera, Members::Frustum)?;
+                .render(&self.gpu_scene, camera, EntitySet::InFrustum)?;
             let slots = undrawn(&self.last, &reference.owners());
             if !slots.is_empty() {
-                return Err(Breach::StillFalseCull {
+                return Err(ViolationKind::StillFalseCull {
                     frames: still,
                     slots,
                 });
@@ -141,7 +141,7 @@ impl<'b, 'k> Play<'b, 'k> {
     }
 
     /// Plays a frame of all views: each a camera, and whether it jumped.
-    pub fn frames(&mut self, views: &[(Camera, bool)]) -> Result<(), Breach> {
+    pub fn frames(&mut self, views: &[(Camera, bool)]) -> Result<(), ViolationKind> {
         self.bench.frame = self.next;
         self.next += 1;
         self.still = 0;
@@ -180,10 +180,10 @@ impl<'b, 'k> Play<'b, 'k> {
         Ok(())
     }
 
-    fn look(&mut self, camera: &Camera) -> Result<Reference, Breach> {
+    fn look(&mut self, camera: &Camera) -> Result<Reference, ViolationKind> {
         let image = self
             .oracle
-            .look(&self.gpu_scene, camera, Members::Frustum)?;
+            .render(&self.gpu_scene, camera, EntitySet::InFrustum)?;
         let mut candidates = Candidates::default();
         let frame = ViewFrame::new(*camera, self.bench.kit.size, 0);
         candidates.find(self.gpu_scene.table(), &frame);
@@ -194,7 +194,12 @@ impl<'b, 'k> Play<'b, 'k> {
         })
     }
 
-    fn judge(&mut self, view: usize, camera: &Camera, reference: &Reference) -> Result<(), Breach> {
+    fn judge(
+        &mut self,
+        view: usize,
+        camera: &Camera,
+        reference: &Reference,
+    ) -> Result<(), ViolationKind> {
         let Some(verdicts) = self.last.get(view) else {
             return Ok(());
         };
@@ -205,7 +210,7 @@ impl<'b, 'k> Play<'b, 'k> {
             .filter(|slot| reference.candidates.is_near(*slot))
             .collect();
         if !near.is_empty() {
-            return Err(Breach::NearPlane { slots: near });
+            return Err(ViolationKind::NearPlane { slots: near });
         }
         if self.claims.late {
             self.judge_coverage(view, verdicts, reference, &missed)?;
@@ -213,8 +218,8 @@ impl<'b, 'k> Play<'b, 'k> {
         if self.claims.conservative && !missed.is_empty() {
             let image = self
                 .oracle
-                .look(&self.gpu_scene, camera, Members::Drawn(verdicts))?;
-            return Err(Breach::FalseCull {
+                .render(&self.gpu_scene, camera, EntitySet::Drawn(verdicts))?;
+            return Err(ViolationKind::FalseCull {
                 slots: missed,
                 pixels: image.wrong_pixels(&reference.image),
             });
@@ -235,7 +240,7 @@ impl<'b, 'k> Play<'b, 'k> {
         verdicts: &Verdicts,
         reference: &Reference,
         missed: &[u32],
-    ) -> Result<(), Breach> {
+    ) -> Result<(), ViolationKind> {
         let table = self.gpu_scene.table();
         let covered = |slot: &u32| {
             let who = table.occupant(*slot).map(|occupant| (*slot, occupant.key));
@@ -243,7 +248,7 @@ impl<'b, 'k> Play<'b, 'k> {
         };
         let slots: Vec<u32> = missed.iter().copied().filter(|s| !covered(s)).collect();
         if !slots.is_empty() {
-            return Err(Breach::NotCovered { slots });
+            return Err(ViolationKind::CulledWithoutAnswer { slots });
         }
         let inside = reference.candidates.inside().iter().copied();
         let slots: Vec<u32> = inside
@@ -252,11 +257,15 @@ impl<'b, 'k> Play<'b, 'k> {
         if slots.is_empty() {
             Ok(())
         } else {
-            Err(Breach::VisibleUnasked { slots })
+            Err(ViolationKind::VisibleWithoutAnswer { slots })
         }
     }
 
-    fn contradictions(&self, verdicts: &Verdicts, reference: &Reference) -> Result<(), Breach> {
+    fn contradictions(
+        &self,
+        verdicts: &Verdicts,
+        reference: &Reference,
+    ) -> Result<(), ViolationKind> {
         let table = self.gpu_scene.table();
         let inside = |slot: u32| reference.candidates.inside().binary_search(&slot).is_ok();
         let owns = |slot: u32| reference.owners.binary_search(&slot).is_ok();
@@ -271,7 +280,7 @@ impl<'b, 'k> Play<'b, 'k> {
                 Verdict::Visible if !inside(slot) => "it lies outside the frustum",
                 _ => continue,
             };
-            return Err(Breach::Contradiction {
+            return Err(ViolationKind::Contradiction {
                 slot,
                 verdict: verdict.word(),
                 fact,
@@ -285,7 +294,7 @@ impl<'b, 'k> Play<'b, 'k> {
         &mut self,
         views: &[(Camera, bool)],
         references: &[Reference],
-    ) -> Result<(), Breach> {
+    ) -> Result<(), ViolationKind> {
         let conservative = self.claims.conservative;
         let inputs: Vec<ViewInput<'_>> = views
             .iter()
@@ -304,7 +313,7 @@ impl<'b, 'k> Play<'b, 'k> {
         for view in 0..views.len() {
             let (Some(theirs), Some(ours)) = (self.stage.colour(view), self.told.colour(view))
             else {
-                return Err(Breach::Failed(format!("view {view} has no picture")));
+                return Err(ViolationKind::Failed(format!("view {view} has no picture")));
             };
             let theirs = read_back::texture(self.bench.gpu, theirs)?;
             let ours = read_back::texture(self.bench.gpu, ours)?;
@@ -319,9 +328,9 @@ impl<'b, 'k> Play<'b, 'k> {
                 let width = self.bench.kit.size[0].max(1);
                 let (pixels, first) = (1 + differing.count(), [at % width, at / width]);
                 return Err(if conservative {
-                    Breach::WrongPicture { pixels, first }
+                    ViolationKind::WrongImage { pixels, first }
                 } else {
-                    Breach::FalseVerdicts { pixels, first }
+                    ViolationKind::FalseVerdicts { pixels, first }
                 });
             }
         }

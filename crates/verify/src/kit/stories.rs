@@ -13,12 +13,12 @@ use rand::SeedableRng;
 use rand_pcg::Pcg32;
 
 use super::case::Case;
-use super::failure::Breach;
+use super::failure::ViolationKind;
 use super::play::{Bench, Play};
 use antumbra_cull::Verdicts;
 
 /// Plays a case to its end, or to the first thing that does not hold.
-pub(super) fn play(case: Case, bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn play(case: Case, bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     match case {
         Case::RandomScenes => runs::random_scenes(bench),
         Case::Repeat => runs::repeat(bench),
@@ -38,8 +38,8 @@ pub(super) fn play(case: Case, bench: &mut Bench<'_>) -> Result<(), Breach> {
         Case::Worlds => worlds::worlds(bench),
         Case::Lenses => lenses::lenses(bench),
         Case::Gaps => gaps::gaps(bench),
-        Case::Own => Err(Breach::Failed(
-            "this case needs a scene: play it with Kit::play_on".to_owned(),
+        Case::Custom => Err(ViolationKind::Failed(
+            "this case needs a scene: play it with Kit::check_scene".to_owned(),
         )),
     }
 }
@@ -49,7 +49,7 @@ pub(super) fn own(
     bench: &mut Bench<'_>,
     scene: Scene,
     frames: &[Vec<Camera>],
-) -> Result<Vec<Vec<Verdicts>>, Breach> {
+) -> Result<Vec<Vec<Verdicts>>, ViolationKind> {
     let views = frames.first().map_or(0, Vec::len);
     let names: Vec<String> = match views {
         1 => vec!["main".to_owned()],

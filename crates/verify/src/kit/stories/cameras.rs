@@ -2,11 +2,11 @@
 
 use glam::DVec3;
 
-use crate::kit::failure::Breach;
+use crate::kit::failure::ViolationKind;
 use crate::kit::play::{Bench, Play};
 use crate::kit::props::{Props, camera, camera_with, placed};
 
-pub(super) fn cut(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn cut(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     let mut props = Props::new()?;
     props.cube(DVec3::ZERO, DVec3::new(6.0, 4.0, 0.2))?;
     for side in [-1.0, 1.0] {
@@ -28,7 +28,7 @@ pub(super) fn cut(bench: &mut Bench<'_>) -> Result<(), Breach> {
     play.cut(&back)
 }
 
-pub(super) fn inside_box(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn inside_box(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     let mut props = Props::new()?;
     let room = placed(DVec3::ZERO, DVec3::new(6.0, 4.0, 8.0));
     props.put(props.shapes.cube, props.paints.double_sided, room)?;
@@ -45,7 +45,7 @@ pub(super) fn inside_box(bench: &mut Bench<'_>) -> Result<(), Breach> {
     play.frame(&camera(DVec3::new(0.2, 0.1, 3.8), DVec3::ZERO)?)
 }
 
-pub(super) fn near_plane(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn near_plane(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     let mut props = Props::new()?;
     // Its box begins before the near plane, and its front faces with it; the ramp inside lies beyond, in plain sight.
     let ramp = placed(DVec3::new(0.0, 0.0, -1.2), DVec3::splat(3.0));
@@ -61,7 +61,7 @@ pub(super) fn near_plane(bench: &mut Bench<'_>) -> Result<(), Breach> {
     Ok(())
 }
 
-pub(super) fn behind(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn behind(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     let mut props = Props::new()?;
     for column in -3..=3 {
         props.sphere(DVec3::new(f64::from(column), 0.0, 6.0), 0.8)?;

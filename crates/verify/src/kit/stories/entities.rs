@@ -4,7 +4,7 @@ use antumbra_scene::EntityKey;
 use glam::{DAffine3, DVec3};
 
 use super::chance;
-use crate::kit::failure::Breach;
+use crate::kit::failure::ViolationKind;
 use crate::kit::play::{Bench, Play};
 use crate::kit::props::{Props, camera, placed, put};
 
@@ -12,14 +12,14 @@ const HIDDEN: DVec3 = DVec3::new(0.0, 0.0, -3.0);
 const IN_SIGHT: DVec3 = DVec3::new(0.3, 0.2, 2.0);
 
 /// A wall, some spheres hidden behind it, and one in sight.
-fn walled(props: &mut Props) -> Result<Vec<EntityKey>, Breach> {
+fn walled(props: &mut Props) -> Result<Vec<EntityKey>, ViolationKind> {
     props.cube(DVec3::ZERO, DVec3::new(5.0, 4.0, 0.3))?;
     props.sphere(DVec3::new(-1.5, 0.0, 1.0), 0.6)?;
     let hidden = (0..3).map(|i| props.sphere(HIDDEN + DVec3::X * f64::from(i), 0.6));
     Ok(hidden.collect::<Result<_, _>>()?)
 }
 
-pub(super) fn slot_reuse(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn slot_reuse(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     let mut props = Props::new()?;
     let hidden = walled(&mut props)?;
     let (sphere, paint) = (props.shapes.sphere, props.paints.opaque[2]);
@@ -51,7 +51,7 @@ pub(super) fn slot_reuse(bench: &mut Bench<'_>) -> Result<(), Breach> {
     Ok(())
 }
 
-pub(super) fn motion(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn motion(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     let mut props = Props::new()?;
     let hidden = walled(&mut props)?;
     let mut play = Play::new(bench, props.scene)?;
@@ -76,7 +76,7 @@ pub(super) fn motion(bench: &mut Bench<'_>) -> Result<(), Breach> {
     Ok(())
 }
 
-pub(super) fn empty(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn empty(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     let props = Props::new()?;
     let (sphere, paint) = (props.shapes.sphere, props.paints.opaque[0]);
     let mut play = Play::new(bench, props.scene)?;
@@ -91,7 +91,7 @@ pub(super) fn empty(bench: &mut Bench<'_>) -> Result<(), Breach> {
     play.frame(&camera)
 }
 
-pub(super) fn outgrow(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn outgrow(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     let mut props = Props::new()?;
     props.cube(DVec3::ZERO, DVec3::new(3.0, 3.0, 0.3))?;
     let mut random = chance(bench, 400);

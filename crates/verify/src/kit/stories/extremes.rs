@@ -4,11 +4,11 @@ use glam::{DAffine3, DQuat, DVec3};
 use rand::RngExt;
 
 use super::chance;
-use crate::kit::failure::Breach;
+use crate::kit::failure::ViolationKind;
 use crate::kit::play::{Bench, Play};
 use crate::kit::props::{Props, camera, placed, turn};
 
-pub(super) fn sizes(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn sizes(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     let mut props = Props::new()?;
     let mut random = chance(bench, 500);
     let pixel = 1.1 / f64::from(bench.kit.size[1].max(1));
@@ -35,12 +35,12 @@ pub(super) fn sizes(bench: &mut Bench<'_>) -> Result<(), Breach> {
     Ok(())
 }
 
-pub(super) fn many(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn many(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     let mut props = Props::new()?;
     let (cube, paint) = (props.shapes.cube, props.paints.opaque[3]);
-    let wide = f64::from(bench.kit.many.max(1)).sqrt().ceil() as u32;
+    let wide = f64::from(bench.kit.many_entities.max(1)).sqrt().ceil() as u32;
     props.cube(DVec3::new(-12.0, 0.0, -20.0), DVec3::new(16.0, 40.0, 0.5))?;
-    for number in 0..bench.kit.many {
+    for number in 0..bench.kit.many_entities {
         let (column, row) = (number % wide, number / wide);
         let along = |i: u32| (f64::from(i) / f64::from(wide) - 0.5) * 60.0;
         let place = DVec3::new(along(column), along(row) * 0.7, -50.0);
@@ -52,7 +52,7 @@ pub(super) fn many(bench: &mut Bench<'_>) -> Result<(), Breach> {
     play.frame(&camera)
 }
 
-pub(super) fn flat(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn flat(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     let mut props = Props::new()?;
     let (shapes, paints) = (props.shapes, props.paints);
     let mut random = chance(bench, 600);

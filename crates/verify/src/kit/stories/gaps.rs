@@ -3,11 +3,11 @@
 use antumbra_scene::{Camera, Projection};
 use glam::DVec3;
 
-use crate::kit::failure::Breach;
+use crate::kit::failure::ViolationKind;
 use crate::kit::play::{Bench, Play};
 use crate::kit::props::Props;
 
-pub(super) fn gaps(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn gaps(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     let [width, height] = bench.kit.size.map(f64::from);
     // A metre a pixel, the origin between pixels.
     let projection = Projection::Orthographic {

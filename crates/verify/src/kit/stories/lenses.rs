@@ -3,11 +3,11 @@
 use antumbra_scene::{Camera, Projection};
 use glam::DVec3;
 
-use crate::kit::failure::Breach;
+use crate::kit::failure::ViolationKind;
 use crate::kit::play::{Bench, Play};
 use crate::kit::props::Props;
 
-pub(super) fn lenses(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn lenses(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     let perspective = |degrees: f64, near: f64| Projection::Perspective {
         fov_y: degrees.to_radians(),
         near,

@@ -4,7 +4,7 @@ use antumbra_scene::Camera;
 use glam::DVec3;
 
 use super::chance;
-use crate::kit::failure::Breach;
+use crate::kit::failure::ViolationKind;
 use crate::kit::play::{Bench, Play};
 use crate::kit::props::{Props, camera};
 use antumbra_cull::Verdicts;
@@ -12,13 +12,13 @@ use antumbra_cull::Verdicts;
 const ENTITIES: u32 = 36;
 
 /// On a circle around the scene, at an angle in radians.
-fn orbit(angle: f64) -> Result<Camera, Breach> {
+fn orbit(angle: f64) -> Result<Camera, ViolationKind> {
     let eye = DVec3::new(angle.sin() * 7.5, 1.5 + angle.cos(), angle.cos() * 7.5);
     Ok(camera(eye, DVec3::ZERO)?)
 }
 
-pub(super) fn random_scenes(bench: &mut Bench<'_>) -> Result<(), Breach> {
-    for number in 0..bench.kit.scenes {
+pub(super) fn random_scenes(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
+    for number in 0..bench.kit.random_scenes {
         let mut props = Props::new()?;
         props.strew(&mut chance(bench, number), ENTITIES)?;
         let mut play = Play::new(bench, props.scene)?;
@@ -29,16 +29,16 @@ pub(super) fn random_scenes(bench: &mut Bench<'_>) -> Result<(), Breach> {
     Ok(())
 }
 
-pub(super) fn repeat(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn repeat(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     let first = repeated(bench)?;
     if first == repeated(bench)? {
         Ok(())
     } else {
-        Err(Breach::NotRepeatable)
+        Err(ViolationKind::NotRepeatable)
     }
 }
 
-fn repeated(bench: &mut Bench<'_>) -> Result<Vec<Verdicts>, Breach> {
+fn repeated(bench: &mut Bench<'_>) -> Result<Vec<Verdicts>, ViolationKind> {
     let mut props = Props::new()?;
     props.strew(&mut chance(bench, 100), ENTITIES)?;
     let mut play = Play::new(bench, props.scene)?;
@@ -50,10 +50,10 @@ fn repeated(bench: &mut Bench<'_>) -> Result<Vec<Verdicts>, Breach> {
     Ok(play.history)
 }
 
-pub(super) fn still(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn still(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     let mut props = Props::new()?;
     props.strew(&mut chance(bench, 200), ENTITIES)?;
-    let settle = bench.kit.settle;
+    let settle = bench.kit.settle_frames;
     let mut play = Play::new(bench, props.scene)?;
     // From a past of other answers into stillness.
     play.frame(&orbit(0.4)?)?;
@@ -63,7 +63,7 @@ pub(super) fn still(bench: &mut Bench<'_>) -> Result<(), Breach> {
     Ok(())
 }
 
-pub(super) fn stereo(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn stereo(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     let mut props = Props::new()?;
     props.strew(&mut chance(bench, 300), ENTITIES)?;
     let mut play = Play::with_views(bench, props.scene, &["left", "right"])?;

@@ -3,14 +3,14 @@
 use antumbra_scene::{Camera, Projection};
 use glam::DVec3;
 
-use crate::kit::failure::Breach;
+use crate::kit::failure::ViolationKind;
 use crate::kit::play::{Bench, Play};
 use crate::kit::props::Props;
 
 /// A metre in each world, and where the world lies in its own metres.
 const WORLDS: [(f64, f64); 3] = [(1e-4, 0.0), (1e8, 0.0), (1.0, 1e7)];
 
-pub(super) fn worlds(bench: &mut Bench<'_>) -> Result<(), Breach> {
+pub(super) fn worlds(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
     for (metre, away) in WORLDS {
         let at = |x: f64, y: f64, z: f64| (DVec3::new(x, y, z) + DVec3::splat(away)) * metre;
         let mut props = Props::new()?;

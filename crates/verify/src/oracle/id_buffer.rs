@@ -2,25 +2,25 @@
 
 /// The owners of an image's pixels, row after row, the first on top.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct IdImage {
+pub struct IdBuffer {
     /// Width and height in pixels.
     pub size: [u32; 2],
     /// A pixel: the slot of the solid entity that owns it plus 1, or 0 where there is none.
     pub ids: Vec<u32>,
     /// What is blended; `None` for a scene without.
-    pub transparent: Option<Transparent>,
+    pub transparent: Option<TransparentSums>,
 }
 
 /// What is blended, in sums that do not depend on the order of drawing.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Transparent {
+pub struct TransparentSums {
     /// A pixel: the sum of the mixed ids of its visible transparent fragments; 0 where there is none.
     pub signatures: Vec<u32>,
     /// A slot: how many visible transparent fragments it has.
     pub samples: Vec<u32>,
 }
 
-impl IdImage {
+impl IdBuffer {
     /// The slots that own a pixel or, of transparent entities, have a visible sample; ascending.
     pub fn owners(&self) -> Vec<u32> {
         let most = self.ids.iter().max().map_or(0, |most| *most as usize);
@@ -146,7 +146,7 @@ impl Padded {
         }
     }
 
-    pub fn unpack(self, bytes: &[u8], image: &mut IdImage) {
+    pub fn unpack(self, bytes: &[u8], image: &mut IdBuffer) {
         image.size = self.size;
         image.ids.clear();
         for row in bytes.chunks(self.row_bytes.max(1) as usize) {
