@@ -64,7 +64,7 @@ impl fmt::Display for Budget {
 
 /// Where a controller stands.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Standing {
+pub struct BudgetState {
     /// Which step, counted from the most accurate.
     pub step: usize,
     /// Where its dial stands, in percent; 0 where it has none.

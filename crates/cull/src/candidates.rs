@@ -129,7 +129,7 @@ impl Candidates {
 
 /// What was asked: goes along with the answer, so that it can be held against what is asked now.
 #[derive(Debug, Clone, Default)]
-pub struct Asked {
+pub struct Queried {
     /// When.
     pub stamp: Stamp,
     /// The slots that were tested; with hardware queries, in the order of the queries.
@@ -138,7 +138,7 @@ pub struct Asked {
     pub ends: Arc<Vec<u32>>,
 }
 
-impl Asked {
+impl Queried {
     /// How many hardware queries were asked.
     pub fn queries(&self) -> u32 {
         match self.ends.len() {

@@ -14,7 +14,7 @@ use antumbra_draw::{Gpu, IDENTITY_FORMAT, MeshDetail, PipelineKind, SceneTable, 
 use antumbra_graph::{Bind, Buffer, BufferDesc, Clear, Host, Texture, TextureDesc};
 use antumbra_shaders::jobs;
 
-use crate::candidates::{Asked, Candidates};
+use crate::candidates::{Candidates, Queried};
 use crate::frame_graph::{CULL, FrameGraph};
 use crate::order::front_to_back;
 use crate::samples::CountLayout;
@@ -111,12 +111,12 @@ pub struct Proxies {
     /// Everything that is tested.
     pub occludees: ListDraws,
     /// What is tested, for whoever reads the answer.
-    pub asked: Host<Asked>,
+    pub queried: Host<Queried>,
 }
 
 /// Where proxies do not stand in for their meshes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Close {
+pub struct ProxyLimits {
     /// Nearer by than where they deviate from them by so many pixels of the view's image.
     pub deviation: f64,
     /// Whether what the near plane cuts hides others, as what it is. Not where answers are used a frame late: the eye may have passed through it by then,
@@ -124,7 +124,7 @@ pub struct Close {
     pub cut_hide: bool,
 }
 
-impl Default for Close {
+impl Default for ProxyLimits {
     /// Everywhere but where the near plane cuts them, and there nothing is hidden.
     fn default() -> Self {
         Self {
@@ -152,7 +152,7 @@ pub struct Counts {
     /// How they lie in it.
     pub layout: CountLayout,
     /// What they are about.
-    pub asked: Host<Asked>,
+    pub queried: Host<Queried>,
 }
 
 impl FrameGraph<'_> {
@@ -175,7 +175,7 @@ impl FrameGraph<'_> {
         hiding: (Host<Candidates>, MeshDetail),
         candidates: (Host<Candidates>, MeshDetail),
     ) -> Proxies {
-        self.proxies_within(view, hiding, candidates, Close::default())
+        self.proxies_within(view, hiding, candidates, ProxyLimits::default())
     }
 
     /// The same, with the full mesh in place of a [`MeshDetail::Proxy`] that is too close to stand in.
@@ -184,7 +184,7 @@ impl FrameGraph<'_> {
         view: &ViewNodes,
         (hiding, occluder): (Host<Candidates>, MeshDetail),
         (candidates, occludee): (Host<Candidates>, MeshDetail),
-        close: Close,
+        close: ProxyLimits,
     ) -> Proxies {
         let inputs = view.inputs();
         let all_hide =
@@ -193,7 +193,7 @@ impl FrameGraph<'_> {
         let occluders = self.unsubmitted(&view.named("occluders"));
         let others = apart.then(|| self.unsubmitted(&view.named("other occludees")));
         let occludees = apart.then(|| self.unsubmitted(&view.named("occludees")));
-        let asked = self.graph().host::<Asked>(view.named("asked"));
+        let queried = self.graph().host::<Queried>(view.named("queried"));
         let mut node = self.graph().host_node(view.named("submit proxies"));
         node.group(CULL).read(inputs.scene).read(candidates);
         if hiding != candidates {
@@ -206,7 +206,7 @@ impl FrameGraph<'_> {
         let occluders = submit(occluders);
         let others = others.map(&mut submit);
         let all = occludees.map(&mut submit);
-        let asked = node.write(asked);
+        let queried = node.write(queried);
         node.read(inputs.view);
         // Near ones first spares the far ones' fragments. Full meshes keep the canonical order: there, ties must fall as in the reference.
         let sorts = occluder == MeshDetail::Proxy;
@@ -257,7 +257,7 @@ impl FrameGraph<'_> {
                 ctx.upload(all.slots, 0, bytemuck::cast_slice(list.slots()))?;
                 tested = Arc::new(list.slots().to_vec());
             }
-            *ctx.get_mut(asked)? = Asked {
+            *ctx.get_mut(queried)? = Queried {
                 stamp: candidates.stamp(),
                 slots: tested,
                 ends: Arc::default(),
@@ -268,7 +268,7 @@ impl FrameGraph<'_> {
             occluders,
             others,
             occludees: all.unwrap_or(occluders),
-            asked,
+            queried,
         }
     }
 
@@ -305,7 +305,7 @@ impl FrameGraph<'_> {
             return Counts {
                 buffer,
                 layout: CountLayout::ByQuery,
-                asked: proxies.asked,
+                queried: proxies.queried,
             };
         }
         let counts = self.sample_counts(view);
@@ -313,7 +313,7 @@ impl FrameGraph<'_> {
         Counts {
             buffer,
             layout: CountLayout::BySlot,
-            asked: proxies.asked,
+            queried: proxies.queried,
         }
     }
 
@@ -390,7 +390,7 @@ impl FrameGraph<'_> {
         Counts {
             buffer: counts,
             layout: CountLayout::BySlot,
-            asked: proxies.asked,
+            queried: proxies.queried,
         }
     }
 

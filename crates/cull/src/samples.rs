@@ -2,7 +2,7 @@
 
 use antumbra_draw::SceneTable;
 
-use crate::candidates::{Asked, Candidates, Query, Stamp};
+use crate::candidates::{Candidates, Queried, Query, Stamp};
 use crate::dial::Dial;
 use crate::verdict::{Verdict, Verdicts};
 
@@ -11,7 +11,7 @@ use crate::verdict::{Verdict, Verdicts};
 pub enum CountLayout {
     /// A u32 a slot.
     BySlot,
-    /// A u64 a query, in the order of [`Asked::slots`]: zero, or anything else for "at least one sample".
+    /// A u64 a query, in the order of [`Queried::slots`]: zero, or anything else for "at least one sample".
     ByQuery,
 }
 
@@ -20,7 +20,7 @@ impl CountLayout {
     /// left out.
     pub fn answers<'a>(
         self,
-        asked: &'a Asked,
+        asked: &'a Queried,
         bytes: &'a [u8],
     ) -> impl Iterator<Item = (u32, Query, bool)> + 'a {
         let slots = asked.by_query();
@@ -128,7 +128,7 @@ const NOT_ASKED: u32 = u32::MAX;
 
 impl Samples {
     /// Takes an answer in: the counts of the slots that were asked about.
-    pub fn take(&mut self, asked: &Asked, layout: CountLayout, bytes: &[u8]) {
+    pub fn take(&mut self, asked: &Queried, layout: CountLayout, bytes: &[u8]) {
         self.of.clear();
         let slots = asked
             .slots
@@ -199,7 +199,7 @@ impl Samples {
         verdicts: &mut Verdicts,
     ) {
         outside(table, verdicts);
-        verdicts.add_asked(self.questions);
+        verdicts.add_tested(self.questions);
         let now = candidates.stamp();
         let asked = self.asked.filter(|asked| asked.cuts == now.cuts);
         for slot in candidates.inside() {

@@ -14,15 +14,15 @@ use built::{Built, Inherited, build};
 use kept::KeptPlans;
 use thiserror::Error;
 
+use crate::adaptive_threshold::GpuThreshold;
 use crate::audit::{Audit, AuditOptions};
-use crate::budget::{Budget, Keeping, Standing};
-use crate::candidates::Asked;
+use crate::budget::{Budget, BudgetState, Keeping};
+use crate::candidates::Queried;
 use crate::narrowing::{Narrowing, hide};
 use crate::pipelines::Pipelines;
 use crate::samples::Samples;
 use crate::strategy::{DeclareError, Strategy, VerdictSource};
 use crate::tuning::Step;
-use crate::turned::GpuTurned;
 use crate::verdict::Verdicts;
 
 /// A view of a stage: it keeps its name and size for the stage's life.
@@ -296,8 +296,8 @@ impl Stage {
     }
 
     /// Where the trade between accuracy and speed stands, for a stage with a budget: the step, its settings and its dial.
-    pub fn standing(&self) -> Option<(Standing, &Step)> {
-        self.keeping.as_ref()?.standing()
+    pub fn budget_state(&self) -> Option<(BudgetState, &Step)> {
+        self.keeping.as_ref()?.state()
     }
 
     /// Takes over what audits have come in, and lets the controller know.
@@ -333,7 +333,7 @@ impl Stage {
 
     /// The step that a budget is on; 0 without one.
     fn step(&self) -> usize {
-        self.standing().map_or(0, |(standing, _)| standing.step)
+        self.budget_state().map_or(0, |(standing, _)| standing.step)
     }
 
     /// Declares the strategy's nodes again, for the scene and the settings as they are now.
@@ -470,16 +470,16 @@ impl Stage {
                 counts,
                 layout,
                 mut rule,
-                turned,
+                adapted,
             } => {
-                if let Some(turned) = turned {
-                    let buffer = plan.buffer(turned.buffer).ok_or_else(missing)?;
+                if let Some(adapted) = adapted {
+                    let buffer = plan.buffer(adapted.buffer).ok_or_else(missing)?;
                     let bytes = read_back::buffer(&self.gpu, buffer)?;
-                    let turned: GpuTurned = bytemuck::pod_read_unaligned(&bytes);
-                    rule.threshold = turned.threshold;
+                    let found: GpuThreshold = bytemuck::pod_read_unaligned(&bytes);
+                    rule.threshold = found.threshold;
                 }
                 let candidates = plan.get(candidates).ok_or_else(missing)?;
-                let asked: &Asked = plan.get(asked).ok_or_else(missing)?;
+                let asked: &Queried = plan.get(asked).ok_or_else(missing)?;
                 let bytes = read_back::buffer(&self.gpu, plan.buffer(counts).ok_or_else(missing)?)?;
                 let mut samples = Samples::default();
                 samples.take(asked, layout, &bytes);

@@ -3,12 +3,12 @@
 use antumbra_graph::{Buffer, Host};
 use thiserror::Error;
 
+use crate::adaptive_threshold::AdaptiveThreshold;
 use crate::candidates::Candidates;
 use crate::frame_graph::FrameGraph;
 use crate::latency::Latency;
 use crate::narrowing::Narrowing;
 use crate::tuning::{Setting, SettingError, Step, Tunable, Value};
-use crate::turned::Turned;
 use crate::verdict::Verdicts;
 use crate::view_nodes::ViewNodes;
 
@@ -184,12 +184,12 @@ pub(crate) enum VerdictSource {
     /// On the GPU: they follow from the counts, the candidates and the rule.
     Gpu {
         candidates: Host<Candidates>,
-        asked: Host<crate::Asked>,
+        asked: Host<crate::Queried>,
         counts: Buffer,
         layout: crate::CountLayout,
         rule: crate::SampleRule,
         /// The frame's threshold, where it is not the rule's.
-        turned: Option<Turned>,
+        adapted: Option<AdaptiveThreshold>,
     },
 }
 
@@ -217,11 +217,11 @@ impl VisibleSet {
     ) -> Self {
         VerdictSource::Gpu {
             candidates,
-            asked: counts.asked,
+            asked: counts.queried,
             counts: counts.buffer,
             layout: counts.layout,
             rule: rule.into(),
-            turned: None,
+            adapted: None,
         }
         .into()
     }

@@ -95,12 +95,12 @@ impl Verdicts {
     }
 
     /// Counts entities that were asked about: hardware queries, or proxies whose samples were counted.
-    pub fn add_asked(&mut self, asked: u32) {
+    pub fn add_tested(&mut self, asked: u32) {
         self.asked += asked;
     }
 
     /// How many entities were asked about to reach these verdicts.
-    pub fn asked(&self) -> u32 {
+    pub fn tested(&self) -> u32 {
         self.asked
     }
 

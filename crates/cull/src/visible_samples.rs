@@ -55,7 +55,7 @@ impl FrameGraph<'_> {
         let samples = self.graph().host::<Samples>(view.named("latest samples"));
         let mut node = self.graph().host_node(view.named("read late"));
         node.group(CULL);
-        let answers = node.read_previous(counts.buffer, counts.asked);
+        let answers = node.read_previous(counts.buffer, counts.queried);
         let samples = node.updates(samples);
         node.run(move |ctx| {
             if let Some(late) = ctx.late(answers) {
@@ -92,12 +92,12 @@ impl FrameGraph<'_> {
             view,
             |node| {
                 node.read(candidates)
-                    .read(counts.asked)
+                    .read(counts.queried)
                     .read_back(counts.buffer);
             },
             move |ctx, table, _, verdicts| {
                 samples.take(
-                    &*ctx.get(counts.asked)?,
+                    &*ctx.get(counts.queried)?,
                     counts.layout,
                     ctx.bytes(counts.buffer)?,
                 );

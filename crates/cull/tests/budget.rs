@@ -68,7 +68,7 @@ fn fly(strategy: &str, budget: Budget, frames: u32) -> Flown {
         step: 0,
         changes: 0,
     };
-    let mut before = stage.standing().unwrap().0.step;
+    let mut before = stage.budget_state().unwrap().0.step;
     for frame in 0..frames {
         for (key, home) in movers.iter().zip(&homes) {
             let away = DVec3::Y * (f64::from(frame) * 0.05 + home.translation.x).sin() * 0.5;
@@ -87,7 +87,7 @@ fn fly(strategy: &str, budget: Budget, frames: u32) -> Flown {
         let wrong = wrong_pixels_percent(&mut oracle, &on_gpu, &camera, &verdicts);
         flown.wrong += wrong / f64::from(frames);
         flown.worst = flown.worst.max(wrong);
-        flown.step = stage.standing().unwrap().0.step;
+        flown.step = stage.budget_state().unwrap().0.step;
         flown.changes += u32::from(flown.step != before);
         before = flown.step;
     }
@@ -322,7 +322,7 @@ fn a_step_that_was_stood_on_before_keeps_its_plan_and_memory() {
         stage
             .frame(&scene, &[ViewInput::new(camera(frame))])
             .unwrap();
-        let step = stage.standing().unwrap().0.step;
+        let step = stage.budget_state().unwrap().0.step;
         on_step[step] += 1;
         changes += u32::from(before.is_some_and(|before| before != step));
         before = Some(step);

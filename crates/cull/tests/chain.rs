@@ -195,7 +195,7 @@ impl Play {
         let verdicts = self.stage.verdicts(0, &self.scene).unwrap();
         let slots = 0..self.scene.table().slots();
         let all = slots.map(|slot| verdicts.get(slot)).collect();
-        (all, verdicts.asked())
+        (all, verdicts.tested())
     }
 }
 

@@ -56,11 +56,11 @@ impl Strategy for Counter {
             view,
             |node| {
                 node.read(inside)
-                    .read(counts.asked)
+                    .read(counts.queried)
                     .read_back(counts.buffer);
             },
             move |ctx, _, _, verdicts| {
-                let asked = ctx.get(counts.asked)?;
+                let asked = ctx.get(counts.queried)?;
                 counted
                     .lock()
                     .unwrap()

@@ -86,7 +86,7 @@ fn stop_and_wait_waits_for_every_batch_and_once_more_to_find_the_end() {
             "batch {batch}"
         );
         let verdicts = stage.verdicts(0, &scene).unwrap();
-        assert_eq!(verdicts.asked(), 27);
+        assert_eq!(verdicts.tested(), 27);
     }
 }
 

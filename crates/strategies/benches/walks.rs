@@ -54,7 +54,7 @@ fn walk(walk: &mut Walk, sight: &Sight<'_>, verdicts: &mut Verdicts, visible: bo
         let answers = std::iter::repeat_n(visible, boxes.query_count() as usize);
         walk.answer(sight, &HOW, verdicts, answers);
         if walk.is_over() {
-            return verdicts.asked();
+            return verdicts.tested();
         }
     }
 }

@@ -12,7 +12,7 @@ use antumbra_cull::order::by_nearest_corner;
 use antumbra_cull::{
     CULL, Candidates, DRAW, DeclareError, FrameGraph, Latency, Parameter, Setting, SettingError,
     Strategy, Tunable, Value, Verdict, Verdicts, ViewNodes, VisibleSet, assign, describe, outside,
-    question,
+    query_detail,
 };
 use antumbra_scene::hierarchy::HierarchyShape;
 
@@ -234,7 +234,7 @@ fn turn(
         let frame = ctx.get(inputs.view)?;
         ask_list.clear();
         for slot in pending.iter() {
-            ask_list.push(table, *slot, question(table, &frame, *slot));
+            ask_list.push(table, *slot, query_detail(table, &frame, *slot));
         }
         ctx.upload(draw.slots, 0, bytemuck::cast_slice(draw_list.slots()))?;
         ctx.upload(ask.slots, 0, bytemuck::cast_slice(ask_list.slots()))?;
@@ -265,7 +265,7 @@ fn turn(
                 },
             );
         }
-        verdicts.add_asked(walk.pending.len() as u32);
+        verdicts.add_tested(walk.pending.len() as u32);
         *ctx.get_mut(done)? = walk.pending.is_empty();
         Ok(())
     });

@@ -6,9 +6,9 @@
 use antumbra_draw::MeshDetail;
 
 use antumbra_cull::{
-    Allowance, Close, Counting, DeclareError, Dial, FrameGraph, Latency, Parameter, SampleRule,
-    Setting, SettingError, Step, Strategy, Tunable, Value, ViewNodes, VisibleSet, assign, describe,
-    shortest,
+    Allowance, Counting, DeclareError, Dial, FrameGraph, Latency, Parameter, ProxyLimits,
+    SampleRule, Setting, SettingError, Step, Strategy, Tunable, Value, ViewNodes, VisibleSet,
+    assign, describe, shortest,
 };
 
 /// The strategy `three-pass`.
@@ -266,7 +266,7 @@ impl Strategy for ThreePass {
             view,
             (candidates, self.occluders.detail()),
             (candidates, self.occludees.detail()),
-            Close {
+            ProxyLimits {
                 deviation: self.deviation,
                 cut_hide: self.latency != Latency::FrameLate,
             },

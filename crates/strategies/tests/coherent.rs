@@ -55,16 +55,16 @@ fn the_second_eye_asks_less_than_it_would_alone() {
                 continue;
             }
             assert_eq!(
-                alone[0].asked(),
-                reused[0].asked(),
+                alone[0].tested(),
+                reused[0].tested(),
                 "{latency}: the first eye is the same"
             );
             let seen = reused[0].drawn().count() as u32;
             assert!(
-                reused[1].asked() + seen / 2 < alone[1].asked(),
+                reused[1].tested() + seen / 2 < alone[1].tested(),
                 "{latency}, step {step}: {} of {}, {seen} visible",
-                reused[1].asked(),
-                alone[1].asked()
+                reused[1].tested(),
+                alone[1].tested()
             );
         }
     }
@@ -82,7 +82,7 @@ fn asking_together_asks_less() {
         let one = &frame(&mut alone, &scene, &[camera])[0];
         let other = &frame(&mut together, &scene, &[camera])[0];
         if step >= 10 {
-            let hidden = |verdicts: &Verdicts| verdicts.asked() - verdicts.drawn().count() as u32;
+            let hidden = |verdicts: &Verdicts| verdicts.tested() - verdicts.drawn().count() as u32;
             asked[0] += hidden(one);
             asked[1] += hidden(other);
         }
@@ -172,7 +172,7 @@ fn an_adaptive_fraction_asks_more_while_more_appears() {
             .iter()
             .position(|v| *v == Verdict::Occluded)
             .unwrap()];
-        f64::from(verdicts.asked() - verdicts.drawn().count() as u32) / f64::from(hidden)
+        f64::from(verdicts.tested() - verdicts.drawn().count() as u32) / f64::from(hidden)
     };
     let still = (0..30).map(|_| asked(0.0)).last().unwrap();
     let moving = (1..10)

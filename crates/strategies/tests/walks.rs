@@ -96,12 +96,12 @@ fn a_hidden_sub_tree_takes_one_question() {
         let (verdicts, report) = frame(&mut stage, &scene, eye);
         let [_, occluded, _, visible, ..] = verdicts.tally();
         assert_eq!((occluded, visible), (64, 1), "{text}");
-        assert!(verdicts.asked() <= 4, "{text}: {}", verdicts.asked());
+        assert!(verdicts.tested() <= 4, "{text}: {}", verdicts.tested());
         assert!(report.sync_points <= 4, "{text}: {}", report.sync_points);
     }
     // Without the map even the wall is asked about, and everything above it.
     let (verdicts, _) = frame(&mut stage(&scene, "stop-and-wait:tree=groups"), &scene, eye);
-    assert_eq!((verdicts.asked(), verdicts.tally()[1]), (3, 64));
+    assert_eq!((verdicts.tested(), verdicts.tally()[1]), (3, 64));
     // The late form draws what it knows nothing of, asks, and finds out level by level.
     let mut stage = stage(&scene, "occupancy-map:latency=frame-late:grain=0");
     let first = frame(&mut stage, &scene, eye).0;
@@ -112,9 +112,9 @@ fn a_hidden_sub_tree_takes_one_question() {
     let (settled, report) = frame(&mut stage, &scene, eye);
     assert_eq!((settled.tally()[1], report.sync_points), (64, 0));
     assert!(
-        settled.asked() <= 2,
+        settled.tested() <= 2,
         "{} questions about one group",
-        settled.asked()
+        settled.tested()
     );
 }
 
@@ -126,7 +126,7 @@ fn where_nothing_hides_hardly_anything_is_asked() {
     for _ in 0..3 {
         let (verdicts, report) = frame(&mut stage, &scene, camera(DVec3::Z * 17.0));
         assert_eq!(verdicts.tally()[3], 144);
-        assert_eq!((verdicts.asked(), report.sync_points), (0, 0));
+        assert_eq!((verdicts.tested(), report.sync_points), (0, 0));
     }
 }
 
@@ -139,11 +139,11 @@ fn what_is_not_worth_a_wait_is_drawn() {
     // 64 balls of 320 triangles wait behind the wall, in one group: 20,480 triangles for a query that costs 190.
     let text = "occupancy-map:latency=same-frame:worth=";
     let (asked, _) = frame(&mut stage(&scene, &format!("{text}20000")), &scene, eye);
-    assert_eq!((asked.asked(), asked.tally()[1]), (1, 64));
+    assert_eq!((asked.tested(), asked.tally()[1]), (1, 64));
     let mut stage = stage(&scene, &format!("{text}20300"));
     let (drawn, report) = frame(&mut stage, &scene, eye);
     assert_eq!(
-        (drawn.asked(), drawn.drawn().count(), report.sync_points),
+        (drawn.tested(), drawn.drawn().count(), report.sync_points),
         (0, 65, 0)
     );
 }
@@ -201,7 +201,7 @@ fn what_stays_hidden_shares_its_questions_and_is_found_when_it_comes_to_light() 
             ];
             assert_eq!(last[0].tally(), last[1].tally(), "{latency}");
         }
-        let [alone_asked, asked] = [last[0].asked(), last[1].asked()];
+        let [alone_asked, asked] = [last[0].tested(), last[1].tested()];
         assert!(
             alone_asked >= 49 && asked <= 9,
             "{latency}: {asked} of {alone_asked}"
@@ -277,7 +277,7 @@ fn groups_of_those_who_are_gone_are_cleared_away() {
     let eye = camera(DVec3::Z * 14.0);
     let mut stage = stage(&scene, "stop-and-wait:tree=groups");
     let (verdicts, _) = frame(&mut stage, &scene, eye);
-    assert_eq!((verdicts.asked(), verdicts.tally()[1]), (3, 64));
+    assert_eq!((verdicts.tested(), verdicts.tally()[1]), (3, 64));
 }
 
 #[test]

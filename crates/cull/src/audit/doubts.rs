@@ -19,7 +19,7 @@ pub(super) struct Doubts {
     highest: u32,
 }
 
-/// An earlier frame's counts are not this one's: whom a turned threshold would have left out then with so many times as much allowed is doubtful now. One who is left out on a
+/// An earlier frame's counts are not this one's: whom a adapted threshold would have left out then with so many times as much allowed is doubtful now. One who is left out on a
 /// patch that is not doubtful is seldom looked at, and weighs all the more when it is.
 const UNSURE: u64 = 2;
 
@@ -79,7 +79,7 @@ impl FrameGraph<'_> {
             counts,
             layout,
             rule,
-            turned,
+            adapted,
         } = source
         else {
             return None;
@@ -87,7 +87,7 @@ impl FrameGraph<'_> {
         let doubts = self.graph().host::<Doubts>(view.named("audit: doubts"));
         let mut node = self.graph().host_node(view.named("audit: doubt"));
         node.group(AUDIT).read(candidates);
-        let allowed = turned.map(|turned| turned.allowed);
+        let allowed = adapted.map(|adapted| adapted.allowed);
         if let Some(allowed) = allowed {
             node.read(allowed);
         }

@@ -18,10 +18,10 @@ use super::sift::{ENTRY_BYTES, GpuSettings, Listed, MOST_ENTRIES, draw_bytes};
 use super::strata::{DOUBTFUL, Patches, STRATA};
 use super::through;
 use super::{AUDIT, Audit, AuditOptions, Experience, FrameAudit, Hit, Lessons};
-use crate::candidates::{Asked, Candidates};
+use crate::candidates::{Candidates, Queried};
 use crate::counting::Counting;
 use crate::frame_graph::FrameGraph;
-use crate::on_gpu::unasked;
+use crate::indirect::unasked;
 use crate::strategy::{VerdictSource, VisibleSet};
 use crate::tree::Tree;
 use crate::verdict::{Verdict, Verdicts};
@@ -35,7 +35,7 @@ pub(super) struct Looked {
     work: Arc<Vec<f64>>,
     cuts: u64,
     left_out: Option<f64>,
-    /// Pixels of the image in which the GPU says what was left out, where it is there that the threshold is turned.
+    /// Pixels of the image in which the GPU says what was left out, where it is there that the threshold is adapted.
     counted: Option<u32>,
     pixels: f64,
     census: bool,
@@ -48,7 +48,7 @@ pub(super) struct Looked {
 const ENTRIES: u64 = 65_536;
 /// In a census, instances a patch there is room for.
 const ENTRIES_A_PATCH: u64 = 64;
-/// After the marks of all patches: the visible samples of all that a turned threshold left out.
+/// After the marks of all patches: the visible samples of all that a adapted threshold left out.
 const LEFT_OUT_BYTES: u64 = size_of::<u32>() as u64;
 /// How often the triangles a view draws are added up, in frames.
 const RECKON: u64 = 16;
@@ -169,9 +169,9 @@ impl FrameGraph<'_> {
                 VerdictSource::Host(_) => node.upload(none),
                 VerdictSource::Gpu { counts, .. } => counts,
             },
-            turned: match source {
+            adapted: match source {
                 VerdictSource::Host(_) => None,
-                VerdictSource::Gpu { turned, .. } => turned,
+                VerdictSource::Gpu { adapted, .. } => adapted,
             },
         };
         let index = view.index() as u64;
@@ -205,8 +205,8 @@ impl FrameGraph<'_> {
                 }
                 VerdictSource::Gpu { rule, .. } => rule.threshold,
             };
-            let counted = match listed.turned {
-                Some(turned) => Some(ctx.get(turned.allowed)?.pixels),
+            let counted = match listed.adapted {
+                Some(adapted) => Some(ctx.get(adapted.allowed)?.pixels),
                 None => None,
             };
             let settings = GpuSettings::new(list.entries().len(), threshold);
@@ -251,11 +251,11 @@ fn read(node: &mut HostBuilder<'_>, source: VerdictSource, doubts: Option<Host<D
         VerdictSource::Gpu {
             candidates,
             asked,
-            turned,
+            adapted,
             ..
         } => {
-            if let Some(turned) = turned {
-                node.read(turned.allowed);
+            if let Some(adapted) = adapted {
+                node.read(adapted.allowed);
             }
             node.read(candidates).read(asked)
         }
@@ -285,7 +285,7 @@ impl<'a> Culled<'a> {
                 candidates, asked, ..
             } => {
                 let candidates = ctx.get(candidates)?;
-                let asked: &Asked = &*ctx.get(asked)?;
+                let asked: &Queried = &*ctx.get(asked)?;
                 let unasked = unasked(&candidates, asked);
                 Self::Gpu {
                     candidates,

@@ -9,8 +9,8 @@ use bytemuck::{Pod, Zeroable};
 
 use super::AUDIT;
 use super::nodes::Looked;
+use crate::adaptive_threshold::AdaptiveThreshold;
 use crate::frame_graph::FrameGraph;
-use crate::turned::Turned;
 use crate::view_nodes::ViewNodes;
 
 /// Mirrors `Settings` of `cull_patches.wgsl`.
@@ -57,7 +57,7 @@ pub(super) struct Listed {
     /// Visible samples by slot, or words of zero.
     pub counts: Buffer,
     /// The threshold they are held against, where it is not that of the settings.
-    pub turned: Option<Turned>,
+    pub adapted: Option<AdaptiveThreshold>,
 }
 
 /// Bytes of the draws of so many entries.
@@ -87,18 +87,18 @@ impl FrameGraph<'_> {
             .storage_read(listed.entries)
             .storage_read(listed.counts)
             .sample(depth);
-        let turned = listed.turned.map(|turned| turned.buffer);
-        if let Some(turned) = turned {
-            node.storage_read(turned);
+        let adapted = listed.adapted.map(|adapted| adapted.buffer);
+        if let Some(adapted) = adapted {
+            node.storage_read(adapted);
         }
         node.only_if(move |host| {
             // A value that cannot be read is the body's to complain of.
             let something = host.get(listed.list).map_or(true, |list| !list.is_empty());
-            // What a turned threshold left out is noted though there is nothing to sift.
+            // What a adapted threshold left out is noted though there is nothing to sift.
             let notes = host
                 .get(listed.looked)
                 .map_or(true, |looked| looked.at_all());
-            something || turned.is_some() && notes
+            something || adapted.is_some() && notes
         });
         let kept = node.storage_write(kept);
         let draws = node.storage_write(listed.draws);
@@ -113,7 +113,7 @@ impl FrameGraph<'_> {
                 Bind::Buffer(4, kept),
                 Bind::Buffer(5, draws),
                 Bind::Buffer(6, shown),
-                Bind::Buffer(7, turned.unwrap_or(listed.settings)),
+                Bind::Buffer(7, adapted.unwrap_or(listed.settings)),
             ];
             pipeline.dispatch(ctx, &binds, [entries.div_ceil(LANES).max(1), 1])
         });

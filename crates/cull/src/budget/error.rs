@@ -1,7 +1,7 @@
 //! Keeps the mean of the wrong pixels under a budget: the fastest step whose error is believed to fit, its dial turned to what is left. What a frame
 //! leaves out by its own count is known at once; what else goes wrong, and how wrong that count is, the audit has to say.
 
-use super::Standing;
+use super::BudgetState;
 use super::belief::Belief;
 use crate::audit::FrameAudit;
 use crate::tuning::Step;
@@ -11,7 +11,7 @@ use crate::tuning::Step;
 pub(super) struct ErrorKeeper {
     budget: f64,
     steps: Vec<Known>,
-    at: Standing,
+    at: BudgetState,
     /// The frame from which on the answers are about where it stands.
     since: u64,
     /// Frames in a row in which another step looked better.
@@ -78,7 +78,7 @@ impl ErrorKeeper {
         let mut keeper = Self {
             budget,
             steps: steps.iter().map(known).collect(),
-            at: Standing::default(),
+            at: BudgetState::default(),
             since: 0,
             patience: 0,
             saved: 0.0,
@@ -95,12 +95,12 @@ impl ErrorKeeper {
     }
 
     /// Where it stands.
-    pub fn standing(&self) -> Standing {
+    pub fn state(&self) -> BudgetState {
         self.at
     }
 
     /// Takes in what the audit found in a frame; `now` is the frame that is about to be drawn. Says where to stand from now on.
-    pub fn note(&mut self, found: &FrameAudit, now: u64) -> Standing {
+    pub fn note(&mut self, found: &FrameAudit, now: u64) -> BudgetState {
         let [plain, doubtful] = found.by_kind();
         self.saved += self.budget - plain.percent - doubtful.percent;
         // More than a horizon's worth of frugality is not handed down, nor of debts.
@@ -151,11 +151,11 @@ impl ErrorKeeper {
     }
 
     /// Goes there, with what earlier frames did not spend.
-    fn stand(&mut self, at: Standing) {
+    fn stand(&mut self, at: BudgetState) {
         self.share = at.allow;
         let most = SPREAD * self.share;
         self.unspent = self.unspent.clamp(-most, (BURST - 1.0) * most);
-        self.at = Standing {
+        self.at = BudgetState {
             allow: self.share + self.unspent / SPREAD,
             ..at
         };
@@ -175,8 +175,8 @@ impl ErrorKeeper {
     }
 
     /// The fastest step that is believed to fit, among those up to the one after where it stands; and whether where it stands is far from fitting.
-    fn best(&self) -> (Standing, bool) {
-        let mut best = Standing::default();
+    fn best(&self) -> (BudgetState, bool) {
+        let mut best = BudgetState::default();
         if self.budget <= 0.0 {
             return (best, false);
         }
@@ -193,7 +193,7 @@ impl ErrorKeeper {
                     true => self.left(allowed - mean),
                     false => 0.0,
                 };
-                best = Standing { step, allow };
+                best = BudgetState { step, allow };
             }
             urgent |= step == self.at.step && careful > URGENT * self.budget;
             prior = prior.max(WORSENS * mean);
@@ -234,7 +234,7 @@ mod tests {
         let mut stood = vec![0; errors.len()];
         let mut wrong = 0.0;
         for frame in 0..frames {
-            let at = keeper.standing();
+            let at = keeper.state();
             stood[at.step] += 1;
             let (base, meant) = (errors[at.step], at.allow);
             wrong += base + meant * times;
@@ -288,7 +288,7 @@ mod tests {
         let mut heavy = 0;
         for frame in 0..600 {
             // Two hundredths on average on the second step; on the third nothing, and once a quarter of the image.
-            let percent = match keeper.standing().step {
+            let percent = match keeper.state().step {
                 2 if frame > 100 && heavy == 0 => 26.0,
                 1 if frame % 12 == 6 => 0.25,
                 _ => 0.0,
@@ -296,7 +296,7 @@ mod tests {
             heavy += u32::from(percent > 1.0);
             let hits = (percent > 0.0).then_some((percent, false)).into_iter();
             keeper.note(&FrameAudit::made_up(frame, 10.0, hits, None), frame + 1);
-            let step = keeper.standing().step;
+            let step = keeper.state().step;
             assert!(frame < 20 || step > 0, "{frame}: {keeper:?}");
         }
         assert_eq!(heavy, 1);
@@ -311,7 +311,7 @@ mod tests {
         for frame in 0..frames {
             // Twenty frames with hardly anything that is small, and twenty with much.
             let room = if frame / 20 % 2 == 0 { 0.001 } else { 1.0 };
-            let left_out = keeper.standing().allow.min(room);
+            let left_out = keeper.state().allow.min(room);
             meant += left_out;
             shares += keeper.share;
             most = most.max(left_out / keeper.share.max(1e-9));

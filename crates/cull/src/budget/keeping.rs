@@ -2,7 +2,7 @@
 
 use super::error::ErrorKeeper;
 use super::time::TimeKeeper;
-use super::{Budget, Standing};
+use super::{Budget, BudgetState};
 use crate::audit::FrameAudit;
 use crate::latency::Latency;
 use crate::strategy::{DeclareError, Strategy};
@@ -15,7 +15,7 @@ pub(crate) struct Keeping {
     steps: Vec<Step>,
     /// What the strategy was set to by its user.
     user: Vec<(&'static str, Value)>,
-    at: Standing,
+    at: BudgetState,
 }
 
 /// Who keeps it.
@@ -74,7 +74,7 @@ impl Keeping {
             keeper,
             steps,
             user,
-            at: Standing::default(),
+            at: BudgetState::default(),
         };
         keeping.at = keeping.wanted();
         keeping.apply(strategy)?;
@@ -82,7 +82,7 @@ impl Keeping {
     }
 
     /// Where it stands, and the settings of that step.
-    pub fn standing(&self) -> Option<(Standing, &Step)> {
+    pub fn state(&self) -> Option<(BudgetState, &Step)> {
         Some((self.at, self.steps.get(self.at.step)?))
     }
 
@@ -100,10 +100,10 @@ impl Keeping {
         }
     }
 
-    fn wanted(&self) -> Standing {
+    fn wanted(&self) -> BudgetState {
         match &self.keeper {
-            Keeper::Error(keeper) => keeper.standing(),
-            Keeper::Time(keeper) => keeper.standing(),
+            Keeper::Error(keeper) => keeper.state(),
+            Keeper::Time(keeper) => keeper.state(),
         }
     }
 

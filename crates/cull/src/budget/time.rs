@@ -1,6 +1,6 @@
 //! Keeps the time of a frame under a budget: a step, or a turn of the dial, towards speed while frames take too long, and back while they leave room.
 
-use super::Standing;
+use super::BudgetState;
 use crate::tuning::Step;
 
 /// Chooses steps by time.
@@ -8,7 +8,7 @@ use crate::tuning::Step;
 pub(super) struct TimeKeeper {
     budget: f64,
     /// All it may stand at, from the most accurate to the fastest, with the last time known of each.
-    stands: Vec<(Standing, Option<f64>)>,
+    stands: Vec<(BudgetState, Option<f64>)>,
     at: usize,
     mean: Option<f64>,
     frames: u32,
@@ -39,7 +39,7 @@ impl TimeKeeper {
             };
             stands.extend(dial.iter().map(|allow| {
                 (
-                    Standing {
+                    BudgetState {
                         step,
                         allow: *allow,
                     },
@@ -57,7 +57,7 @@ impl TimeKeeper {
     }
 
     /// Where it stands.
-    pub fn standing(&self) -> Standing {
+    pub fn state(&self) -> BudgetState {
         self.stands
             .get(self.at)
             .map(|stand| stand.0)
@@ -65,7 +65,7 @@ impl TimeKeeper {
     }
 
     /// Takes in a frame's milliseconds, and says where to stand from now on.
-    pub fn note(&mut self, time: f64) -> Standing {
+    pub fn note(&mut self, time: f64) -> BudgetState {
         for (_, known) in &mut self.stands {
             if let Some(known) = known {
                 *known *= FORGETS;
@@ -73,7 +73,7 @@ impl TimeKeeper {
         }
         self.frames += 1;
         if self.frames <= SETTLES || !time.is_finite() {
-            return self.standing();
+            return self.state();
         }
         let mean = self
             .mean
@@ -83,7 +83,7 @@ impl TimeKeeper {
             *known = Some(mean);
         }
         if self.frames < SETTLES + AVERAGES {
-            return self.standing();
+            return self.state();
         }
         let fits = |at: usize| {
             let known = self.stands.get(at).and_then(|stand| stand.1);
@@ -104,7 +104,7 @@ impl TimeKeeper {
         if next != self.at {
             (self.at, self.mean, self.frames) = (next, None, 0);
         }
-        self.standing()
+        self.state()
     }
 }
 
@@ -118,7 +118,7 @@ mod tests {
         let mut keeper = TimeKeeper::new(budget, &steps);
         let mut time = 0.0;
         for _ in 0..frames {
-            time = 20.0 * 0.8f64.powi(keeper.standing().step as i32);
+            time = 20.0 * 0.8f64.powi(keeper.state().step as i32);
             keeper.note(time);
         }
         time

@@ -202,11 +202,11 @@ fn declare(
                 candidates,
                 asked,
                 counts,
-                turned,
+                adapted,
                 ..
             } => {
-                if let Some(turned) = turned {
-                    graph.output(turned.buffer);
+                if let Some(adapted) = adapted {
+                    graph.output(adapted.buffer);
                 }
                 graph.output(candidates);
                 graph.output(asked);

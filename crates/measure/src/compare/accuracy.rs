@@ -223,7 +223,7 @@ impl Judge {
         let Some(record) = record.views.get_mut(view) else {
             return Ok(());
         };
-        record.asked += u64::from(verdicts.asked());
+        record.asked += u64::from(verdicts.tested());
         record.false_culls.push(missing as u64);
         let wrong = match missing {
             0 if verdicts.levels() == 1 => None,

@@ -53,7 +53,7 @@ impl Audited {
                 }
             }
         }
-        if let Some((standing, _)) = stage.standing() {
+        if let Some((standing, _)) = stage.budget_state() {
             if self.stood.len() <= standing.step {
                 self.stood.resize(standing.step + 1, 0);
             }

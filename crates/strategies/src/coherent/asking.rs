@@ -6,7 +6,7 @@ use antumbra_draw::passes::{self, ListDraws};
 use antumbra_draw::{DrawList, MeshDetail, PipelineKind, SceneTable, ViewFrame};
 use antumbra_graph::{BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext};
 
-use antumbra_cull::{Asked, CULL, DRAW, FrameGraph, Stamp, ViewNodes, question};
+use antumbra_cull::{CULL, DRAW, FrameGraph, Queried, Stamp, ViewNodes, query_detail};
 
 /// What is asked about an entity; in the order of asking.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -21,7 +21,7 @@ struct Test {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Asking {
     pub list: ListDraws,
-    pub asked: Host<Asked>,
+    pub asked: Host<Queried>,
     /// A u64 an entry.
     pub answers: Buffer,
 }
@@ -32,7 +32,7 @@ impl Asking {
         let named = |what: &str| view.named(&format!("{name}{what}"));
         Self {
             list: g.unsubmitted(&named("")),
-            asked: g.graph().host::<Asked>(named(": asked")),
+            asked: g.graph().host::<Queried>(named(": asked")),
             answers: g.graph().buffer(named(": answers"), BufferDesc::new(bytes)),
         }
     }
@@ -84,7 +84,7 @@ impl Asking {
         let mut tests: Vec<Test> = slots
             .map(|slot| Test {
                 batch: table.batch_of(slot),
-                boxed: question(table, view, slot) == MeshDetail::Box,
+                boxed: query_detail(table, view, slot) == MeshDetail::Box,
                 settled: settled(slot),
                 slot,
             })
@@ -122,7 +122,7 @@ impl Asking {
         stamp: Stamp,
     ) -> Result<u32, BodyError> {
         ctx.upload(self.list.slots, 0, bytemuck::cast_slice(list.slots()))?;
-        let asked = Asked {
+        let asked = Queried {
             stamp,
             slots: Arc::new(list.slots().to_vec()),
             ends: Arc::new(list.query_ends().to_vec()),

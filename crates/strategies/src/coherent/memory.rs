@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use super::fraction::Fraction;
 use antumbra_cull::order::by_nearest_corner;
-use antumbra_cull::{Asked, Candidates, CountLayout};
+use antumbra_cull::{Candidates, CountLayout, Queried};
 
 /// What is known of an entity in a view.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -117,7 +117,7 @@ impl Memory {
         &mut self,
         table: &SceneTable,
         cuts: u64,
-        (asked, layout, bytes): (&Asked, CountLayout, &[u8]),
+        (asked, layout, bytes): (&Queried, CountLayout, &[u8]),
         drawn: bool,
     ) -> u32 {
         let mut appeared = 0;

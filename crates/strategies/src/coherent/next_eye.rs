@@ -113,7 +113,7 @@ pub(super) fn same_frame(
                 new.push(slot);
             }
         }
-        verdicts.add_asked(asked.queries());
+        verdicts.add_tested(asked.queries());
         new.retain(|slot| !table.is_transparent(*slot));
         by_nearest_corner(&mut new, table, &frame);
         submit_unasked(ctx, found, table, new.into_iter())?;

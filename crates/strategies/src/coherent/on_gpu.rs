@@ -13,11 +13,11 @@ use antumbra_shaders::jobs;
 
 use super::Coherence;
 use super::turns::Turns;
-use antumbra_cull::on_gpu::{Bounds, Layout};
+use antumbra_cull::indirect::{IndirectLayout, SampleBounds};
 use antumbra_cull::order::back_to_front;
 use antumbra_cull::{
-    Asked, CULL, Candidates, CountLayout, Counting, Counts, FrameGraph, ViewNodes, VisibleSet,
-    question,
+    CULL, Candidates, CountLayout, Counting, Counts, FrameGraph, Queried, ViewNodes, VisibleSet,
+    query_detail,
 };
 
 /// An eye, and how many pixels each slot owns in it: last frame for the first eye, this frame for those after it.
@@ -78,7 +78,7 @@ fn solid(
     name: &str,
     candidates: Host<Candidates>,
     exempt: bool,
-) -> Layout {
+) -> IndirectLayout {
     let most = g.scene_layout().batches;
     g.lay_out(
         view,
@@ -94,7 +94,11 @@ fn solid(
             };
             let members = candidates.inside().iter().copied().filter(wanted);
             laid.list.fill(table, members, MeshDetail::Level(0));
-            laid.bound(table, |_| Bounds::SEEN, |slot| candidates.is_exempt(slot));
+            laid.bound(
+                table,
+                |_| SampleBounds::SEEN,
+                |slot| candidates.is_exempt(slot),
+            );
             Ok(())
         },
     )
@@ -126,7 +130,7 @@ fn test(
                 .testable()
                 .filter(due)
                 .map(|slot| {
-                    let boxed = question(table, frame, slot) == MeshDetail::Box;
+                    let boxed = query_detail(table, frame, slot) == MeshDetail::Box;
                     (table.batch_of(slot), boxed, slot)
                 })
                 .collect();
@@ -139,7 +143,7 @@ fn test(
                 };
                 laid.list.push(table, slot, detail);
             }
-            laid.bound(table, |_| Bounds::HIDDEN, |_| false);
+            laid.bound(table, |_| SampleBounds::HIDDEN, |_| false);
             Ok(())
         },
     );
@@ -185,7 +189,11 @@ fn shade_blended(
             let blended = |slot: &u32| table.is_transparent(*slot);
             let members = candidates.inside().iter().copied().filter(blended);
             back_to_front(laid.list, table, frame, members.map(|slot| (slot, 0)));
-            laid.bound(table, |_| Bounds::SEEN, |slot| candidates.is_exempt(slot));
+            laid.bound(
+                table,
+                |_| SampleBounds::SEEN,
+                |slot| candidates.is_exempt(slot),
+            );
             Ok(())
         },
     );
@@ -201,13 +209,13 @@ fn verdicts(
     seen: Buffer,
     found: Buffer,
 ) -> VisibleSet {
-    let asked = g.graph().host::<Asked>(view.named("asked"));
+    let asked = g.graph().host::<Queried>(view.named("asked"));
     let mut node = g.graph().host_node(view.named("note asked"));
     node.group(CULL).read(candidates);
     let asked = node.write(asked);
     node.run(move |ctx| {
         let candidates = ctx.get(candidates)?;
-        *ctx.get_mut(asked)? = Asked {
+        *ctx.get_mut(asked)? = Queried {
             stamp: candidates.stamp(),
             slots: Arc::new(candidates.inside().to_vec()),
             ends: Arc::default(),
@@ -217,7 +225,7 @@ fn verdicts(
     let counts = Counts {
         buffer: join(g, view, seen, found),
         layout: CountLayout::BySlot,
-        asked,
+        queried: asked,
     };
     VisibleSet::on_gpu(candidates, counts, 0)
 }

@@ -15,7 +15,7 @@ use super::memory::{Known, Memory};
 use super::nearness::Nearness;
 use antumbra_cull::order::{back_to_front, by_nearest_corner};
 use antumbra_cull::{
-    Asked, CULL, Candidates, CountLayout, FrameGraph, Verdict, Verdicts, ViewNodes, outside,
+    CULL, Candidates, CountLayout, FrameGraph, Queried, Verdict, Verdicts, ViewNodes, outside,
 };
 
 /// What another eye may go on from.
@@ -32,8 +32,8 @@ pub(crate) struct Eye {
 /// Answers that come a frame late.
 #[derive(Debug, Clone, Copy)]
 struct Late {
-    drawn: ReadBack<Asked>,
-    second: ReadBack<Asked>,
+    drawn: ReadBack<Queried>,
+    second: ReadBack<Queried>,
     /// Whether the second are those of tests, not of what was drawn.
     tests: bool,
 }
@@ -140,7 +140,7 @@ pub(super) fn same_frame(
         let mut verdicts = ctx.get_mut(verdicts)?;
         judge(&memory, table, &candidates, &mut verdicts);
         let about_drawn = ctx.get(drawn.asked)?.queries();
-        verdicts.add_asked(about_drawn + asked.queries() + new.len() as u32);
+        verdicts.add_tested(about_drawn + asked.queries() + new.len() as u32);
         submit_blended(ctx, blended, table, &frame, &verdicts)
     });
     let found = found.shade(g, view, "shade found visible");
@@ -244,7 +244,7 @@ pub(super) fn frame_late(
         let what = (&**table, &*frame);
         let about_rest =
             tests.submit_tests(ctx, what, candidates.stamp(), asked.into_iter(), together)?;
-        verdicts.add_asked(about_drawn + about_rest);
+        verdicts.add_tested(about_drawn + about_rest);
         submit_blended(ctx, blended, table, &frame, &verdicts)
     });
     if let Some(borrowed) = borrowed {

@@ -184,7 +184,7 @@ impl LateWalk {
         }
         self.sketch.map(&self.front.drawn_on);
         self.ask(sight, how, boxes);
-        verdicts.add_asked(boxes.query_count());
+        verdicts.add_tested(boxes.query_count());
     }
 
     /// The slots to be drawn.

@@ -180,7 +180,7 @@ impl Walk {
         self.asked = asked;
         self.ends.clear();
         self.ends.extend_from_slice(boxes.query_ends());
-        verdicts.add_asked(boxes.query_count());
+        verdicts.add_tested(boxes.query_count());
     }
 
     /// Takes the answers, in the order of the questions: whether any sample was visible.

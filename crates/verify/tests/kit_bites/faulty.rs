@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use antumbra_cull::{
-    Asked, CountLayout, Counting, DeclareError, FrameGraph, Latency, Samples, Stamp, Strategy,
+    CountLayout, Counting, DeclareError, FrameGraph, Latency, Queried, Samples, Stamp, Strategy,
     Verdict, Verdicts, ViewNodes, VisibleSet, outside,
 };
 use antumbra_draw::MeshDetail;
@@ -90,11 +90,11 @@ impl Strategy for Late {
         let counts = g.count_samples(view, proxies, Counting::Queries, view.size());
         let latest = g.graph().host::<Latest>(view.named("latest"));
         let mut node = g.graph().host_node(view.named("read late"));
-        let answers = node.read_previous(counts.buffer, counts.asked);
+        let answers = node.read_previous(counts.buffer, counts.queried);
         let latest = node.updates(latest);
         node.run(move |ctx| {
             if let Some(answer) = ctx.late(answers) {
-                let asked: &Asked = answer.tag;
+                let asked: &Queried = answer.tag;
                 let mut latest = ctx.get_mut(latest)?;
                 latest.samples.take(asked, counts.layout, answer.bytes);
                 latest.asked = Some(asked.stamp);
@@ -168,13 +168,13 @@ impl Strategy for BoxTest {
             view,
             |node| {
                 node.read(inside)
-                    .read(counts.asked)
+                    .read(counts.queried)
                     .read_back(counts.buffer);
             },
             move |ctx, _, _, verdicts| {
                 let mut samples = Samples::default();
                 let bytes = ctx.bytes(counts.buffer)?;
-                samples.take(&*ctx.get(counts.asked)?, CountLayout::ByQuery, bytes);
+                samples.take(&*ctx.get(counts.queried)?, CountLayout::ByQuery, bytes);
                 let inside = ctx.get(inside)?;
                 for slot in inside.inside() {
                     let verdict = match samples.get(*slot) {
@@ -265,7 +265,7 @@ impl Strategy for Moody {
             },
             move |ctx, _, _, verdicts| {
                 let frame = frames.fetch_add(1, Ordering::Relaxed);
-                verdicts.add_asked(frame);
+                verdicts.add_tested(frame);
                 let mood = match frame % 2 {
                     0 => Verdict::Untested,
                     _ => Verdict::New,

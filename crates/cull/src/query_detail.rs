@@ -11,7 +11,7 @@ const MARGIN_PIXELS: f64 = 1.0 / 128.0;
 
 /// The detail to ask about a slot with: its box. A mesh that is no dearer than its box stands for itself. So do lines and points, which
 /// cover pixels that their boxes do not, and what is so small or so thin on the screen that the box's margin is less than a rasteriser may snap.
-pub fn question(table: &SceneTable, frame: &ViewFrame, slot: u32) -> MeshDetail {
+pub fn query_detail(table: &SceneTable, frame: &ViewFrame, slot: u32) -> MeshDetail {
     let boxed = table.class_of(slot).topology() == Topology::Triangles
         && table.primitives_of(slot, MeshDetail::Level(0)) > BOX_TRIANGLES
         && frame.pixels_of(table.box_margin(slot), &table.bounds(slot)) > MARGIN_PIXELS;

@@ -11,8 +11,8 @@ use crate::view_nodes::ViewNodes;
 
 /// A frame's threshold, on the GPU.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Turned {
-    /// [`GpuTurned`].
+pub(crate) struct AdaptiveThreshold {
+    /// [`GpuThreshold`].
     pub buffer: Buffer,
     /// What the frame was allowed.
     pub allowed: Host<Allowed>,
@@ -28,7 +28,7 @@ pub(crate) struct Allowed {
 /// Mirrors `AdaptedThreshold` of `shared/threshold.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
-pub(crate) struct GpuTurned {
+pub(crate) struct GpuThreshold {
     padding_a: u32,
     pub threshold: u32,
     left_out: u32,
@@ -45,18 +45,18 @@ struct GpuSettings {
     padding: u32,
 }
 
-assert_layout!(GpuTurned, "adapt_threshold", "AdaptedThreshold", { padding_a, threshold, left_out, padding_b });
+assert_layout!(GpuThreshold, "adapt_threshold", "AdaptedThreshold", { padding_a, threshold, left_out, padding_b });
 assert_layout!(GpuSettings, "adapt_threshold", "Settings", { count, allowed, least, padding });
 
 impl FrameGraph<'_> {
     /// Finds each frame's threshold from its counts, by slot: the rule's, or as high a one as an allowance lets it be.
-    pub(crate) fn turned(
+    pub(crate) fn adaptive_threshold(
         &mut self,
         view: &ViewNodes,
         candidates: Host<Candidates>,
         counts: Buffer,
         (rule, within): (SampleRule, Allowance),
-    ) -> Turned {
+    ) -> AdaptiveThreshold {
         let pipeline = self.compute_pipeline(&jobs::adapt_threshold::JOB, "adapt_threshold");
         let bytes = self.slot_bytes();
         let mut buffer = |name: &str, bytes| {
@@ -65,7 +65,7 @@ impl FrameGraph<'_> {
         };
         let judged = buffer("judged slots", bytes);
         let settings = buffer("allowance", size_of::<GpuSettings>() as u64);
-        let turned = buffer("threshold", size_of::<GpuTurned>() as u64);
+        let threshold = buffer("threshold", size_of::<GpuThreshold>() as u64);
         let allowed = self.graph().host::<Allowed>(view.named("allowed"));
         let mut node = self.graph().host_node(view.named("submit judged"));
         node.group(CULL).read(candidates);
@@ -95,18 +95,18 @@ impl FrameGraph<'_> {
             .storage_read(settings)
             .storage_read(judged)
             .storage_read(counts);
-        let turned = node.storage_write(turned);
+        let threshold = node.storage_write(threshold);
         node.run(move |ctx| {
             let binds = [
                 Bind::Buffer(0, settings),
                 Bind::Buffer(1, judged),
                 Bind::Buffer(2, counts),
-                Bind::Buffer(3, turned),
+                Bind::Buffer(3, threshold),
             ];
             pipeline.dispatch(ctx, &binds, [1, 1])
         });
-        Turned {
-            buffer: turned,
+        AdaptiveThreshold {
+            buffer: threshold,
             allowed,
         }
     }

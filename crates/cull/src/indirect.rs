@@ -10,13 +10,13 @@ use antumbra_graph::{
 use antumbra_shaders::{assert_layout, jobs};
 use bytemuck::{Pod, Zeroable};
 
-use crate::candidates::{Asked, Candidates};
+use crate::adaptive_threshold::AdaptiveThreshold;
+use crate::candidates::{Candidates, Queried};
 use crate::counting::Counts;
 use crate::frame_graph::{CULL, DRAW, FrameGraph};
 use crate::order::back_to_front;
 use crate::samples::{Allowance, CountLayout, SampleRule};
 use crate::strategy::{VerdictSource, VisibleSet};
-use crate::turned::Turned;
 use crate::view_nodes::ViewNodes;
 
 /// Mirrors `Batch` of `compact.wgsl`.
@@ -64,7 +64,7 @@ impl GpuSettings {
 
 /// The visible samples that keep an entity in a run: more than `over`, at most `most`; or, where it is to be hidden, none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Bounds {
+pub struct SampleBounds {
     /// More than this.
     pub over: u32,
     /// At most this.
@@ -73,7 +73,7 @@ pub struct Bounds {
     pub hidden: bool,
 }
 
-impl Bounds {
+impl SampleBounds {
     /// Any sample.
     pub const SEEN: Self = Self {
         over: 0,
@@ -89,7 +89,7 @@ impl Bounds {
 
 /// Candidates laid out for the compaction.
 #[derive(Debug, Clone, Copy)]
-pub struct Layout {
+pub struct IndirectLayout {
     list: Host<DrawList>,
     entries: Buffer,
     runs: Buffer,
@@ -101,19 +101,19 @@ pub struct Layout {
 }
 
 /// What a layout is made of: the list, its entries with their marks, its runs with their bounds.
-pub struct Laid<'a> {
+pub struct LayoutEntries<'a> {
     /// The list to fill.
     pub list: &'a mut DrawList,
     entries: Vec<u32>,
     runs: Vec<GpuRun>,
 }
 
-impl Laid<'_> {
+impl LayoutEntries<'_> {
     /// Once the list is filled: gives each run its bounds, and marks what is drawn whatever its count.
     pub fn bound(
         &mut self,
         table: &SceneTable,
-        bounds: impl Fn(&Run) -> Bounds,
+        bounds: impl Fn(&Run) -> SampleBounds,
         forced: impl Fn(u32) -> bool,
     ) {
         self.entries.extend_from_slice(self.list.slots());
@@ -145,26 +145,26 @@ impl FrameGraph<'_> {
             CountLayout::BySlot => counts.buffer,
             CountLayout::ByQuery => self.scatter(view, counts),
         };
-        let turned = within
+        let adapted = within
             .allows()
-            .then(|| self.turned(view, candidates, by_slot, (rule, within)));
-        let among = (candidates, counts.asked);
+            .then(|| self.adaptive_threshold(view, candidates, by_slot, (rule, within)));
+        let among = (candidates, counts.queried);
         let solid = self.layout(view, "candidates", among, rule, false);
-        let solid = self.compact_above(view, "visible set", solid, by_slot, turned);
+        let solid = self.compact_above(view, "visible set", solid, by_slot, adapted);
         self.shade_indirect(view, "shaded", solid);
         if self.scene_layout().transparent {
             let blended = self.layout(view, "transparent candidates", among, rule, true);
             let name = "visible transparent set";
-            let blended = self.compact_above(view, name, blended, by_slot, turned);
+            let blended = self.compact_above(view, name, blended, by_slot, adapted);
             self.shade_indirect(view, "transparent", blended);
         }
         VerdictSource::Gpu {
             candidates,
-            asked: counts.asked,
+            asked: counts.queried,
             counts: by_slot,
             layout: CountLayout::BySlot,
             rule,
-            turned,
+            adapted,
         }
         .into()
     }
@@ -174,10 +174,10 @@ impl FrameGraph<'_> {
         &mut self,
         view: &ViewNodes,
         name: &str,
-        (candidates, asked): (Host<Candidates>, Host<Asked>),
+        (candidates, asked): (Host<Candidates>, Host<Queried>),
         rule: SampleRule,
         transparent: bool,
-    ) -> Layout {
+    ) -> IndirectLayout {
         // Back to front, neighbours seldom share a batch: as many runs as slots at worst.
         let levels = if rule.coarser > 0 && !transparent {
             SampleRule::LEVELS
@@ -236,11 +236,11 @@ impl FrameGraph<'_> {
             &HostContext<'_>,
             &SceneTable,
             &ViewFrame,
-            &mut Laid<'_>,
+            &mut LayoutEntries<'_>,
         ) -> Result<(), BodyError>
         + Send
         + 'static,
-    ) -> Layout {
+    ) -> IndirectLayout {
         let inputs = view.inputs();
         let list = self.graph().host::<DrawList>(view.named(name));
         let entry_bytes = self.slot_bytes() * times;
@@ -262,7 +262,7 @@ impl FrameGraph<'_> {
             .host_node(view.named(&format!("lay out {name}")));
         node.group(CULL).read(inputs.scene).read(inputs.view);
         reads(&mut node);
-        let layout = Layout {
+        let layout = IndirectLayout {
             list: node.write(list),
             entries: node.upload(entries),
             runs: node.upload(runs),
@@ -273,13 +273,13 @@ impl FrameGraph<'_> {
         node.run(move |ctx| {
             let (scene, frame) = (ctx.get(inputs.scene)?, ctx.get(inputs.view)?);
             let mut list = ctx.get_mut(layout.list)?;
-            let mut laid = Laid {
+            let mut laid = LayoutEntries {
                 list: &mut list,
                 entries: Vec::new(),
                 runs: Vec::new(),
             };
             fill(ctx, &scene.table, &frame, &mut laid)?;
-            let Laid { entries, runs, .. } = laid;
+            let LayoutEntries { entries, runs, .. } = laid;
             let settings = GpuSettings::counting(runs.len());
             ctx.upload(layout.entries, 0, bytemuck::cast_slice(&entries))?;
             ctx.upload(layout.runs, 0, bytemuck::cast_slice(&runs))?;
@@ -294,7 +294,7 @@ impl FrameGraph<'_> {
         &mut self,
         view: &ViewNodes,
         name: &str,
-        layout: Layout,
+        layout: IndirectLayout,
         counts: Buffer,
     ) -> IndirectDraws {
         self.compact_above(view, name, layout, counts, None)
@@ -305,9 +305,9 @@ impl FrameGraph<'_> {
         &mut self,
         view: &ViewNodes,
         name: &str,
-        layout: Layout,
+        layout: IndirectLayout,
         counts: Buffer,
-        turned: Option<Turned>,
+        adapted: Option<AdaptiveThreshold>,
     ) -> IndirectDraws {
         let pipeline = self.compute_pipeline(&jobs::compact::JOB, "compact");
         let slots = self.graph().buffer(
@@ -326,9 +326,9 @@ impl FrameGraph<'_> {
             .storage_read(layout.entries)
             .storage_read(counts);
         // Words that hold no threshold.
-        let turned = turned.map_or(layout.settings, |turned| turned.buffer);
-        if turned != layout.settings {
-            node.storage_read(turned);
+        let adapted = adapted.map_or(layout.settings, |adapted| adapted.buffer);
+        if adapted != layout.settings {
+            node.storage_read(adapted);
         }
         let (slots, draws) = (node.storage_write(slots), node.storage_write(draws));
         node.run(move |ctx| {
@@ -343,7 +343,7 @@ impl FrameGraph<'_> {
                 Bind::Buffer(3, counts),
                 Bind::Buffer(4, slots),
                 Bind::Buffer(5, draws),
-                Bind::Buffer(6, turned),
+                Bind::Buffer(6, adapted),
             ];
             // A workgroup a run, in rows of at most what a dimension may have.
             let wide = runs.min(65_535);
@@ -404,10 +404,10 @@ impl FrameGraph<'_> {
             BufferDesc::new(size_of::<GpuSettings>() as u64),
         );
         let mut node = self.graph().host_node(view.named("submit asked"));
-        node.group(CULL).read(counts.asked);
+        node.group(CULL).read(counts.queried);
         let (asked, settings) = (node.upload(asked), node.upload(settings));
         node.run(move |ctx| {
-            let slots = ctx.get(counts.asked)?;
+            let slots = ctx.get(counts.queried)?;
             let number = GpuSettings::counting(slots.slots.len());
             ctx.upload(asked, 0, bytemuck::cast_slice(&slots.slots))?;
             ctx.upload(settings, 0, bytemuck::bytes_of(&number))?;
@@ -416,13 +416,13 @@ impl FrameGraph<'_> {
         let by_slot = self.sample_counts(view);
         let mut node = self.graph().compute(view.named("scatter answers"));
         node.group(CULL)
-            .read(counts.asked)
+            .read(counts.queried)
             .storage_read(settings)
             .storage_read(asked)
             .storage_read(counts.buffer);
         let by_slot = node.storage_write(by_slot);
         node.run(move |ctx| {
-            let groups = (ctx.get(counts.asked)?.slots.len() as u32).div_ceil(64);
+            let groups = (ctx.get(counts.queried)?.slots.len() as u32).div_ceil(64);
             if groups == 0 {
                 return Ok(());
             }
@@ -439,7 +439,7 @@ impl FrameGraph<'_> {
 }
 
 /// Candidates nobody asked about, ascending: they are drawn. Most strategies ask about all.
-pub(crate) fn unasked(candidates: &Candidates, asked: &Asked) -> Vec<u32> {
+pub(crate) fn unasked(candidates: &Candidates, asked: &Queried) -> Vec<u32> {
     if asked.slots.len() >= candidates.inside().len() {
         return Vec::new();
     }
@@ -452,23 +452,23 @@ pub(crate) fn unasked(candidates: &Candidates, asked: &Asked) -> Vec<u32> {
 }
 
 /// The visible samples that bring an entity into a run of a list of so many levels.
-fn earns(table: &SceneTable, run: &Run, rule: SampleRule, levels: u8) -> Bounds {
+fn earns(table: &SceneTable, run: &Run, rule: SampleRule, levels: u8) -> SampleBounds {
     let MeshDetail::Level(level) = run.detail else {
-        return Bounds {
+        return SampleBounds {
             over: rule.threshold,
-            ..Bounds::SEEN
+            ..SampleBounds::SEEN
         };
     };
     let has_coarser = level + 1 < table.batch_levels(run.batch).min(levels);
     let over = if has_coarser { rule.most(level + 1) } else { 0 };
-    Bounds {
+    SampleBounds {
         over: over.max(rule.threshold),
         most: rule.most(level),
         hidden: false,
     }
 }
 
-fn gpu_run(table: &SceneTable, run: &Run, bounds: Bounds) -> GpuRun {
+fn gpu_run(table: &SceneTable, run: &Run, bounds: SampleBounds) -> GpuRun {
     let range = table
         .batches()
         .get(run.batch as usize)
