@@ -3,7 +3,7 @@
 //! A rasteriser snaps vertices, and f32 rounds them; so that no sample of what a box holds is outside its picture, each box is widened by a
 //! share of a pixel as seen from the eye, and no more than that.
 
-use antumbra_graph::{Bind, Buffer, Graph, Host, Texture};
+use antumbra_graph::{Bind, Buffer, Graph, Host, HostBuilder, Texture};
 use antumbra_scene::{Aabb, Projection};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
@@ -158,6 +158,16 @@ pub struct BoxDraws {
     pub list: Host<BoxList>,
     /// The same, for the GPU.
     pub buffer: Buffer,
+}
+
+impl BoxDraws {
+    /// Declares on a host node that it writes the boxes and uploads them. Returns the versions it writes.
+    pub fn written_by(self, node: &mut HostBuilder<'_>) -> Self {
+        Self {
+            list: node.write(self.list),
+            buffer: node.upload(self.buffer),
+        }
+    }
 }
 
 /// The pipeline that draws boxes.

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use antumbra_graph::{
-    AccessError, Bind, BodyError, Buffer, Graph, Host, HostRef, RasterBuilder, RasterContext,
-    Texture,
+    AccessError, Bind, BodyError, Buffer, Graph, Host, HostBuilder, HostRef, RasterBuilder,
+    RasterContext, Texture,
 };
 
 use crate::list::DrawList;
@@ -119,6 +119,16 @@ pub struct ListDraws {
     pub list: Host<DrawList>,
     /// [`DrawList::slots`], uploaded.
     pub slots: Buffer,
+}
+
+impl ListDraws {
+    /// Declares on a host node that it writes the list and uploads the slots. Returns the versions it writes.
+    pub fn written_by(self, node: &mut HostBuilder<'_>) -> Self {
+        Self {
+            list: node.write(self.list),
+            slots: node.upload(self.slots),
+        }
+    }
 }
 
 /// A draw source on the GPU: indirect draws over the slots that a compute node kept of a list. One draw a run of the list.
