@@ -4,7 +4,7 @@
 use antumbra::cull::{Counting, DeclareError, FrameGraph, Latency, Stage, StageOptions};
 use antumbra::cull::{Strategy, ViewInput, ViewNodes, ViewSpec, VisibleSet};
 use antumbra::draw::{AdapterChoice, Gpu, GpuScene, MeshDetail};
-use antumbra::measure::{compare::camera, path::Path};
+use antumbra::measure::path::CameraPath;
 use antumbra::strategies::registry;
 
 /// How many occluders it draws, and what stands in for the occludees: `Level(0)`, their meshes, or, much faster, `Box`.
@@ -48,11 +48,11 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     registry.register(|| Box::new(LargestOccluders(800, MeshDetail::Box)));
     let mut grid = antumbra::demo_scenes::by_name("grid", Some(12))?;
     let scene = GpuScene::new(&Gpu::open(&AdapterChoice::Auto)?, &mut grid)?;
-    let path = Path::orbit_around(&grid.bounds().ok_or("an empty scene")?, 4.0 / 3.0, 8)?;
+    let path = CameraPath::orbit_around(&grid.bounds().ok_or("an empty scene")?, 4.0 / 3.0, 8)?;
     for name in ["none", "frustum", "largest-occluders"] {
         let (strategy, view) = (registry.parse(name)?, ViewSpec::main(640, 480));
         let mut stage = Stage::new(&scene, strategy, vec![view], StageOptions::default())?;
-        stage.frame(&scene, &[ViewInput::new(camera(&path, 0)?)])?;
+        stage.frame(&scene, &[ViewInput::new(path.camera(0)?)])?;
         let drawn = stage.verdicts(0, &scene)?.drawn().count();
         println!("{name}: drew {drawn} of {} entities", scene.table().live());
     }

@@ -14,9 +14,9 @@ use std::sync::Arc;
 use antumbra::cull::{AuditOptions, Budget};
 use antumbra::demo_scenes::{GridOptions, grid};
 use antumbra::draw::{AdapterChoice, Gpu};
+use antumbra::measure::audit_summary::audit_summaries;
 use antumbra::measure::compare::{CompareOptions, Contender, Script, compare_scripted};
-use antumbra::measure::keeping::kept;
-use antumbra::measure::path::Path;
+use antumbra::measure::path::CameraPath;
 use antumbra::measure::table::{Table, facts};
 use antumbra::scene::{Camera, EntityKey, Scene};
 use antumbra::strategies::registry;
@@ -74,12 +74,12 @@ impl Script for Swinging {
 }
 
 /// Flights of several seeds, one after the other, with a cut between them.
-fn flights(scene: &Scene, frames: usize, first_seed: u64) -> Result<Path, Box<dyn Error>> {
+fn flights(scene: &Scene, frames: usize, first_seed: u64) -> Result<CameraPath, Box<dyn Error>> {
     let bounds = scene.bounds().ok_or("the scene is empty")?;
     let mut poses = Vec::with_capacity(frames);
     let mut projection = None;
     for (first, seed) in (0..frames).step_by(CUT_EVERY).zip(first_seed..) {
-        let flight = Path::flight(&bounds, seed, CUT_EVERY.min(frames - first))?;
+        let flight = CameraPath::flight(&bounds, seed, CUT_EVERY.min(frames - first))?;
         projection = Some(flight.projection());
         let at = poses.len();
         poses.extend_from_slice(flight.poses());
@@ -87,7 +87,11 @@ fn flights(scene: &Scene, frames: usize, first_seed: u64) -> Result<Path, Box<dy
             pose.cut = true;
         }
     }
-    Ok(Path::new("flights", projection.ok_or("no frames")?, poses)?)
+    Ok(CameraPath::new(
+        "flights",
+        projection.ok_or("no frames")?,
+        poses,
+    )?)
 }
 
 fn contenders(share: f64) -> Result<Vec<Contender>, Box<dyn Error>> {
@@ -165,8 +169,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{line}");
     }
     println!("{}", Table::new(&comparison.report).terminal(false));
-    for kept in kept(&comparison.report) {
-        println!("{}: {}", kept.strategy.title(), kept.lines.join("\n  "));
+    for summary in audit_summaries(&comparison.report) {
+        println!(
+            "{}: {}",
+            summary.strategy.title(),
+            summary.lines.join("\n  ")
+        );
     }
     println!("report: {}", out.join("report.html").display());
     Ok(())

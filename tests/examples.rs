@@ -15,7 +15,7 @@ mod explore_subsurface;
 use antumbra::cull::{Frustum, Strategy};
 use antumbra::draw::MeshDetail;
 use antumbra::measure::compare::{CompareOptions, Contender, compare};
-use antumbra::measure::path::Path;
+use antumbra::measure::path::CameraPath;
 use antumbra::verify::kit::{self, Kit};
 use antumbra_testing::{auto, balls, gl};
 use custom_strategy::LargestOccluders;
@@ -35,7 +35,7 @@ fn the_strategy_from_outside_conforms() {
 fn the_strategy_from_outside_is_compared() {
     let mut scene = balls(8);
     scene.update();
-    let path = Path::orbit_around(&scene.bounds().unwrap(), 4.0 / 3.0, 6).unwrap();
+    let path = CameraPath::orbit_around(&scene.bounds().unwrap(), 4.0 / 3.0, 6).unwrap();
     let contenders = [
         Contender::new("", || Box::new(Frustum)),
         Contender::new("", || Box::new(LargestOccluders(250, MeshDetail::Box))),

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use antumbra::measure::compare::{CompareOptions, Contender, compare};
-use antumbra::measure::path::{Path, Pose};
+use antumbra::measure::path::{CameraPath, Pose};
 use antumbra::measure::report::StrategyReport;
 use antumbra::scene::{Material, Scene};
 use antumbra::strategies::registry;
@@ -78,7 +78,7 @@ fn compared(
     let poses = looks
         .iter()
         .map(|&[eye, target]| Pose::look_at(world(eye), world(target), None).unwrap());
-    let path = Path::new("looks", perspective(0.9, 1.0), poses.collect()).unwrap();
+    let path = CameraPath::new("looks", perspective(0.9, 1.0), poses.collect()).unwrap();
     let contenders = [
         Contender::of("", &Arc::new(registry()), "frustum").unwrap(),
         Contender::new("", move || Box::new(horizon.clone())),

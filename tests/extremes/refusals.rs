@@ -2,7 +2,7 @@
 
 use antumbra::cull::{Stage, StageOptions, ViewInput, ViewSpec};
 use antumbra::draw::GpuScene;
-use antumbra::measure::path::{Path, Pose};
+use antumbra::measure::path::{CameraPath, Pose};
 use antumbra::scene::{Camera, Geometry, Mesh, Projection, Scene};
 use antumbra::strategies::registry;
 use antumbra_testing::{SceneBuilder, gpus, look_at, perspective_degrees};
@@ -173,10 +173,10 @@ fn a_path_with_nan_names_the_pose_and_the_number() {
         (far, ["position", "-inf"]),
     ] {
         let poses = vec![good, good, bad, good];
-        let error = Path::new("odd", perspective_degrees(60.0, 0.1), poses).unwrap_err();
+        let error = CameraPath::new("odd", perspective_degrees(60.0, 0.1), poses).unwrap_err();
         says(&error, &words);
         says(error, &["odd", "pose 2"]);
     }
-    let error = Path::new("flat", perspective_degrees(60.0, 0.0), vec![good]).unwrap_err();
+    let error = CameraPath::new("flat", perspective_degrees(60.0, 0.0), vec![good]).unwrap_err();
     says(error, &["flat", "near", "0 m"]);
 }

@@ -6,8 +6,8 @@ use std::str::FromStr;
 use antumbra::cull::{Latency, Range};
 use antumbra::draw::AdapterChoice;
 use antumbra::measure::MeasureError;
-use antumbra::measure::stereo_picture::Layout;
-use antumbra::measure::trade::Budget;
+use antumbra::measure::stereo_picture::StereoLayout;
+use antumbra::measure::trade_off::ErrorLimit;
 use antumbra::subsurface::{Axis, SampleBox};
 use antumbra::terrain::Method;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
@@ -131,7 +131,7 @@ pub struct SweepArgs {
     pub set: Vec<String>,
     /// The most error that is put up with, to name the fastest setting within it: wrong_pixels=0.05%, false_culls=3 or flip=0.01
     #[arg(long, value_name = "ERROR=MOST", value_parser = budget)]
-    pub budget: Vec<Budget>,
+    pub budget: Vec<ErrorLimit>,
     /// Where report.json, report.html and trade.svg go
     #[arg(long, default_value = "out", value_name = "DIR")]
     pub out: PathBuf,
@@ -150,7 +150,7 @@ pub struct RenderArgs {
     pub output: PathBuf,
     /// How two eyes' images are put together, for --stereo: side-by-side (where none is named), separate, or red-cyan
     #[arg(long)]
-    pub layout: Option<Layout>,
+    pub layout: Option<StereoLayout>,
     /// The strategy, NAME or NAME:key=value
     #[arg(long, default_value = "frustum")]
     pub strategy: String,
@@ -387,7 +387,7 @@ fn method(text: &str) -> Result<Method, String> {
         .map_err(|()| "it takes sound, rays or thesis".to_owned())
 }
 
-fn budget(text: &str) -> Result<Budget, String> {
+fn budget(text: &str) -> Result<ErrorLimit, String> {
     text.parse()
         .map_err(|error: MeasureError| error.to_string())
 }

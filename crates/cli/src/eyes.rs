@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use antumbra::cull::{StageError, ViewInput};
 use antumbra::draw::GpuScene;
-use antumbra::measure::path::Path;
+use antumbra::measure::path::CameraPath;
 use antumbra::scene::{Aabb, Camera, Stereo};
 use antumbra::verify::{EntitySet, Oracle};
 use clap::Args as ClapArgs;
@@ -35,7 +35,7 @@ impl StereoArgs {
     ///
     /// # Errors
     /// [`Failure::Stereo`] for a path whose cameras have no eyes; [`Failure::Usage`] where a distance has to be named.
-    pub fn choose(&self, bounds: &Aabb, path: &Path) -> Result<Option<Stereo>, Failure> {
+    pub fn choose(&self, bounds: &Aabb, path: &CameraPath) -> Result<Option<Stereo>, Failure> {
         if !self.stereo && self.interocular.is_none() && self.convergence.is_none() {
             return Ok(None);
         }

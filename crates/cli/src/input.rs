@@ -1,6 +1,6 @@
 //! From the command line's words to a device, a scene and a path.
 
-use std::path::Path as FilePath;
+use std::path::Path;
 use std::sync::Arc;
 
 use antumbra::cull::ViewSpec;
@@ -8,8 +8,8 @@ use antumbra::demo_scenes::DemoSceneError;
 use antumbra::demo_scenes::subsurface::{Model, SubsurfaceScene, SubsurfaceSceneOptions};
 use antumbra::draw::Gpu;
 use antumbra::formats::{LoadOptions, RasterFormat, SceneFormat, load_with_attachments};
-use antumbra::measure::compare::{Script, camera};
-use antumbra::measure::path::{Orbit, Path, Pose};
+use antumbra::measure::compare::Script;
+use antumbra::measure::path::{CameraPath, Orbit, Pose};
 use antumbra::measure::views;
 use antumbra::scene::{Aabb, Camera, Projection, Scene, Stereo};
 use antumbra::subsurface::{
@@ -32,7 +32,7 @@ pub struct Input {
     /// What reports call it.
     pub name: String,
     /// The camera path.
-    pub path: Path,
+    pub path: CameraPath,
     /// Width and height of a view in pixels.
     pub size: [u32; 2],
     /// Two eyes for each pose's camera.
@@ -83,7 +83,7 @@ impl Input {
         let bounds = found.bounds();
         let path = path(args, &found, &bounds, size, frames)?;
         let stereo = args.eyes.choose(&bounds, &path)?;
-        let name = FilePath::new(named)
+        let name = Path::new(named)
             .file_name()
             .map_or(named.to_owned(), |name| name.to_string_lossy().into_owned());
         Ok(Self {
@@ -110,7 +110,7 @@ impl Input {
     /// # Errors
     /// For a pose that the path does not have.
     pub fn look(&mut self, pose: usize) -> Result<Vec<Camera>, Failure> {
-        let camera = camera(&self.path, pose)?;
+        let camera = self.path.camera(pose)?;
         if let Some(sections) = &mut self.sections {
             sections.orient_to(&mut self.scene, camera.position)?;
         }
@@ -148,7 +148,7 @@ impl From<PreparedScene> for Found {
 impl Found {
     /// `bare`: a built-in model comes without its own slices and lens.
     fn named(named: &str, bare: bool) -> Result<Self, Failure> {
-        let file = FilePath::new(named);
+        let file = Path::new(named);
         if landscape::is_raster(file) {
             let field = landscape::field(file, None)?;
             let terrain = landscape::prepare(field, &TerrainOptions::default(), false)?;
@@ -190,7 +190,7 @@ impl Found {
     }
 
     /// A scene file, and its terrain if that was prepared. Where what it says of that cannot be used it is a scene as any other.
-    fn file(file: &FilePath) -> Result<Self, Failure> {
+    fn file(file: &Path) -> Result<Self, Failure> {
         let options = LoadOptions::default();
         let loaded = load_with_attachments(file, &options, &[terrain::file::EXTENSION]);
         let loaded = loaded.map_err(|error| Failure::Load {
@@ -363,7 +363,7 @@ fn path(
     bounds: &Aabb,
     size: [u32; 2],
     frames: usize,
-) -> Result<Path, Failure> {
+) -> Result<CameraPath, Failure> {
     let aspect = f64::from(size[0]) / f64::from(size[1]);
     if let Some(model) = &found.model
         && let Some(path) = own_path(args.path.as_deref(), model, frames)?
@@ -377,15 +377,15 @@ fn path(
     }
     match args.path.as_deref() {
         // The grid's own orbit, whole grid or a part of it.
-        None | Some("orbit") if found.whole_grid => Ok(Path::orbit(&Orbit::grid(frames))?),
-        None | Some("orbit") => Ok(Path::orbit_around(bounds, aspect, frames)?),
-        Some("flight") => Ok(Path::flight(bounds, args.seed, frames)?),
-        Some(file) => Ok(Path::load(file)?),
+        None | Some("orbit") if found.whole_grid => Ok(CameraPath::orbit(&Orbit::grid(frames))?),
+        None | Some("orbit") => Ok(CameraPath::orbit_around(bounds, aspect, frames)?),
+        Some("flight") => Ok(CameraPath::flight(bounds, args.seed, frames)?),
+        Some(file) => Ok(CameraPath::load(file)?),
     }
 }
 
 /// A flight over a terrain.
-fn over(terrain: &Terrain, frames: usize) -> Result<Path, Failure> {
+fn over(terrain: &Terrain, frames: usize) -> Result<CameraPath, Failure> {
     let [low, high] = terrain.field().plan_bounds();
     let height = FLYING.0.min((high - low).max_element() * FLYING.1);
     let projection = Projection::Perspective {
@@ -396,11 +396,15 @@ fn over(terrain: &Terrain, frames: usize) -> Result<Path, Failure> {
     let poses = terrain.flight(height, frames).into_iter().map(look);
     let poses = poses.collect::<Result<Vec<_>, _>>();
     let poses = poses.map_err(|error| Failure::Usage(format!("the flight: {error}")))?;
-    Ok(Path::new("flight", projection, poses)?)
+    Ok(CameraPath::new("flight", projection, poses)?)
 }
 
 /// A path that a sub-surface model brings along: its flight, or one of its views.
-fn own_path(named: Option<&str>, model: &Model, frames: usize) -> Result<Option<Path>, Failure> {
+fn own_path(
+    named: Option<&str>,
+    model: &Model,
+    frames: usize,
+) -> Result<Option<CameraPath>, Failure> {
     let projection = |fov_y| Projection::Perspective { fov_y, near: NEAR };
     let views = model.views();
     match named {
@@ -408,7 +412,7 @@ fn own_path(named: Option<&str>, model: &Model, frames: usize) -> Result<Option<
             let fov_y = views.first().map_or(0.7, |view| view.fov_y);
             let flight = model.flight();
             let places: Vec<_> = flight.iter().map(|at| (at.eye, at.target)).collect();
-            let path = Path::through("flight", &places, projection(fov_y), FLIGHT, frames)?;
+            let path = CameraPath::through("flight", &places, projection(fov_y), FLIGHT, frames)?;
             Ok(Some(path))
         }
         Some(name) => {
@@ -418,7 +422,7 @@ fn own_path(named: Option<&str>, model: &Model, frames: usize) -> Result<Option<
             let pose = Pose::look_at(view.position, view.target, None)
                 .map_err(|error| Failure::Usage(format!("the view {name}: {error}")))?;
             let poses = vec![pose; frames];
-            Ok(Some(Path::new(name, projection(view.fov_y), poses)?))
+            Ok(Some(CameraPath::new(name, projection(view.fov_y), poses)?))
         }
     }
 }

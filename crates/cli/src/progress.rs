@@ -1,6 +1,6 @@
 //! Progress on a terminal; silence in a pipe.
 
-use antumbra::measure::compare::Progress;
+use antumbra::measure::compare::CompareProgress;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// A bar a phase.
@@ -27,7 +27,7 @@ impl Bars {
     }
 
     /// Shows how far it is.
-    pub fn show(&mut self, progress: Progress) {
+    pub fn show(&mut self, progress: CompareProgress) {
         if self.phase != progress.phase {
             self.phase = progress.phase;
             self.bar.reset();

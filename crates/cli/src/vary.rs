@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antumbra::measure::compare::Contender;
-use antumbra::measure::report::Varied;
+use antumbra::measure::report::VariedSetting;
 use antumbra::terrain::HorizonStrategy;
 
 use crate::args::SweepArgs;
@@ -23,7 +23,7 @@ pub struct Settings {
     /// The yardsticks, then every setting.
     pub list: Vec<Contender>,
     /// What is varied.
-    pub vary: Vec<Varied>,
+    pub vary: Vec<VariedSetting>,
 }
 
 /// Reads the arguments; all of them are checked before anything is drawn.
@@ -57,7 +57,7 @@ pub fn settings(args: &SweepArgs, horizon: Option<&HorizonStrategy>) -> Result<S
             format!("{spec}:{key}={value}")
         });
         registry.parse(&fixed)?;
-        let its: Vec<&Varied> = vary.iter().filter(|varied| is_of(varied, name)).collect();
+        let its: Vec<&VariedSetting> = vary.iter().filter(|varied| is_of(varied, name)).collect();
         for chosen in combinations(&its)? {
             let pairs = || its.iter().zip(&chosen);
             let full = pairs().fold(fixed.clone(), |full, (varied, value)| {
@@ -83,11 +83,11 @@ fn name_of(spec: &str) -> &str {
     spec.split(':').next().unwrap_or_default()
 }
 
-fn is_of(varied: &Varied, name: &str) -> bool {
+fn is_of(varied: &VariedSetting, name: &str) -> bool {
     varied.strategy.as_deref().is_none_or(|of| of == name)
 }
 
-fn refuse_strangers(varied: &Varied, names: &[&str]) -> Result<(), Failure> {
+fn refuse_strangers(varied: &VariedSetting, names: &[&str]) -> Result<(), Failure> {
     match &varied.strategy {
         Some(of) if !names.contains(&of.as_str()) => Err(Failure::Usage(format!(
             "'{of}.{}' is varied, but --strategy does not name {of} (it names: {})",
@@ -98,8 +98,8 @@ fn refuse_strangers(varied: &Varied, names: &[&str]) -> Result<(), Failure> {
     }
 }
 
-fn refuse_twice(varied: &Varied, later: &[Varied]) -> Result<(), Failure> {
-    let same = |other: &&Varied| {
+fn refuse_twice(varied: &VariedSetting, later: &[VariedSetting]) -> Result<(), Failure> {
+    let same = |other: &&VariedSetting| {
         let of = [&varied.strategy, &other.strategy];
         other.key == varied.key && (of.contains(&&None) || of[0] == of[1])
     };
@@ -113,7 +113,7 @@ fn refuse_twice(varied: &Varied, later: &[Varied]) -> Result<(), Failure> {
 }
 
 /// All ways to take one value of each; the last varies fastest.
-fn combinations<'a>(vary: &[&'a Varied]) -> Result<Vec<Vec<&'a str>>, Failure> {
+fn combinations<'a>(vary: &[&'a VariedSetting]) -> Result<Vec<Vec<&'a str>>, Failure> {
     let counts = vary.iter().map(|varied| varied.values.len());
     let count = counts.fold(1, usize::saturating_mul);
     if count > MOST_SETTINGS {
@@ -142,7 +142,7 @@ fn too_many(count: usize) -> Failure {
 }
 
 /// Reads `[STRATEGY.]KEY=V1,V2`.
-fn varied(text: &str) -> Result<Varied, Failure> {
+fn varied(text: &str) -> Result<VariedSetting, Failure> {
     let form = || {
         Failure::Usage(format!(
             "'{text}' varies nothing: write KEY=V1,V2 or STRATEGY.KEY=V1,V2"
@@ -163,7 +163,7 @@ fn varied(text: &str) -> Result<Varied, Failure> {
     if key.is_empty() || values.iter().any(String::is_empty) {
         return Err(form());
     }
-    Ok(Varied {
+    Ok(VariedSetting {
         strategy,
         key: key.to_owned(),
         values,

@@ -6,7 +6,7 @@ mod common;
 use std::path::Path;
 
 use antumbra::measure::report::Report;
-use antumbra::measure::trade;
+use antumbra::measure::trade_off;
 use common::{refuses, succeeds};
 
 /// A sweep of a small grid; `asked` are further arguments.
@@ -72,7 +72,7 @@ fn all_settings_run_in_one_comparison_and_land_in_one_report() {
     // What the report says of the sweep is what the library finds in the report.
     let sweep = report.sweep.clone().unwrap();
     let budgets = ["wrong_pixels=0.5%", "wrong_pixels=0"].map(|text| text.parse().unwrap());
-    let again = trade::sweep(
+    let again = trade_off::sweep(
         &report,
         sweep.strategies.clone(),
         sweep.vary.clone(),

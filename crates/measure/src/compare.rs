@@ -6,7 +6,7 @@
 //! neighbours strike all alike; a twin of one strategy says what the noise is.
 
 use std::collections::BTreeMap;
-use std::path::Path as FilePath;
+use std::path::Path;
 use std::sync::Arc;
 
 use antumbra_cull::{AuditOptions, Budget, Registry, RegistryError, Stage, StageOptions, Strategy};
@@ -14,9 +14,9 @@ use antumbra_draw::{Gpu, GpuScene};
 use antumbra_scene::{Scene, Stereo};
 use image::RgbaImage;
 
-use crate::path::Path;
+use crate::files::write_beside;
+use crate::path::CameraPath;
 use crate::report::{Adapter, Noise, PoseRecord, Report, SceneFacts};
-use crate::store::write_beside;
 use crate::{MeasureError, plots, stats, views};
 
 mod accuracy;
@@ -25,7 +25,6 @@ mod entry;
 mod script;
 mod speed;
 
-pub use accuracy::camera;
 use entry::Entries;
 pub use script::Script;
 use script::Set;
@@ -126,7 +125,7 @@ impl Default for CompareOptions {
 
 /// How far a comparison has come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Progress {
+pub struct CompareProgress {
     /// What is being done: `accuracy`, `speed`, `free running`.
     pub phase: &'static str,
     /// Frames done in this phase.
@@ -150,7 +149,7 @@ impl Comparison {
     ///
     /// # Errors
     /// When a file cannot be written; what is there was written whole.
-    pub fn save(&self, dir: &FilePath) -> Result<(), MeasureError> {
+    pub fn save(&self, dir: &Path) -> Result<(), MeasureError> {
         let failed = |source| MeasureError::File {
             action: "create",
             path: dir.to_owned(),
@@ -179,10 +178,10 @@ impl Comparison {
 pub fn compare(
     gpu: &Gpu,
     scene: &mut Scene,
-    path: &Path,
+    path: &CameraPath,
     contenders: &[Contender],
     options: &CompareOptions,
-    progress: &mut dyn FnMut(Progress),
+    progress: &mut dyn FnMut(CompareProgress),
 ) -> Result<Comparison, MeasureError> {
     compare_scripted(gpu, scene, &mut (), path, contenders, options, progress)
 }
@@ -196,10 +195,10 @@ pub fn compare_scripted(
     gpu: &Gpu,
     scene: &mut Scene,
     script: &mut dyn Script,
-    path: &Path,
+    path: &CameraPath,
     contenders: &[Contender],
     options: &CompareOptions,
-    progress: &mut dyn FnMut(Progress),
+    progress: &mut dyn FnMut(CompareProgress),
 ) -> Result<Comparison, MeasureError> {
     let mut set = Set::new(gpu, scene, script, path, options.stereo)?;
     let mut stages = contenders

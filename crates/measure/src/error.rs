@@ -77,12 +77,12 @@ pub enum MeasureError {
         /// What is wrong with the values, with the index of the first bad one.
         problem: String,
     },
-    /// A text that is no budget of errors.
-    #[error("'{text}' is no budget: {forms}")]
-    Budget {
+    /// A text that is no limit of errors.
+    #[error("'{text}' is no error limit: {forms}")]
+    ErrorLimit {
         /// The text.
         text: String,
-        /// What budgets look like.
+        /// The forms of a limit.
         forms: &'static str,
     },
     /// Two images or buffers that should be of one size are not.

@@ -7,9 +7,9 @@
 use std::path::{Path, PathBuf};
 
 use crate::MeasureError;
+use crate::files::write_beside;
 use crate::report::Report;
-use crate::store::write_beside;
-use crate::{plots, words};
+use crate::{format, plots};
 
 mod facts;
 mod overview;
@@ -89,7 +89,7 @@ fn figure(title: &str, meaning: &str, svg: Option<String>) -> String {
 /// A text as it may stand in an element or in an attribute's quotes.
 fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    let text = words::clean(text);
+    let text = format::clean(text);
     let mut letters = text.chars().peekable();
     let mut before = ' ';
     while let Some(c) = letters.next() {

@@ -5,22 +5,22 @@
 //! [`verdict`]s, the [`trade`] of a sweep, the [`plots`] and the page ([`html`]) are drawn from that report alone. A frame has one of the [`views`] or,
 //! in stereo, two, whose pictures [`stereo_picture`] joins.
 
+pub mod audit_summary;
 pub mod compare;
 mod error;
+mod files;
+mod format;
 pub mod html;
 pub mod image_error;
-pub mod keeping;
 pub mod path;
 pub mod plots;
 pub mod report;
-pub mod sketch_picture;
 pub mod stats;
 pub mod stereo_picture;
-mod store;
+pub mod summary;
 pub mod table;
-pub mod trade;
-pub mod verdict;
+pub mod trade_off;
+pub mod traversal_picture;
 pub mod views;
-mod words;
 
 pub use error::MeasureError;

@@ -29,13 +29,13 @@ pub struct Pose {
 
 /// A named row of poses and the projection they share. At least one pose; every number finite.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Path {
+pub struct CameraPath {
     name: String,
     projection: Projection,
     poses: Vec<Pose>,
 }
 
-impl Path {
+impl CameraPath {
     /// A path of your own.
     ///
     /// # Errors
@@ -70,6 +70,19 @@ impl Path {
     /// The cameras, one a pose in their order.
     pub fn cameras(&self) -> impl ExactSizeIterator<Item = Camera> + '_ {
         self.poses.iter().map(|pose| pose.camera(self.projection))
+    }
+
+    /// The camera at a pose; the first is 0.
+    ///
+    /// # Errors
+    /// [`MeasureError::Path`] past the last pose.
+    pub fn camera(&self, pose: usize) -> Result<Camera, MeasureError> {
+        let missing = || MeasureError::Path {
+            name: self.name.clone(),
+            problem: format!("it has no pose {pose}"),
+        };
+        let pose = self.poses.get(pose).ok_or_else(missing)?;
+        Ok(pose.camera(self.projection))
     }
 
     /// The poses, one a frame.

@@ -16,7 +16,7 @@ mod sweep;
 
 pub use audit::{AuditReport, BudgetReport};
 pub use file::MAX_REPORT_BYTES;
-pub use sweep::{Choice, Chosen, Measure, Over, RunnerUp, Sweep, Varied};
+pub use sweep::{Aggregate, Choice, ErrorMeasure, LimitChoices, RunnerUp, Sweep, VariedSetting};
 
 /// Smaller differences in speed are not spoken of, however quiet the machine was.
 const LEAST_RATIO: f64 = 1.005;
@@ -194,6 +194,9 @@ pub struct StrategyReport {
     /// Mean number of entities a frame with each verdict, summed over all views, by the verdict's name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub verdicts: BTreeMap<String, f64>,
+    /// Whether it was asked to audit itself; false in reports of before this was written down.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub audited: bool,
     /// What it said of its own wrong pixels; absent where there was no audit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub audit: Option<AuditReport>,
@@ -327,6 +330,21 @@ impl Report {
     /// The first strategy registered under `name`.
     pub fn strategy(&self, name: &str) -> Option<&StrategyReport> {
         self.strategies.iter().find(|s| s.name == name)
+    }
+
+    /// The entry of the same strategy, latency and settings as an audited one, without audit and without budget; `None` for an entry that
+    /// was not audited, that had a budget, or that ran alone.
+    pub fn without_audit(&self, audited: &StrategyReport) -> Option<&StrategyReport> {
+        let is_audited = |one: &StrategyReport| one.audited || one.audit.is_some();
+        if !is_audited(audited) || audited.budget.is_some() {
+            return None;
+        }
+        self.strategies.iter().find(|one| {
+            !is_audited(one)
+                && one.budget.is_none()
+                && (&one.name, &one.latency) == (&audited.name, &audited.latency)
+                && one.settings == audited.settings
+        })
     }
 
     /// What the tables and plots of this report call a strategy: its title, less what the settings

@@ -73,8 +73,17 @@ pub fn block_ratios(
         .collect()
 }
 
-/// How the sums of two series compare, `times` over `baseline`, measured at the same poses; and the standard error of that ratio, as far as it varies from one block of
-/// poses to the next: 0 for one block. Where medians would not see what few frames pay, sums do.
+/// A ratio with its standard error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RatioEstimate {
+    /// The ratio.
+    pub ratio: f64,
+    /// Its standard error, in the ratio's own unit; 0 where it cannot be told.
+    pub standard_error: f64,
+}
+
+/// The ratio of the sums of two series, `times` over `baseline`, measured at the same poses. Sums show what only a few frames cost, which
+/// medians do not. The standard error is that over blocks of poses; for a single block it is 0.
 ///
 /// Cochran, *Sampling Techniques*, 3rd edition, 1977, chapter 6: the ratio estimator.
 ///
@@ -84,7 +93,7 @@ pub fn ratio_of_sums(
     times: &[f64],
     baseline: &[f64],
     block: usize,
-) -> Result<(f64, f64), MeasureError> {
+) -> Result<RatioEstimate, MeasureError> {
     const NAME: &str = "ratio of sums";
     pairs(NAME, times, baseline, block)?;
     let below: f64 = baseline.iter().sum();
@@ -97,11 +106,14 @@ pub fn ratio_of_sums(
         (times.iter().sum::<f64>() - ratio * baseline.iter().sum::<f64>()).powi(2)
     });
     let (squares, count): (f64, f64) = (squares.sum(), times.len().div_ceil(block) as f64);
-    let error = match count > 1.0 {
+    let standard_error = match count > 1.0 {
         true => (squares * count / (count - 1.0)).sqrt() / below,
         false => 0.0,
     };
-    Ok((ratio, error))
+    Ok(RatioEstimate {
+        ratio,
+        standard_error,
+    })
 }
 
 /// The noise of an A/A run, in which the same strategy stood on both sides: the 95th percentile of

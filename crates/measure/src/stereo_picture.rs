@@ -17,7 +17,7 @@ use crate::MeasureError;
 
 /// How the pictures of two eyes are put together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Layout {
+pub enum StereoLayout {
     /// One picture of twice the width, the left eye's on the left: to look at with parallel eyes, or through a viewer.
     #[default]
     SideBySide,
@@ -29,14 +29,14 @@ pub enum Layout {
 
 /// One picture of a layout.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Part {
+pub struct StereoPicture {
     /// What a file's name gets before its ending: nothing where there is one picture, else `-left` or `-right`.
     pub suffix: &'static str,
     /// The picture.
     pub picture: RgbaImage,
 }
 
-impl Layout {
+impl StereoLayout {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::SideBySide, Self::Separate, Self::RedCyan];
 
@@ -50,13 +50,13 @@ impl Layout {
     }
 }
 
-impl fmt::Display for Layout {
+impl fmt::Display for StereoLayout {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
     }
 }
 
-impl FromStr for Layout {
+impl FromStr for StereoLayout {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -68,11 +68,15 @@ impl FromStr for Layout {
     }
 }
 
-/// Puts the pictures of two eyes together: one picture, or for [`Layout::Separate`] the two as they are, left first.
+/// Puts the pictures of two eyes together: one picture, or for [`StereoLayout::Separate`] the two as they are, left first.
 ///
 /// # Errors
 /// [`MeasureError::SizeMismatch`] when they are not of one size.
-pub fn join(left: RgbaImage, right: RgbaImage, layout: Layout) -> Result<Vec<Part>, MeasureError> {
+pub fn combine_eyes(
+    left: RgbaImage,
+    right: RgbaImage,
+    layout: StereoLayout,
+) -> Result<Vec<StereoPicture>, MeasureError> {
     let mismatch = || MeasureError::SizeMismatch {
         what: "right eye's picture",
         got: format!("{} x {}", right.width(), right.height()),
@@ -81,19 +85,19 @@ pub fn join(left: RgbaImage, right: RgbaImage, layout: Layout) -> Result<Vec<Par
     if left.dimensions() != right.dimensions() {
         return Err(mismatch());
     }
-    let one = |picture| Part {
+    let one = |picture| StereoPicture {
         suffix: "",
         picture,
     };
     Ok(match layout {
-        Layout::SideBySide => vec![one(side_by_side(&left, &right).ok_or_else(mismatch)?)],
-        Layout::RedCyan => vec![one(red_cyan(&left, &right))],
-        Layout::Separate => vec![
-            Part {
+        StereoLayout::SideBySide => vec![one(side_by_side(&left, &right).ok_or_else(mismatch)?)],
+        StereoLayout::RedCyan => vec![one(red_cyan(&left, &right))],
+        StereoLayout::Separate => vec![
+            StereoPicture {
                 suffix: "-left",
                 picture: left,
             },
-            Part {
+            StereoPicture {
                 suffix: "-right",
                 picture: right,
             },

@@ -4,8 +4,8 @@ use std::io::IsTerminal;
 
 use unicode_width::UnicodeWidthStr;
 
+use crate::format;
 use crate::report::{Report, StrategyReport};
-use crate::words;
 
 mod eyes;
 mod sweep;
@@ -34,7 +34,7 @@ pub struct Column {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Row {
     /// Its cells.
-    pub cells: Vec<Cell>,
+    pub cells: Vec<TableCell>,
     /// Whether it is one of `none`, `frustum`, `ideal`.
     pub yardstick: bool,
     /// Whether it claims to be conservative and is not.
@@ -43,7 +43,7 @@ pub struct Row {
 
 /// One value.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Cell {
+pub struct TableCell {
     /// The text, free of control characters; `-` for what was not measured.
     pub text: String,
     /// Whether it is the best of its column, yardsticks aside.
@@ -88,19 +88,19 @@ const fn number(
 
 const COLUMNS: &[Definition] = &[
     text("strategy", "", |report, s| {
-        Some(words::short(report.title_of(s), 64))
+        Some(format::short(report.title_of(s), 64))
     }),
-    text("latency", "", |_, s| Some(words::short(&s.latency, 12))),
+    text("latency", "", |_, s| Some(format::short(&s.latency, 12))),
     number(
         "frame",
         "ms",
-        |_, s| Some(words::milliseconds(s.frame_ms.median)),
+        |_, s| Some(format::milliseconds(s.frame_ms.median)),
         Some(|s| Some(s.frame_ms.median)),
     ),
     number(
         "free run",
         "ms",
-        |_, s| s.free_running_ms.map(words::milliseconds),
+        |_, s| s.free_running_ms.map(format::milliseconds),
         Some(|s| s.free_running_ms),
     ),
     number(
@@ -124,13 +124,13 @@ const COLUMNS: &[Definition] = &[
     number(
         "drawn",
         "entities",
-        |_, s| Some(words::count(s.drawn.entities)),
+        |_, s| Some(format::count(s.drawn.entities)),
         None,
     ),
     number(
         "queries",
         "a frame",
-        |_, s| Some(words::count(s.queries)),
+        |_, s| Some(format::count(s.queries)),
         None,
     ),
     number(
@@ -142,25 +142,25 @@ const COLUMNS: &[Definition] = &[
     number(
         "wrong px",
         "mean %",
-        |_, s| Some(words::percent(s.error.wrong_pixels_percent.mean)),
+        |_, s| Some(format::percent(s.error.wrong_pixels_percent.mean)),
         Some(|s| Some(s.error.wrong_pixels_percent.mean)),
     ),
     number(
         "wrong px",
         "max %",
-        |_, s| Some(words::percent(s.error.wrong_pixels_percent.max)),
+        |_, s| Some(format::percent(s.error.wrong_pixels_percent.max)),
         Some(|s| Some(s.error.wrong_pixels_percent.max)),
     ),
     number(
         "false",
         "culls",
-        |_, s| Some(words::count(s.error.false_culls.entities as f64)),
+        |_, s| Some(format::count(s.error.false_culls.entities as f64)),
         Some(|s| Some(s.error.false_culls.entities as f64)),
     ),
     number(
         "FLIP",
         "mean",
-        |_, s| Some(words::flip(s.error.flip.mean)),
+        |_, s| Some(format::flip(s.error.flip.mean)),
         Some(|s| Some(s.error.flip.mean)),
     ),
 ];
@@ -169,7 +169,7 @@ const COLUMNS: &[Definition] = &[
 fn speed(time_ratio: Option<f64>) -> Option<String> {
     time_ratio
         .filter(|r| *r > 0.0)
-        .map(|r| format!("{}x", words::ratio(r.recip())))
+        .map(|r| format!("{}x", format::ratio(r.recip())))
 }
 
 impl Table {
@@ -207,7 +207,7 @@ impl Table {
             cells: used
                 .iter()
                 .zip(&best)
-                .map(|(Definition(_, show, cost), best)| Cell {
+                .map(|(Definition(_, show, cost), best)| TableCell {
                     text: show(report, s).unwrap_or_else(|| "-".to_owned()),
                     best: !s.is_yardstick()
                         && best.is_some()
@@ -249,7 +249,7 @@ impl Table {
         line(self.columns.iter().map(|c| (c.title, "1")).collect());
         line(self.columns.iter().map(|c| (c.unit, "2")).collect());
         for row in &self.rows {
-            let style = |cell: &Cell| match (row.broken, cell.best, row.yardstick) {
+            let style = |cell: &TableCell| match (row.broken, cell.best, row.yardstick) {
                 (true, ..) => "31",
                 (_, true, _) => "1",
                 (.., true) => "2",
@@ -323,34 +323,34 @@ pub fn facts(report: &Report) -> [String; 2] {
     let path = if scene.path.is_empty() {
         String::new()
     } else {
-        format!(" along {}", words::clean(&scene.path))
+        format!(" along {}", format::clean(&scene.path))
     };
     let [width, height] = scene.size;
     let eyes = scene.stereo.map_or_else(String::new, |stereo| {
         format!(
             " (eyes {} m apart, converging at {} m)",
-            words::metres(stereo.interocular),
-            words::metres(stereo.convergence)
+            format::metres(stereo.interocular),
+            format::metres(stereo.convergence)
         )
     });
     let noise = match report.noise.frame_time_ratio_p95 {
-        Some(ratio) => format!("noise {} %", words::percent((ratio - 1.0) * 100.0)),
+        Some(ratio) => format!("noise {} %", format::percent((ratio - 1.0) * 100.0)),
         None => "noise not measured".to_owned(),
     };
     [
         format!(
             "scene {}: {}, {}; {width} x {height} pixels, {}{eyes}, {}{path}",
-            words::clean(&scene.name),
-            words::plural(scene.entities, "entity"),
-            words::plural(scene.triangles, "triangle"),
-            words::plural(u64::from(scene.views), "view"),
-            words::plural(scene.frames, "frame"),
+            format::clean(&scene.name),
+            format::plural(scene.entities, "entity"),
+            format::plural(scene.triangles, "triangle"),
+            format::plural(u64::from(scene.views), "view"),
+            format::plural(scene.frames, "frame"),
         ),
         format!(
             "adapter {} ({}, {}); {noise}",
-            words::clean(&report.adapter.name),
-            words::clean(&report.adapter.backend),
-            words::clean(&report.adapter.kind)
+            format::clean(&report.adapter.name),
+            format::clean(&report.adapter.backend),
+            format::clean(&report.adapter.kind)
         ),
     ]
 }

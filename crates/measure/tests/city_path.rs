@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_demo_scenes::{CityOptions, city};
-use antumbra_measure::path::{Path, Pose};
+use antumbra_measure::path::{CameraPath, Pose};
 use antumbra_scene::{Aabb, Camera, EntityKey, Projection, Scene};
 use glam::{DMat3, DVec3};
 
@@ -13,9 +13,9 @@ const CLEAR: f64 = 0.15;
 
 const PATHS: [&str; 2] = ["city.json", "city-middle.json"];
 
-fn path(name: &str) -> Path {
+fn path(name: &str) -> CameraPath {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../benches/paths");
-    Path::load(std::path::Path::new(folder).join(name)).unwrap()
+    CameraPath::load(std::path::Path::new(folder).join(name)).unwrap()
 }
 
 fn ahead(pose: &Pose) -> DVec3 {
@@ -73,7 +73,7 @@ fn they_are_ninety_six_close_poses_without_a_cut_or_roll() {
     }
 }
 
-fn close(path: &Path) {
+fn close(path: &CameraPath) {
     let Projection::Perspective { fov_y, near } = path.projection() else {
         panic!("no perspective");
     };
@@ -161,7 +161,7 @@ fn their_eyes_come_close_to_nothing_and_pass_through_nothing() {
     }
 }
 
-fn clear(scene: &Scene, path: &Path) {
+fn clear(scene: &Scene, path: &CameraPath) {
     for (number, pair) in path.poses().windows(2).enumerate() {
         let [from, to] = [pair[0].position, pair[1].position];
         let around = Aabb::new(from.min(to) - CLEAR, from.max(to) + CLEAR);

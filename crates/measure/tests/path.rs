@@ -1,7 +1,7 @@
 //! Camera paths: that they go where they should, smoothly, and that files cannot harm.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_measure::path::{MAX_PATH_BYTES, MAX_POSES, Orbit, Path, Pose};
+use antumbra_measure::path::{CameraPath, MAX_PATH_BYTES, MAX_POSES, Orbit, Pose};
 use antumbra_scene::{Aabb, Projection};
 use glam::{DQuat, DVec2, DVec3};
 use proptest::prelude::*;
@@ -17,7 +17,7 @@ fn extents() -> impl Strategy<Value = Aabb> {
 proptest! {
     #[test]
     fn an_orbit_around_a_scene_has_all_of_it_in_view(bounds in extents(), aspect in 0.4..3.0f64) {
-        let path = Path::orbit_around(&bounds, aspect, 9).unwrap();
+        let path = CameraPath::orbit_around(&bounds, aspect, 9).unwrap();
         let Projection::Perspective { fov_y, near } = path.projection() else { panic!() };
         let tan = (fov_y / 2.0).tan();
         for pose in path.poses() {
@@ -32,7 +32,7 @@ proptest! {
     #[test]
     fn a_flight_is_smooth(bounds in extents(), seed in any::<u64>()) {
         let frames = 600;
-        let path = Path::flight(&bounds, seed, frames).unwrap();
+        let path = CameraPath::flight(&bounds, seed, frames).unwrap();
         prop_assert_eq!(path.poses().len(), frames);
         let radius = bounds.half_extents().length();
         // Ten points, nine stretches; no two neighbours among them are further apart than 4 radii.
@@ -51,34 +51,34 @@ proptest! {
     #[test]
     fn a_flight_goes_through_the_scene_and_around_it(seed in any::<u64>()) {
         let bounds = Aabb::new(DVec3::new(-30.0, 0.0, -20.0), DVec3::new(30.0, 12.0, 20.0));
-        let path = Path::flight(&bounds, seed, 400).unwrap();
+        let path = CameraPath::flight(&bounds, seed, 400).unwrap();
         let inside = path.poses().iter().filter(|p| p.position.clamp(bounds.min, bounds.max) == p.position).count();
         prop_assert!((20..=380).contains(&inside), "{inside} of 400 poses are inside");
     }
 
     #[test]
     fn a_saved_path_comes_back_to_the_bit(bounds in extents(), seed in any::<u64>(), cut in 0usize..7) {
-        let flight = Path::flight(&bounds, seed, 7).unwrap();
+        let flight = CameraPath::flight(&bounds, seed, 7).unwrap();
         let mut poses = flight.poses().to_vec();
         poses[cut].cut = true;
-        let path = Path::new("p.json", flight.projection(), poses).unwrap();
+        let path = CameraPath::new("p.json", flight.projection(), poses).unwrap();
         let dir = tempfile::tempdir().unwrap();
         let file = dir.path().join("p.json");
         path.save(&file).unwrap();
-        prop_assert_eq!(Path::load(&file).unwrap(), path);
+        prop_assert_eq!(CameraPath::load(&file).unwrap(), path);
     }
 
     #[test]
     fn no_text_makes_the_reader_panic(text in ".{0,200}", json in r#"[\[\]{}:,"0-9eE.+\-a-z ]{0,120}"#) {
-        let _ = Path::from_json("any", text.as_bytes());
+        let _ = CameraPath::from_json("any", text.as_bytes());
         let whole = format!(r#"{{"projection":{{"perspective":{{"fov_y_degrees":45,"near":0.1}}}},"poses":[{json}]}}"#);
-        let _ = Path::from_json("any", whole.as_bytes());
+        let _ = CameraPath::from_json("any", whole.as_bytes());
     }
 }
 
 #[test]
 fn the_grid_orbit_is_the_one_of_the_built_in_scene() {
-    let path = Path::orbit(&Orbit::grid(100)).unwrap();
+    let path = CameraPath::orbit(&Orbit::grid(100)).unwrap();
     assert_eq!(
         path.projection(),
         Projection::Perspective {
@@ -102,7 +102,7 @@ fn the_grid_orbit_is_the_one_of_the_built_in_scene() {
 
 #[test]
 fn the_same_seed_flies_the_same_path_and_another_does_not() {
-    let fly = |seed| Path::flight(&Aabb::new(DVec3::NEG_ONE, DVec3::ONE), seed, 50).unwrap();
+    let fly = |seed| CameraPath::flight(&Aabb::new(DVec3::NEG_ONE, DVec3::ONE), seed, 50).unwrap();
     assert_eq!(fly(1), fly(1));
     assert_ne!(fly(1), fly(2));
 }
@@ -113,8 +113,8 @@ fn small_and_odd_scenes_have_paths_too() {
     let flat = Aabb::new(DVec3::new(-5.0, 0.0, -5.0), DVec3::new(5.0, 0.0, 5.0));
     for bounds in [Aabb::EMPTY, point, flat] {
         for frames in [1, 2, 3] {
-            let flight = Path::flight(&bounds, 3, frames).unwrap();
-            let orbit = Path::orbit_around(&bounds, 1.0, frames).unwrap();
+            let flight = CameraPath::flight(&bounds, 3, frames).unwrap();
+            let orbit = CameraPath::orbit_around(&bounds, 1.0, frames).unwrap();
             assert_eq!(
                 (flight.poses().len(), orbit.cameras().len()),
                 (frames, frames)
@@ -126,12 +126,12 @@ fn small_and_odd_scenes_have_paths_too() {
             min: DVec3::ZERO,
             max,
         };
-        assert!(Path::flight(&bounds, 3, 10).is_err());
-        assert!(Path::orbit_around(&bounds, 1.0, 10).is_err());
+        assert!(CameraPath::flight(&bounds, 3, 10).is_err());
+        assert!(CameraPath::orbit_around(&bounds, 1.0, 10).is_err());
     }
-    assert!(Path::orbit_around(&flat, f64::NAN, 10).is_err());
-    assert!(Path::flight(&flat, 3, 0).is_err());
-    assert!(Path::flight(&flat, 3, usize::MAX).is_err());
+    assert!(CameraPath::orbit_around(&flat, f64::NAN, 10).is_err());
+    assert!(CameraPath::flight(&flat, 3, 0).is_err());
+    assert!(CameraPath::flight(&flat, 3, usize::MAX).is_err());
 }
 
 #[test]
@@ -149,7 +149,7 @@ fn a_written_file_is_understood() {
         "poses": [ { "eye": [0, 10, 40], "target": [0, 0, 0] },
                    { "eye": [5, 10, 40], "target": [0, 0, 0], "up": [0, 0, 1], "cut": true },
                    { "eye": [6, 10, 40], "rotation": [0, 0, 0, 1] } ] }"#;
-    let path = Path::from_json("mine", text).unwrap();
+    let path = CameraPath::from_json("mine", text).unwrap();
     assert_eq!(path.name(), "mine");
     assert_eq!(
         path.poses().iter().map(|p| p.cut).collect::<Vec<_>>(),
@@ -158,7 +158,7 @@ fn a_written_file_is_understood() {
     assert_eq!(path.cameras().nth(2).unwrap().forward(), DVec3::NEG_Z);
     let ortho = br#"{"projection":{"orthographic":{"height":10,"near":-5,"far":50}},"poses":[{"eye":[0,0,0],"target":[1,0,0]}]}"#;
     assert!(matches!(
-        Path::from_json("o", ortho).unwrap().projection(),
+        CameraPath::from_json("o", ortho).unwrap().projection(),
         Projection::Orthographic { .. }
     ));
 }
@@ -166,7 +166,7 @@ fn a_written_file_is_understood() {
 #[test]
 fn a_window_off_the_axis_is_read_and_comes_back() {
     let text = br#"{"projection":{"off_axis":{"fov_y_degrees":90,"near":0.5,"shift":[0.125,-0.1]}},"poses":[{"eye":[0,0,0],"target":[1,0,0]}]}"#;
-    let path = Path::from_json("aside", text).unwrap();
+    let path = CameraPath::from_json("aside", text).unwrap();
     let expected = Projection::OffAxis {
         fov_y: 90f64.to_radians(),
         near: 0.5,
@@ -176,9 +176,11 @@ fn a_window_off_the_axis_is_read_and_comes_back() {
     let dir = tempfile::tempdir().unwrap();
     let file = dir.path().join("aside");
     path.save(&file).unwrap();
-    assert_eq!(Path::load(&file).unwrap(), path);
+    assert_eq!(CameraPath::load(&file).unwrap(), path);
     let without = br#"{"projection":{"off_axis":{"near":0.5,"shift":[0,0]}},"poses":[{"eye":[0,0,0],"target":[1,0,0]}]}"#;
-    let error = Path::from_json("aside", without).unwrap_err().to_string();
+    let error = CameraPath::from_json("aside", without)
+        .unwrap_err()
+        .to_string();
     assert!(error.contains("fov_y_degrees"), "{error}");
 }
 
@@ -188,7 +190,7 @@ fn every_bad_pose_is_named() {
         let text = format!(
             r#"{{"projection":{{"perspective":{{"fov_y_degrees":45,"near":0.1}}}},"poses":[{poses}]}}"#
         );
-        Path::from_json("bad", text.as_bytes())
+        CameraPath::from_json("bad", text.as_bytes())
             .unwrap_err()
             .to_string()
     };
@@ -265,7 +267,7 @@ fn a_projection_that_cannot_be_drawn_is_refused() {
         },
     ] {
         assert!(
-            Path::new("p", projection, vec![pose]).is_err(),
+            CameraPath::new("p", projection, vec![pose]).is_err(),
             "{projection:?}"
         );
     }
@@ -278,7 +280,7 @@ fn a_projection_that_cannot_be_drawn_is_refused() {
         ..pose
     };
     assert!(
-        Path::new("p", good, vec![pose, bad])
+        CameraPath::new("p", good, vec![pose, bad])
             .unwrap_err()
             .to_string()
             .contains("pose 1")
@@ -294,20 +296,20 @@ fn a_huge_file_is_left_before_memory_is() {
         .set_len(MAX_PATH_BYTES * 100)
         .unwrap();
     assert!(
-        Path::load(&file)
+        CameraPath::load(&file)
             .unwrap_err()
             .to_string()
             .contains("larger than")
     );
     assert!(
-        Path::load(dir.path().join("none.json"))
+        CameraPath::load(dir.path().join("none.json"))
             .unwrap_err()
             .to_string()
             .contains("none.json")
     );
     std::fs::write(&file, "{").unwrap();
     assert!(
-        Path::load(&file)
+        CameraPath::load(&file)
             .unwrap_err()
             .to_string()
             .contains("huge.json")
@@ -324,7 +326,7 @@ fn a_flight_through_places_goes_from_the_first_to_the_last() {
         near: 0.5,
     };
     let through =
-        |whole, frames| Path::through("mine", &places, projection, whole, frames).unwrap();
+        |whole, frames| CameraPath::through("mine", &places, projection, whole, frames).unwrap();
     let whole = through(60, 60);
     let [first, last] = [whole.poses()[0], whole.poses()[59]];
     // The spline's ends are repeated keys: near them, not in them.
@@ -364,6 +366,6 @@ fn a_flight_through_places_goes_from_the_first_to_the_last() {
     }
     assert_eq!((places[0], places[24]), (0, 48));
 
-    assert!(Path::through("none", &[], projection, 60, 60).is_err());
+    assert!(CameraPath::through("none", &[], projection, 60, 60).is_err());
     assert_eq!(through(60, 1).poses().len(), 1);
 }

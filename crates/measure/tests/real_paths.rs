@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_formats::{LoadOptions, load};
-use antumbra_measure::path::{Path, Pose};
+use antumbra_measure::path::{CameraPath, Pose};
 use antumbra_scene::{Aabb, Projection, Scene};
 use glam::DVec3;
 
@@ -18,8 +18,8 @@ fn repository() -> std::path::PathBuf {
     std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-fn path(name: &str, fov_y_degrees: f64, near: f64) -> Path {
-    let path = Path::load(repository().join("benches/paths").join(name)).unwrap();
+fn path(name: &str, fov_y_degrees: f64, near: f64) -> CameraPath {
+    let path = CameraPath::load(repository().join("benches/paths").join(name)).unwrap();
     let Projection::Perspective { fov_y, near: n } = path.projection() else {
         panic!("no perspective");
     };

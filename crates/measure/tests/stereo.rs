@@ -6,7 +6,7 @@ use std::sync::Arc;
 use antumbra_draw::GpuScene;
 use antumbra_measure::MeasureError;
 use antumbra_measure::compare::{CompareOptions, Comparison, Contender, compare};
-use antumbra_measure::path::Path;
+use antumbra_measure::path::CameraPath;
 use antumbra_measure::report::{ErrorReport, Report, StereoFacts};
 use antumbra_scene::{Projection, Scene, Stereo, StereoError};
 use antumbra_strategies::registry;
@@ -20,10 +20,10 @@ const EXACT: &str =
 /// Far too few samples for what the grid hides: wrong in every frame.
 const WRONG: &str = "three-pass:latency=same-frame:threshold=40";
 
-fn scene() -> (Scene, Path) {
+fn scene() -> (Scene, CameraPath) {
     let mut scene = balls_with_proxies(5);
     scene.update();
-    let path = Path::orbit_around(&scene.bounds().unwrap(), 4.0 / 3.0, FRAMES).unwrap();
+    let path = CameraPath::orbit_around(&scene.bounds().unwrap(), 4.0 / 3.0, FRAMES).unwrap();
     (scene, path)
 }
 
@@ -35,7 +35,7 @@ fn stereo() -> Stereo {
 fn compared(
     stereo: Option<Stereo>,
     specs: &[&str],
-    change: impl FnOnce(Path) -> Path,
+    change: impl FnOnce(CameraPath) -> CameraPath,
 ) -> Result<Comparison, MeasureError> {
     let (mut scene, path) = scene();
     let registry = Arc::new(registry());
@@ -181,13 +181,13 @@ fn eyes_in_one_place_are_one_view_twice() {
 
 #[test]
 fn eyes_that_cannot_be_are_refused_before_anything_is_drawn() {
-    let parallel = |path: Path| {
+    let parallel = |path: CameraPath| {
         let projection = Projection::Orthographic {
             height: 10.0,
             near: 0.0,
             far: 100.0,
         };
-        Path::new("flat", projection, path.poses().to_vec()).unwrap()
+        CameraPath::new("flat", projection, path.poses().to_vec()).unwrap()
     };
     let error = compared(Some(stereo()), &["frustum"], parallel).unwrap_err();
     assert!(

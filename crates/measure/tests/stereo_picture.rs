@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_measure::MeasureError;
-use antumbra_measure::stereo_picture::{Layout, join};
+use antumbra_measure::stereo_picture::{StereoLayout, combine_eyes};
 use image::{Rgba, RgbaImage};
 
 fn plain(colour: [u8; 3]) -> RgbaImage {
@@ -12,7 +12,7 @@ fn plain(colour: [u8; 3]) -> RgbaImage {
 
 /// The anaglyph of two plain pictures.
 fn anaglyph(left: [u8; 3], right: [u8; 3]) -> [u8; 3] {
-    let parts = join(plain(left), plain(right), Layout::RedCyan).unwrap();
+    let parts = combine_eyes(plain(left), plain(right), StereoLayout::RedCyan).unwrap();
     let [part] = parts.as_slice() else {
         panic!("one picture")
     };
@@ -26,7 +26,7 @@ fn anaglyph(left: [u8; 3], right: [u8; 3]) -> [u8; 3] {
 fn the_left_eye_stands_left() {
     let left = RgbaImage::from_fn(3, 2, |x, y| Rgba([x as u8, y as u8, 1, 255]));
     let right = RgbaImage::from_fn(3, 2, |x, y| Rgba([x as u8, y as u8, 2, 255]));
-    let parts = join(left.clone(), right.clone(), Layout::SideBySide).unwrap();
+    let parts = combine_eyes(left.clone(), right.clone(), StereoLayout::SideBySide).unwrap();
     assert_eq!(parts.len(), 1);
     let joined = &parts[0].picture;
     assert_eq!(joined.dimensions(), (6, 2));
@@ -38,14 +38,14 @@ fn the_left_eye_stands_left() {
         };
         assert_eq!(pixel, expected, "{x}, {y}");
     }
-    let parts = join(left.clone(), right.clone(), Layout::Separate).unwrap();
+    let parts = combine_eyes(left.clone(), right.clone(), StereoLayout::Separate).unwrap();
     assert_eq!(parts.len(), 2);
     assert_eq!((parts[0].suffix, &parts[0].picture), ("-left", &left));
     assert_eq!((parts[1].suffix, &parts[1].picture), ("-right", &right));
-    let empty = join(
+    let empty = combine_eyes(
         RgbaImage::new(0, 2),
         RgbaImage::new(0, 2),
-        Layout::SideBySide,
+        StereoLayout::SideBySide,
     );
     assert_eq!(empty.unwrap()[0].picture.dimensions(), (0, 2));
 }
@@ -80,8 +80,8 @@ fn red_is_seen_by_both_eyes() {
 
 #[test]
 fn pictures_of_two_sizes_are_refused() {
-    for layout in Layout::ALL {
-        let error = join(plain([0; 3]), RgbaImage::new(3, 4), layout).unwrap_err();
+    for layout in StereoLayout::ALL {
+        let error = combine_eyes(plain([0; 3]), RgbaImage::new(3, 4), layout).unwrap_err();
         assert!(matches!(error, MeasureError::SizeMismatch { .. }));
         assert!(error.to_string().contains("3 x 4"), "{error}");
     }
@@ -89,9 +89,9 @@ fn pictures_of_two_sizes_are_refused() {
 
 #[test]
 fn layouts_are_known_by_name() {
-    for layout in Layout::ALL {
+    for layout in StereoLayout::ALL {
         assert_eq!(layout.to_string().parse(), Ok(layout));
     }
-    let error = "sideways".parse::<Layout>().unwrap_err();
+    let error = "sideways".parse::<StereoLayout>().unwrap_err();
     assert!(error.contains("side-by-side") && error.contains("red-cyan"));
 }

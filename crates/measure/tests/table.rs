@@ -8,8 +8,8 @@ mod swept;
 mod synthetic;
 
 use antumbra_measure::report::{Report, StereoFacts};
+use antumbra_measure::summary::{Tone, recommendations, summarise};
 use antumbra_measure::table::{Table, facts};
-use antumbra_measure::verdict::{Tone, picks, verdict};
 
 fn cell(report: &Report, strategy: &str, column: (&str, &str)) -> (String, bool) {
     let table = Table::new(report);
@@ -140,14 +140,14 @@ fn an_empty_report_has_a_table_too() {
         ..synthetic::report()
     };
     assert_eq!(Table::new(&report).terminal(true).lines().count(), 2);
-    assert!(picks(&report).is_empty());
+    assert!(recommendations(&report).is_empty());
 }
 
 #[test]
 fn verdicts_are_what_a_person_would_say() {
     let mut report = synthetic::report();
     let say = |report: &Report, i: usize| {
-        let v = verdict(report, &report.strategies[i]);
+        let v = summarise(report, &report.strategies[i]);
         (v.text, v.tone)
     };
     assert_eq!(
@@ -200,7 +200,7 @@ fn verdicts_are_what_a_person_would_say() {
 fn picks_name_the_fastest_right_and_the_fastest_hardly_wrong() {
     let mut report = synthetic::report();
     let names = |report: &Report| -> Vec<(String, String)> {
-        picks(report)
+        recommendations(report)
             .iter()
             .map(|p| (p.title.to_owned(), p.strategy.name.clone()))
             .collect()

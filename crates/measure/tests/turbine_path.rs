@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_demo_scenes::{TurbineOptions, turbine};
-use antumbra_measure::path::{Path, Pose};
+use antumbra_measure::path::{CameraPath, Pose};
 use antumbra_scene::{Aabb, Projection};
 use glam::DVec3;
 
@@ -11,12 +11,12 @@ const ASPECT: f64 = 1.25;
 /// Metres between two eyes.
 const EYES: f64 = 0.065;
 
-fn path() -> Path {
+fn path() -> CameraPath {
     let file = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../../benches/paths/turbine.json"
     );
-    Path::load(file).unwrap()
+    CameraPath::load(file).unwrap()
 }
 
 /// The boxes around both sizes of the engine.

@@ -1,9 +1,9 @@
 //! `antumbra compare`: the main job.
 
 use antumbra::draw::Gpu;
-use antumbra::measure::keeping::kept;
+use antumbra::measure::audit_summary::audit_summaries;
+use antumbra::measure::summary::recommendations;
 use antumbra::measure::table::{Table, facts, wants_colour};
-use antumbra::measure::verdict::picks;
 
 use crate::args::CompareArgs;
 use crate::contenders::contenders;
@@ -41,16 +41,20 @@ pub fn run(args: CompareArgs) -> Result<(), Failure> {
         for note in &contenders.notes {
             println!("{note}.");
         }
-        for pick in picks(&comparison.report) {
+        for pick in recommendations(&comparison.report) {
             println!(
                 "{}: {}, {}",
                 pick.title,
                 pick.strategy.title(),
-                pick.verdict.text
+                pick.summary.text
             );
         }
-        for kept in kept(&comparison.report) {
-            println!("{}: {}", kept.strategy.title(), kept.lines.join("\n  "));
+        for summary in audit_summaries(&comparison.report) {
+            println!(
+                "{}: {}",
+                summary.strategy.title(),
+                summary.lines.join("\n  ")
+            );
         }
         println!("report: {}", args.out.join("report.html").display());
     }

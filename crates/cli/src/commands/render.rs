@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use antumbra::cull::{Stage, StageError, StageOptions, Strategy, Verdict};
 use antumbra::draw::{Gpu, GpuScene, read_back};
 use antumbra::measure::image_error::save_png;
-use antumbra::measure::sketch_picture::save_sketch;
-use antumbra::measure::stereo_picture::{Part, join};
+use antumbra::measure::stereo_picture::{StereoPicture, combine_eyes};
+use antumbra::measure::traversal_picture::save_traversal;
 use antumbra::scene::Camera;
 use antumbra::strategies::Sketch;
 use antumbra::terrain::HorizonStrategy;
@@ -52,7 +52,7 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
                 1 => "",
                 _ => ["-left", "-right"].get(view).copied().unwrap_or_default(),
             };
-            save_sketch(&image, sketch, &suffixed(path, suffix))?;
+            save_traversal(&image, sketch, &suffixed(path, suffix))?;
         }
         if args.show_culled {
             show_culled(&mut image, &stage, view, &scene, camera, &mut oracle)?;
@@ -61,8 +61,8 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
     }
     let mut pictures = pictures.into_iter();
     let parts = match (pictures.next(), pictures.next()) {
-        (Some(left), Some(right)) => join(left, right, args.layout.unwrap_or_default())?,
-        (Some(picture), None) => vec![Part {
+        (Some(left), Some(right)) => combine_eyes(left, right, args.layout.unwrap_or_default())?,
+        (Some(picture), None) => vec![StereoPicture {
             suffix: "",
             picture,
         }],

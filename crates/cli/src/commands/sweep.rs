@@ -2,9 +2,9 @@
 
 use antumbra::draw::Gpu;
 use antumbra::measure::report::Report;
+use antumbra::measure::summary::recommendations;
 use antumbra::measure::table::{Table, facts, wants_colour};
-use antumbra::measure::trade::{self, EDGE_MEANS};
-use antumbra::measure::verdict::picks;
+use antumbra::measure::trade_off::{self, EDGE_LEGEND};
 
 use crate::args::SweepArgs;
 use crate::failure::Failure;
@@ -24,7 +24,7 @@ pub fn run(args: SweepArgs) -> Result<(), Failure> {
     let settings = settings(&args, input.horizon.as_ref())?;
     let mut comparison = measure(&gpu, input, &settings.list, &args.view, args.quiet)?;
     let report = &mut comparison.report;
-    report.sweep = Some(trade::sweep(
+    report.sweep = Some(trade_off::sweep(
         report,
         args.strategy.clone(),
         settings.vary,
@@ -44,26 +44,26 @@ fn print(report: &Report) {
         println!("{line}");
     }
     if let Some(sweep) = &report.sweep {
-        println!("{}\n", trade::swept(sweep));
+        println!("{}\n", trade_off::sweep_title(sweep));
     }
     let colour = wants_colour(&std::io::stdout());
     let tables = [Table::sweep(report), Table::eyes(report)];
     for table in tables.into_iter().flatten() {
         println!("{}", table.terminal(colour));
     }
-    println!("{EDGE_MEANS}");
-    let answers = trade::answers(report);
+    println!("{EDGE_LEGEND}");
+    let answers = trade_off::choice_texts(report);
     for answer in &answers {
         let setting = report.title_of(answer.setting);
-        println!("{}: {setting}", answer.question);
+        println!("{}: {setting}", answer.heading);
         for line in &answer.lines {
             println!("  {line}");
         }
     }
     if answers.is_empty() {
-        for pick in picks(report) {
+        for pick in recommendations(report) {
             let setting = report.title_of(pick.strategy);
-            println!("{}: {setting}, {}", pick.title, pick.verdict.text);
+            println!("{}: {setting}, {}", pick.title, pick.summary.text);
         }
     }
 }

@@ -16,10 +16,9 @@ use image::RgbaImage;
 
 use super::audited::Audited;
 use super::script::Set;
-use super::{CompareOptions, Progress};
+use super::{CompareOptions, CompareProgress};
 use crate::MeasureError;
 use crate::image_error::flip;
-use crate::path::Path;
 use crate::report::{AuditReport, MeanMax};
 
 /// What all strategies got wrong.
@@ -98,7 +97,7 @@ pub fn measure(
     set: &mut Set<'_>,
     stages: &mut [Stage],
     options: &CompareOptions,
-    progress: &mut dyn FnMut(Progress),
+    progress: &mut dyn FnMut(CompareProgress),
 ) -> Result<Accuracy, MeasureError> {
     let path = set.path;
     let mut judge = Judge::new(set.scene(), options.size)?;
@@ -111,7 +110,7 @@ pub fn measure(
         .div_ceil(options.flip_poses.max(1))
         .max(1);
     for (frame, pose) in path.poses().iter().enumerate() {
-        progress(Progress {
+        progress(CompareProgress {
             phase: "accuracy",
             done: frame as u64,
             total,
@@ -165,16 +164,6 @@ pub fn measure(
         }
     }
     Ok(Accuracy { records, owners })
-}
-
-/// The camera of a path's pose.
-pub fn camera(path: &Path, frame: usize) -> Result<Camera, MeasureError> {
-    let missing = || MeasureError::Path {
-        name: path.name().to_owned(),
-        problem: format!("it has no pose {frame}"),
-    };
-    let pose = path.poses().get(frame).ok_or_else(missing)?;
-    Ok(pose.camera(path.projection()))
 }
 
 /// Draws what should have been drawn, and counts what was not.

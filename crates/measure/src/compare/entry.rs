@@ -123,6 +123,7 @@ impl Entries<'_> {
             },
             passes: run.pass_medians(),
             verdicts,
+            audited: contender.audit.is_some(),
             audit: record.audit.clone(),
             budget: record.audited.budget_report(contender.budget, both_mean),
             worst: worst(record, &file_base(title, at), pictures)?,

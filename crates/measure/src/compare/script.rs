@@ -3,8 +3,7 @@
 use antumbra_draw::{Gpu, GpuScene};
 use antumbra_scene::{Camera, Scene, Stereo};
 
-use super::camera;
-use crate::path::Path;
+use crate::path::CameraPath;
 use crate::{MeasureError, views};
 
 /// Changes a scene between poses.
@@ -31,7 +30,7 @@ pub(super) struct Set<'a> {
     host: &'a mut Scene,
     script: &'a mut dyn Script,
     scene: GpuScene,
-    pub path: &'a Path,
+    pub path: &'a CameraPath,
     stereo: Option<Stereo>,
 }
 
@@ -41,7 +40,7 @@ impl<'a> Set<'a> {
         gpu: &Gpu,
         host: &'a mut Scene,
         script: &'a mut dyn Script,
-        path: &'a Path,
+        path: &'a CameraPath,
         stereo: Option<Stereo>,
     ) -> Result<Self, MeasureError> {
         let camera = run(script, host, path, 0)?;
@@ -72,10 +71,10 @@ impl<'a> Set<'a> {
 fn run(
     script: &mut dyn Script,
     scene: &mut Scene,
-    path: &Path,
+    path: &CameraPath,
     pose: usize,
 ) -> Result<Camera, MeasureError> {
-    let camera = camera(path, pose)?;
+    let camera = path.camera(pose)?;
     let outcome = script.set(scene, pose, &camera);
     outcome.map_err(|problem| MeasureError::Script { pose, problem })?;
     Ok(camera)

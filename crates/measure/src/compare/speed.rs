@@ -10,7 +10,7 @@ use antumbra_draw::{Gpu, GpuScene};
 
 use super::accuracy::Owners;
 use super::script::Set;
-use super::{CompareOptions, Progress};
+use super::{CompareOptions, CompareProgress};
 use crate::MeasureError;
 use crate::report::PassTime;
 use crate::stats;
@@ -51,7 +51,7 @@ pub fn measure(
     stages: &mut [Stage],
     owners: &[Owners],
     options: &CompareOptions,
-    progress: &mut dyn FnMut(Progress),
+    progress: &mut dyn FnMut(CompareProgress),
 ) -> Result<Speed, MeasureError> {
     let poses = set.path.poses().len();
     let block = options
@@ -88,7 +88,7 @@ pub fn measure(
                     run.take_timings(stage);
                 }
                 done += range.len() as u64;
-                progress(Progress {
+                progress(CompareProgress {
                     phase: "speed",
                     done,
                     total,
@@ -125,7 +125,7 @@ fn free_running(
     owners: &[Owners],
     runs: &mut [Run],
     blocks: &[std::ops::Range<usize>],
-    progress: &mut dyn FnMut(Progress),
+    progress: &mut dyn FnMut(CompareProgress),
 ) -> Result<(), MeasureError> {
     let chosen: Vec<_> = blocks.iter().step_by(4).collect();
     let mut means: Vec<Vec<f64>> = stages.iter().map(|_| Vec::new()).collect();
@@ -151,7 +151,7 @@ fn free_running(
             set.scene().gpu().wait()?;
             means[at].push(start.elapsed().as_secs_f64() * 1e3 / range.len() as f64);
             done += range.len() as u64;
-            progress(Progress {
+            progress(CompareProgress {
                 phase: "free running",
                 done,
                 total,

@@ -2,8 +2,8 @@
 //! made.
 
 use super::escape;
+use crate::format;
 use crate::report::{PassTime, Report, StrategyReport};
-use crate::words;
 
 /// A table of pass times a strategy.
 pub(super) fn passes(report: &Report) -> String {
@@ -41,7 +41,7 @@ fn in_blocks(body: &str) -> String {
 }
 
 fn pass(pass: &PassTime) -> String {
-    let time = |ms: Option<f64>| ms.map_or_else(|| "-".to_owned(), words::milliseconds);
+    let time = |ms: Option<f64>| ms.map_or_else(|| "-".to_owned(), format::milliseconds);
     format!(
         "<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
         escape(&pass.name),
@@ -63,7 +63,7 @@ pub(super) fn strategies(report: &Report) -> String {
         let verdicts: Vec<String> = strategy
             .verdicts
             .iter()
-            .map(|(verdict, mean)| format!("{verdict} {}", words::count(*mean)))
+            .map(|(verdict, mean)| format!("{verdict} {}", format::count(*mean)))
             .collect();
         let runs = strategy.error.false_culls.longest_run_frames;
         rows += &format!(
@@ -76,8 +76,8 @@ pub(super) fn strategies(report: &Report) -> String {
             },
             escape(&settings.join(", ")),
             escape(&verdicts.join(", ")),
-            words::count(strategy.overdrawn_entities),
-            words::count(runs as f64),
+            format::count(strategy.overdrawn_entities),
+            format::count(runs as f64),
         );
     }
     folded(

@@ -1,17 +1,17 @@
 //! The upper part of the page: what was measured, what to take from it, and the table.
 
 use super::escape;
-use crate::keeping;
+use crate::audit_summary;
+use crate::format;
 use crate::report::Report;
+use crate::summary::{self, Summary, Tone};
 use crate::table::{Table, facts};
-use crate::trade;
-use crate::verdict::{self, Tone, Verdict};
-use crate::words;
+use crate::trade_off;
 
 /// The title and the facts of the run.
 pub(super) fn header(report: &Report) -> String {
     let [scene, adapter] = facts(report);
-    let swept = report.sweep.as_ref().map(trade::swept);
+    let swept = report.sweep.as_ref().map(trade_off::sweep_title);
     format!(
         "<header>\n<p class=\"brand\">Antumbra {}</p>\n<h1>Occlusion culling: {}</h1>\n<p class=\"facts\">{}{}<br>{}</p>\n</header>\n",
         escape(&report.antumbra),
@@ -24,18 +24,18 @@ pub(super) fn header(report: &Report) -> String {
 
 /// What a sweep's budgets choose, or else the strategies to look at first, a card each; and how far from the limit the best of them is.
 pub(super) fn picks(report: &Report) -> String {
-    let picks = verdict::picks(report);
+    let picks = summary::recommendations(report);
     if picks.is_empty() {
         return String::new();
     }
     let mut html = "<section class=\"cards\">\n".to_owned();
-    let answers = trade::answers(report);
+    let answers = trade_off::choice_texts(report);
     for answer in &answers {
         let lines = answer.lines.iter().map(|line| escape(&upper_first(line)));
         html += &format!(
             "<div class=\"card {}\"><p class=\"question\">{}</p><p class=\"name\">{}</p><p>{}</p></div>\n",
             if answer.within { "good" } else { "poor" },
-            escape(&answer.question),
+            escape(&answer.heading),
             escape(report.title_of(answer.setting)),
             lines.collect::<Vec<_>>().join(".</p><p>"),
         );
@@ -44,10 +44,10 @@ pub(super) fn picks(report: &Report) -> String {
     for pick in picks.iter().filter(|_| answers.is_empty()) {
         html += &format!(
             "<div class=\"card {}\"><p class=\"question\">{}</p><p class=\"name\">{}</p><p>{}</p></div>\n",
-            class(pick.verdict.tone),
+            class(pick.summary.tone),
             escape(pick.title),
             escape(report.title_of(pick.strategy)),
-            escape(&upper_first(&pick.verdict.text)),
+            escape(&upper_first(&pick.summary.text)),
         );
     }
     let efficiency = picks
@@ -60,9 +60,9 @@ pub(super) fn picks(report: &Report) -> String {
         html += &format!(
             "<div class=\"card\"><p class=\"question\">Room left</p><p class=\"name\">{} % of ideal</p>\
              <p>{} takes {} times as long as drawing only what is seen, known beforehand and for free.</p></div>\n",
-            words::percent(efficiency * 100.0),
+            format::percent(efficiency * 100.0),
             escape(strategy.title()),
-            words::factor(efficiency.recip()),
+            format::factor(efficiency.recip()),
         );
     }
     html + "</section>\n"
@@ -80,7 +80,10 @@ pub(super) fn table(report: &Report) -> String {
              compete. Speed vs: how many times as fast (2x takes half the time). Drawn, queries: mean a frame. Wrong px: pixels whose \
              entity differs from the reference. False culls: seen entities not drawn, summed over all frames.</p>\n";
     if report.sweep.is_some() {
-        html += &format!("<p class=\"meaning\">{}</p>\n", escape(trade::EDGE_MEANS));
+        html += &format!(
+            "<p class=\"meaning\">{}</p>\n",
+            escape(trade_off::EDGE_LEGEND)
+        );
     }
     if let Some(eyes) = Table::eyes(report) {
         html += "<h3>Each eye</h3>\n";
@@ -90,7 +93,7 @@ pub(super) fn table(report: &Report) -> String {
     }
     html += "<ul class=\"verdicts\">\n";
     for strategy in report.strategies.iter().filter(|s| !s.is_yardstick()) {
-        let Verdict { text, tone } = verdict::verdict(report, strategy);
+        let Summary { text, tone } = summary::summarise(report, strategy);
         html += &format!(
             "<li class=\"{}\"><b>{}</b>: {}</li>\n",
             class(tone),
@@ -98,7 +101,7 @@ pub(super) fn table(report: &Report) -> String {
             escape(&text)
         );
     }
-    for keeping::Kept { strategy, lines } in keeping::kept(report) {
+    for audit_summary::AuditSummary { strategy, lines } in audit_summary::audit_summaries(report) {
         let lines = lines.iter().map(|line| escape(&upper_first(line)));
         html += &format!(
             "<li><b>{}</b>: {}.</li>\n",

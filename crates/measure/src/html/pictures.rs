@@ -8,10 +8,10 @@ use image::{DynamicImage, ImageFormat, ImageReader, Limits};
 
 use super::escape;
 use crate::MeasureError;
+use crate::files::read_limited;
+use crate::format;
 use crate::image_error::data_uri;
 use crate::report::{Report, StrategyReport, WorstFrame};
-use crate::store::read_limited;
-use crate::words;
 
 /// The most bytes a picture's file may have.
 const MAX_BYTES: u64 = 64 << 20;
@@ -70,7 +70,7 @@ fn row(report: &Report, strategy: &StrategyReport, worst: &WorstFrame, dir: &Pat
         "<h3>{}: frame {}{view}, {} % wrong pixels</h3>\n<div class=\"three\">\n",
         escape(strategy.title()),
         worst.frame,
-        words::percent(error.wrong_pixels_percent.max),
+        format::percent(error.wrong_pixels_percent.max),
     );
     let images = &worst.images;
     for (file, caption) in [

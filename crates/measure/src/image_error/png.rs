@@ -8,7 +8,7 @@ use base64::engine::general_purpose::STANDARD;
 use image::{ImageFormat, RgbaImage};
 
 use crate::MeasureError;
-use crate::store::write_beside;
+use crate::files::write_beside;
 
 /// Writes a picture as a PNG, beside and renamed into place.
 ///

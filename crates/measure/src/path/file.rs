@@ -21,9 +21,9 @@ use glam::{DQuat, DVec2, DVec3};
 use serde::de::{self, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::{Path, Pose};
+use super::{CameraPath, Pose};
 use crate::MeasureError;
-use crate::store::{read_limited, write_beside};
+use crate::files::{read_limited, write_beside};
 
 /// The most bytes a path file may have.
 pub const MAX_PATH_BYTES: u64 = 32 << 20;
@@ -32,7 +32,7 @@ pub const MAX_POSES: usize = 100_000;
 
 const KIND: &str = "camera path";
 
-impl Path {
+impl CameraPath {
     /// Reads a path file; its name is the file's without the folder.
     ///
     /// # Errors
@@ -55,7 +55,7 @@ impl Path {
     /// Reads a path from the text of a path file.
     ///
     /// # Errors
-    /// As [`Path::load`], but for the file.
+    /// As [`CameraPath::load`], but for the file.
     pub fn from_json(name: &str, json: &[u8]) -> Result<Self, MeasureError> {
         let malformed = |reason| MeasureError::Malformed {
             path: name.into(),

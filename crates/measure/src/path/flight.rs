@@ -12,7 +12,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::orbit::bounding_sphere;
-use super::{Path, Pose};
+use super::{CameraPath, Pose};
 use crate::MeasureError;
 
 /// Points of the spline: from outside through the inside and out again, three times.
@@ -28,7 +28,7 @@ struct Key {
     pitch: f64,
 }
 
-impl Path {
+impl CameraPath {
     /// A smooth flight around and through a scene. The same seed flies the same path. Empty bounds,
     /// those of a scene without entities, are a point.
     ///
@@ -55,7 +55,7 @@ impl Path {
     /// each still follows closely on the one before, as it would on a screen.
     ///
     /// # Errors
-    /// No places; as for [`Path::new`].
+    /// No places; as for [`CameraPath::new`].
     pub fn through(
         name: impl Into<String>,
         places: &[(DVec3, DVec3)],

@@ -3,10 +3,10 @@
 use antumbra_scene::{Aabb, Projection};
 use glam::DVec3;
 
-use super::{Path, Pose};
+use super::{CameraPath, Pose};
 use crate::MeasureError;
 
-/// How steeply [`Path::orbit_around`] looks down: 20 degrees see past the first row of things
+/// How steeply [`CameraPath::orbit_around`] looks down: 20 degrees see past the first row of things
 /// without becoming a map.
 const ELEVATION: f64 = 20.0 * std::f64::consts::PI / 180.0;
 
@@ -45,7 +45,7 @@ impl Orbit {
     }
 }
 
-impl Path {
+impl CameraPath {
     /// A circle around a centre, starting on the +Z side of it.
     ///
     /// # Errors
@@ -75,7 +75,7 @@ impl Path {
     /// entities, are a point.
     ///
     /// # Errors
-    /// As [`Path::orbit`]; bounds that are not finite; an aspect that is not above 0.
+    /// As [`CameraPath::orbit`]; bounds that are not finite; an aspect that is not above 0.
     pub fn orbit_around(bounds: &Aabb, aspect: f64, frames: usize) -> Result<Self, MeasureError> {
         let (centre, radius) = bounding_sphere("orbit", bounds)?;
         if !(aspect > 0.0 && aspect.is_finite()) {

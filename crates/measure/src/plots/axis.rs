@@ -7,7 +7,7 @@ use plotters::coord::ranged1d::{
 };
 use plotters::coord::types::RangedCoordf64;
 
-use crate::words;
+use crate::format;
 
 /// An axis for plotters: values are mapped evenly between its ends; scales that are not even are
 /// made so before, by [`Axis::place`].
@@ -130,7 +130,7 @@ fn decades(low: f64, high: f64, most: usize) -> impl Iterator<Item = f64> {
 fn decimal(exponent: f64) -> String {
     let value = 10f64.powf(exponent);
     if (-5.0..5.0).contains(&exponent) {
-        words::trimmed(value)
+        format::trimmed(value)
     } else {
         format!("{value:.0e}")
     }

@@ -9,8 +9,8 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::axis::Axis;
 use crate::MeasureError;
+use crate::format;
 use crate::report::{Report, StrategyReport};
-use crate::words;
 
 /// Units of the sheet a CSS pixel at full size: plotters rounds to whole units, and halves are
 /// finer.
@@ -256,7 +256,7 @@ pub(super) fn text_width(text: &str, height: i32) -> i32 {
 /// The words of a strategy on a plot. What tells settings of a sweep apart stands at the end.
 pub(super) fn name(report: &Report, strategy: &StrategyReport) -> String {
     let letters = if report.sweep.is_some() { 48 } else { 30 };
-    words::short(report.title_of(strategy), letters)
+    format::short(report.title_of(strategy), letters)
 }
 
 /// Every strategy with its colour: the same on all plots of a report; yardsticks are grey.

@@ -5,9 +5,9 @@ use plotters::prelude::*;
 use super::axis::Axis;
 use super::canvas::{Area, Drawing, Frame, Swatch, UNIT, coloured, legend, name, sheet};
 use crate::MeasureError;
+use crate::format;
 use crate::report::Report;
 use crate::stats::percentile;
-use crate::words;
 
 const TITLE: &str = "Frame time along the path";
 /// More points than this a line would only make the page larger.
@@ -55,9 +55,9 @@ pub fn frame_times(report: &Report) -> Result<Option<String>, MeasureError> {
     );
     let logarithmic = low > 0.0 && slowest > WIDE * fastest;
     let y = if logarithmic {
-        Axis::times(low, high, words::trimmed)
+        Axis::times(low, high, format::trimmed)
     } else {
-        Axis::even(0.0..(high * 1.1).max(1e-3), 7, words::trimmed)
+        Axis::even(0.0..(high * 1.1).max(1e-3), 7, format::trimmed)
     };
     let means = if logarithmic {
         "frame time (ms, logarithmic)"
@@ -77,7 +77,7 @@ fn draw(area: &Area<'_>, lines: &[Line], y: Axis, means: &str) -> Drawing {
     let x = Axis::even(
         0.0..poses.saturating_sub(1).max(1) as f64,
         10,
-        words::trimmed,
+        format::trimmed,
     );
     let frame = Frame {
         x,

@@ -6,7 +6,7 @@ use super::axis::Axis;
 use super::canvas::{INK, Mark, Swatch, coloured, name};
 use crate::MeasureError;
 use crate::report::Report;
-use crate::trade::{Clock, front};
+use crate::trade_off::{TimeBase, front};
 use draw::{Picture, Point, sheet};
 use speed::Speed;
 
@@ -34,7 +34,7 @@ pub fn speed_against_error(report: &Report) -> Result<Option<String>, MeasureErr
 
 /// All strategies of a comparison.
 fn compared(report: &Report) -> Option<Picture> {
-    let speed = Speed(Clock::of(report));
+    let speed = Speed(TimeBase::of(report));
     let (ideal, rest): (Vec<_>, Vec<_>) = coloured(report)
         .into_iter()
         .partition(|(s, _)| s.name == "ideal");

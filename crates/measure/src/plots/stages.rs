@@ -8,8 +8,8 @@ use super::canvas::{
     Area, Drawing, Frame, INK, Swatch, UNIT, coloured, legend, letters, name, sheet, text_width,
 };
 use crate::MeasureError;
+use crate::format;
 use crate::report::Report;
-use crate::words;
 
 const TITLE: &str = "Where a frame's time goes";
 const CULL: RGBColor = RGBColor(240, 120, 20);
@@ -61,7 +61,7 @@ fn draw(area: &Area<'_>, bars: &[Bar]) -> Drawing {
         .iter()
         .map(|b| b.frame.max(b.cull + b.draw))
         .fold(1e-6, f64::max);
-    let x = Axis::even(0.0..longest * 1.12, 9, words::trimmed);
+    let x = Axis::even(0.0..longest * 1.12, 9, format::trimmed);
     let y = Axis::rows(bars.iter().map(|b| b.name.clone()).collect());
     let widest = bars
         .iter()
@@ -88,7 +88,7 @@ fn draw(area: &Area<'_>, bars: &[Bar]) -> Drawing {
         let style = letters(LETTER, &INK).pos(Pos::new(HPos::Left, VPos::Center));
         let label = EmptyElement::at((from, middle))
             + Text::new(
-                format!("{} ms", words::milliseconds(bar.frame)),
+                format!("{} ms", format::milliseconds(bar.frame)),
                 (6 * UNIT, 0),
                 style,
             );

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::Report;
 use crate::MeasureError;
-use crate::store::{read_limited, write_beside};
+use crate::files::{read_limited, write_beside};
 
 /// The most bytes a `report.json` may have when read: far above a hundred strategies at ten
 /// thousand poses.

@@ -1,7 +1,7 @@
 //! What a sweep adds to a report: what was varied, which settings lie on the efficient edge, and
 //! which of them a budget of errors chooses.
 //!
-//! The functions of [`crate::trade`] make these out of what was measured.
+//! The functions of [`crate::trade_off`] make these out of what was measured.
 
 use serde::{Deserialize, Serialize};
 
@@ -12,18 +12,18 @@ pub struct Sweep {
     /// The strategies that were swept, as they were asked for (`name` or `name:key=value`).
     pub strategies: Vec<String>,
     /// What was varied, in the order asked for.
-    pub vary: Vec<Varied>,
+    pub vary: Vec<VariedSetting>,
     /// The titles of the settings on the efficient edge, the most right first: see
-    /// [`crate::trade::edge`].
+    /// [`crate::trade_off::edge`].
     pub edge: Vec<String>,
     /// What the budgets that were given choose.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub budgets: Vec<Chosen>,
+    pub budgets: Vec<LimitChoices>,
 }
 
 /// A setting and the values that were tried.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Varied {
+pub struct VariedSetting {
     /// The one strategy whose setting it is; absent where it is one of all that were swept.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strategy: Option<String>,
@@ -36,7 +36,7 @@ pub struct Varied {
 /// An error that a budget can limit. The names are those of the report's error block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Measure {
+pub enum ErrorMeasure {
     /// Wrong pixels in percent of the pixels.
     WrongPixelsPercent,
     /// False culls summed over all poses.
@@ -48,7 +48,7 @@ pub enum Measure {
 /// Which of a series' numbers a limit is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Over {
+pub enum Aggregate {
     /// The mean over all poses.
     Mean,
     /// The worst pose.
@@ -59,9 +59,9 @@ pub enum Over {
 
 /// A budget and what it chooses.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Chosen {
+pub struct LimitChoices {
     /// The error that is limited.
-    pub measure: Measure,
+    pub measure: ErrorMeasure,
     /// The most it may be, in the measure's unit.
     pub limit: f64,
     /// The choice for the mean and the one for the worst pose; for false culls, the one for their
@@ -73,7 +73,7 @@ pub struct Chosen {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Choice {
     /// What is held against the limit.
-    pub over: Over,
+    pub over: Aggregate,
     /// The title of the setting.
     pub setting: String,
     /// Whether it stays within the budget. Where no setting does, the one with the least error is

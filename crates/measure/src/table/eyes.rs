@@ -1,12 +1,12 @@
 //! The table of the two eyes: what was asked for each, and what it got wrong.
 
 use super::{Definition, Table, number, text};
+use crate::format;
 use crate::report::{ErrorReport, Report, StrategyReport};
-use crate::words;
 
 const COLUMNS: &[Definition] = &[
     text("strategy", "", |report, s| {
-        Some(words::short(report.title_of(s), 64))
+        Some(format::short(report.title_of(s), 64))
     }),
     number("queries", "left", |_, s| queries(s, 0), None),
     number("queries", "right", |_, s| queries(s, 1), None),
@@ -37,13 +37,13 @@ const COLUMNS: &[Definition] = &[
     number(
         "false culls",
         "left",
-        |_, s| culls(s, 0).map(words::count),
+        |_, s| culls(s, 0).map(format::count),
         Some(|s| culls(s, 0)),
     ),
     number(
         "false culls",
         "right",
-        |_, s| culls(s, 1).map(words::count),
+        |_, s| culls(s, 1).map(format::count),
         Some(|s| culls(s, 1)),
     ),
 ];
@@ -79,9 +79,9 @@ fn culls(strategy: &StrategyReport, eye: usize) -> Option<f64> {
 
 fn queries(strategy: &StrategyReport, eye: usize) -> Option<String> {
     let asked = strategy.queries_a_view.get(eye);
-    asked.map(|asked| words::count(*asked))
+    asked.map(|asked| format::count(*asked))
 }
 
 fn shown(percent: Option<f64>) -> Option<String> {
-    percent.map(words::percent)
+    percent.map(format::percent)
 }

@@ -1,6 +1,6 @@
 //! The table of a sweep: what each setting costs, what it gets wrong, and which are worth having.
 
-use super::{COLUMNS, Cell, Column, Definition, Table};
+use super::{COLUMNS, Column, Definition, Table, TableCell};
 use crate::report::Report;
 
 /// Of a comparison's columns those in which a trade is read.
@@ -37,7 +37,7 @@ impl Table {
         self.columns.push(EDGE);
         for (row, strategy) in self.rows.iter_mut().zip(&report.strategies) {
             let marked = !row.yardstick && sweep.edge.iter().any(|on| on == strategy.title());
-            row.cells.push(Cell {
+            row.cells.push(TableCell {
                 text: if marked { "*" } else { "" }.to_owned(),
                 best: false,
             });

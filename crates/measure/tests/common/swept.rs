@@ -1,7 +1,7 @@
 //! A made-up sweep whose edge and choices are known by hand.
 
-use antumbra_measure::report::{Report, StrategyReport, Varied};
-use antumbra_measure::trade::{self, Budget};
+use antumbra_measure::report::{Report, StrategyReport, VariedSetting};
+use antumbra_measure::trade_off::{self, ErrorLimit};
 
 use crate::synthetic;
 
@@ -50,14 +50,14 @@ pub fn known() -> Report {
 
 /// The same as a sweep under these budgets.
 pub fn with(mut report: Report, budgets: &[&str]) -> Report {
-    let budgets: Vec<Budget> = budgets.iter().map(|text| text.parse().unwrap()).collect();
+    let budgets: Vec<ErrorLimit> = budgets.iter().map(|text| text.parse().unwrap()).collect();
     let values = ["99", "0", "4", "5", "64"].map(str::to_owned);
-    let vary = Varied {
+    let vary = VariedSetting {
         strategy: None,
         key: "threshold".into(),
         values: values.into(),
     };
-    let sweep = trade::sweep(&report, vec!["three-pass".into()], vec![vary], &budgets);
+    let sweep = trade_off::sweep(&report, vec!["three-pass".into()], vec![vary], &budgets);
     report.sweep = Some(sweep);
     report
 }

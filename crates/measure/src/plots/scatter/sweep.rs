@@ -5,11 +5,11 @@ use plotters::prelude::RGBColor;
 use super::draw::{Limit, Picture, Point, ideal};
 use super::entry;
 use super::speed::Speed;
+use crate::format;
 use crate::plots::axis::Axis;
 use crate::plots::canvas::{FAINT, INK, Mark, PALETTE, Swatch};
-use crate::report::{Chosen, Measure, Over, Report, StrategyReport, Sweep};
-use crate::trade::Clock;
-use crate::words;
+use crate::report::{Aggregate, ErrorMeasure, LimitChoices, Report, StrategyReport, Sweep};
+use crate::trade_off::TimeBase;
 
 /// With no more settings than this, those off the edge have their names, too.
 const FEW: usize = 12;
@@ -27,7 +27,7 @@ const BLUR_MOST: f64 = 1e3;
 
 /// The plot of a report's sweep; `None` where no setting was measured.
 pub(super) fn picture(report: &Report, sweep: &Sweep) -> Option<Picture> {
-    let speed = Speed(Clock::of(report));
+    let speed = Speed(TimeBase::of(report));
     let settings: Vec<&StrategyReport> = report
         .strategies
         .iter()
@@ -45,7 +45,7 @@ pub(super) fn picture(report: &Report, sweep: &Sweep) -> Option<Picture> {
             let wrong = s.error.wrong_pixels_percent;
             let mut words = String::new();
             if edge || chosen.is_some() || settings.len() <= FEW {
-                words = words::short(own, 48) + chosen.as_deref().unwrap_or_default();
+                words = format::short(own, 48) + chosen.as_deref().unwrap_or_default();
             }
             // Names leave to colours which strategy it is, where there are several.
             let beaten = match sweep.strategies.as_slice() {
@@ -122,27 +122,28 @@ fn chosen(sweep: &Sweep, setting: &StrategyReport) -> Option<String> {
 }
 
 /// "0.05 % mean", "3 false culls".
-fn short(budget: &Chosen, over: Over) -> String {
+fn short(budget: &LimitChoices, over: Aggregate) -> String {
     let over = match over {
-        Over::Mean => " mean",
-        Over::Max => " worst",
-        Over::Sum => "",
+        Aggregate::Mean => " mean",
+        Aggregate::Max => " worst",
+        Aggregate::Sum => "",
     };
     match budget.measure {
-        Measure::WrongPixelsPercent => format!("{} %{over}", words::percent(budget.limit)),
-        Measure::FalseCulls => words::plural(budget.limit as u64, "false cull"),
-        Measure::Flip => format!("FLIP {}{over}", words::flip(budget.limit)),
+        ErrorMeasure::WrongPixelsPercent => format!("{} %{over}", format::percent(budget.limit)),
+        ErrorMeasure::FalseCulls => format::plural(budget.limit as u64, "false cull"),
+        ErrorMeasure::Flip => format!("FLIP {}{over}", format::flip(budget.limit)),
     }
 }
 
 /// The budgets that have a place on an axis of wrong pixels.
 fn limits(sweep: &Sweep) -> Vec<Limit> {
     let budgets = sweep.budgets.iter();
-    let budgets = budgets.filter(|b| b.measure == Measure::WrongPixelsPercent && b.limit > 0.0);
+    let budgets =
+        budgets.filter(|b| b.measure == ErrorMeasure::WrongPixelsPercent && b.limit > 0.0);
     budgets
         .map(|budget| Limit {
             error: budget.limit,
-            words: format!("budget {} %", words::percent(budget.limit)),
+            words: format!("budget {} %", format::percent(budget.limit)),
         })
         .collect()
 }
@@ -162,7 +163,7 @@ fn legend(
         let strategies = sweep.strategies.iter().zip(PALETTE.iter().cycle());
         entries.extend(strategies.map(|(s, colour)| {
             entry(
-                words::short(s, 30),
+                format::short(s, 30),
                 *colour,
                 Swatch::Mark(Mark::Dot(*colour)),
             )
@@ -186,7 +187,7 @@ fn legend(
     entries.push(entry(
         format!(
             "bar: noise of {} %; speeds whose bars overlap cannot be told apart",
-            words::percent(noise)
+            format::percent(noise)
         ),
         FAINT,
         Swatch::Bar,
@@ -206,9 +207,9 @@ fn legend(
             } else {
                 "left"
             },
-            match Clock::of(report) {
-                Clock::Alone => format!("{} frames per second", words::ratio(at)),
-                _ => format!("{}x", words::ratio(at)),
+            match TimeBase::of(report) {
+                TimeBase::Alone => format!("{} frames per second", format::ratio(at)),
+                _ => format!("{}x", format::ratio(at)),
             }
         ))),
         None => {}

@@ -1,9 +1,9 @@
 //! The setting to take under a budget: the fastest that stays within it.
 
-use super::budget::Budget;
-use super::race::Race;
+use super::limit::ErrorLimit;
 use super::settings;
-use crate::report::{Choice, Chosen, Over, Report, StrategyReport};
+use super::speed::SpeedComparison;
+use crate::report::{Aggregate, Choice, LimitChoices, Report, StrategyReport};
 
 /// A setting with its time and the error that is limited.
 #[derive(Clone, Copy)]
@@ -19,10 +19,10 @@ struct Candidate<'a> {
 /// can tell, the one of them with the least error. Where no setting stays within the budget, the one
 /// with the least error is named as the nearest. A report in which no setting was measured gets no
 /// choices.
-pub fn choose(report: &Report, budget: Budget) -> Chosen {
-    let race = Race::of(report);
+pub fn choose(report: &Report, budget: ErrorLimit) -> LimitChoices {
+    let race = SpeedComparison::of(report);
     let choices = budget.measure().overs().iter();
-    Chosen {
+    LimitChoices {
         measure: budget.measure(),
         limit: budget.limit(),
         choices: choices
@@ -31,7 +31,12 @@ pub fn choose(report: &Report, budget: Budget) -> Chosen {
     }
 }
 
-fn choice(report: &Report, race: &Race, budget: Budget, over: Over) -> Option<Choice> {
+fn choice(
+    report: &Report,
+    race: &SpeedComparison,
+    budget: ErrorLimit,
+    over: Aggregate,
+) -> Option<Choice> {
     let mut candidates: Vec<Candidate<'_>> = settings(report)
         .filter_map(|(setting, time)| {
             let error = budget.measure().of(&setting.error, over)?;

@@ -2,21 +2,21 @@
 
 use crate::report::{Report, RunnerUp, StrategyReport};
 use crate::stats::{block_ratios, median, sign_test};
-use crate::trade::Clock;
+use crate::trade_off::TimeBase;
 
 /// Tells speeds of one report apart.
-pub(super) struct Race {
-    clock: Clock,
+pub(super) struct SpeedComparison {
+    clock: TimeBase,
     noise: f64,
     block: usize,
 }
 
-impl Race {
+impl SpeedComparison {
     pub(super) fn of(report: &Report) -> Self {
         let frames = usize::try_from(report.scene.frames).unwrap_or(usize::MAX);
         let block = report.noise.block_frames.map(usize::try_from);
         Self {
-            clock: Clock::of(report),
+            clock: TimeBase::of(report),
             noise: report.noise.least_ratio(),
             block: block
                 .and_then(Result::ok)

@@ -6,13 +6,13 @@ mod swept;
 #[path = "common/synthetic.rs"]
 mod synthetic;
 
-use antumbra_measure::report::{Choice, Measure, Over, Report, StrategyReport};
-use antumbra_measure::trade::{Budget, answers, choose, edge};
+use antumbra_measure::report::{Aggregate, Choice, ErrorMeasure, Report, StrategyReport};
+use antumbra_measure::trade_off::{ErrorLimit, choice_texts, choose, pareto_front};
 use proptest::prelude::*;
 use swept::{known, report, setting, with};
 
 fn thresholds(report: &Report) -> Vec<&str> {
-    edge(report).into_iter().map(threshold).collect()
+    pareto_front(report).into_iter().map(threshold).collect()
 }
 
 fn threshold(setting: &StrategyReport) -> &str {
@@ -20,7 +20,7 @@ fn threshold(setting: &StrategyReport) -> &str {
 }
 
 fn chosen(report: &Report, budget: &str) -> Vec<Choice> {
-    let budget: Budget = budget.parse().unwrap();
+    let budget: ErrorLimit = budget.parse().unwrap();
     choose(report, budget).choices
 }
 
@@ -64,7 +64,7 @@ fn the_choice_of_a_known_report() {
         panic!("one for the mean and one for the worst pose")
     };
     // 5 is the fastest within, 4 as fast for all one knows and less wrong; then comes 0.
-    assert_eq!(mean.over, Over::Mean);
+    assert_eq!(mean.over, Aggregate::Mean);
     assert_eq!(mean.setting, "three-pass threshold=4");
     assert_eq!(mean.fastest.as_deref(), Some("three-pass threshold=5"));
     assert_eq!(mean.alike, ["three-pass threshold=5"]);
@@ -76,7 +76,7 @@ fn the_choice_of_a_known_report() {
     assert!((next.by_chance.unwrap() - 1.0 / 64.0).abs() < 1e-12);
     assert_eq!(
         (worst.over, worst.setting.as_str()),
-        (Over::Max, "three-pass threshold=4")
+        (Aggregate::Max, "three-pass threshold=4")
     );
 
     // 0.02 % on average is 0.04 % in the worst frame: the budget itself is within, what is above is not.
@@ -96,7 +96,7 @@ fn the_choice_of_a_known_report() {
     let none = &chosen(&report, "false_culls=0")[0];
     assert_eq!(
         (none.over, none.setting.as_str(), none.within),
-        (Over::Sum, "three-pass threshold=0", true)
+        (Aggregate::Sum, "three-pass threshold=0", true)
     );
     let flip = &chosen(&report, "flip=0.002");
     assert_eq!(flip[0].setting, "three-pass threshold=64");
@@ -113,10 +113,10 @@ fn where_nothing_stays_within_the_nearest_is_named() {
         assert_eq!((choice.fastest, choice.next), (None, None));
     }
     let report = with(report, &["wrong_pixels=0"]);
-    let said = answers(&report);
+    let said = choice_texts(&report);
     // No wrong pixel on average is none in the worst frame: said once.
     assert_eq!(said.len(), 1);
-    assert_eq!(said[0].question, "No setting has no wrong pixel; nearest");
+    assert_eq!(said[0].heading, "No setting has no wrong pixel; nearest");
 }
 
 #[test]
@@ -170,10 +170,10 @@ fn answers_say_how_certain_they_are() {
         known(),
         &["wrong_pixels=0.05%", "wrong_pixels=0", "false_culls=500"],
     );
-    let said = answers(&report);
+    let said = choice_texts(&report);
     let text = |at: usize| {
-        let answer: &antumbra_measure::trade::Answer<'_> = &said[at];
-        format!("{}: {}", answer.question, answer.lines.join("; "))
+        let answer: &antumbra_measure::trade_off::ChoiceText<'_> = &said[at];
+        format!("{}: {}", answer.heading, answer.lines.join("; "))
     };
     assert_eq!(
         text(0),
@@ -191,7 +191,7 @@ fn answers_say_how_certain_they_are() {
         "Fastest with no wrong pixel: 2.0 times as fast as frustum, no wrong pixel; all others are beyond the budget"
     );
     assert!(text(3).starts_with("Fastest with at most 500 false culls in all frames: 3.3 times"));
-    assert!(answers(&known()).is_empty());
+    assert!(choice_texts(&known()).is_empty());
 }
 
 /// Settings with times and errors of which many are equal, without series.
@@ -226,7 +226,7 @@ fn wrong(setting: &StrategyReport) -> f64 {
 proptest! {
     #[test]
     fn the_edge_is_monotone_undominated_and_covers_everything((report, noise) in settings()) {
-        let edge = edge(&report);
+        let edge = pareto_front(&report);
         let all: Vec<_> = report.strategies.iter().filter(|s| !s.is_yardstick()).collect();
         prop_assert_eq!(edge.is_empty(), all.is_empty());
         for pair in edge.windows(2) {
@@ -248,7 +248,7 @@ proptest! {
 
     #[test]
     fn the_order_of_the_settings_does_not_move_the_edge((mut report, _) in settings()) {
-        let costs = |report: &Report| edge(report).into_iter().map(|s| (time(s), wrong(s))).collect::<Vec<_>>();
+        let costs = |report: &Report| pareto_front(report).into_iter().map(|s| (time(s), wrong(s))).collect::<Vec<_>>();
         let before = costs(&report);
         report.strategies.reverse();
         prop_assert_eq!(before, costs(&report));
@@ -256,10 +256,10 @@ proptest! {
 
     #[test]
     fn a_choice_keeps_its_budget_and_nothing_clearly_faster_does((report, noise) in settings(), limit in 0.0..12.0f64) {
-        let budget = Budget::new(Measure::WrongPixelsPercent, limit).unwrap();
+        let budget = ErrorLimit::new(ErrorMeasure::WrongPixelsPercent, limit).unwrap();
         for choice in choose(&report, budget).choices {
             let error = |s: &StrategyReport| match choice.over {
-                Over::Max => s.error.wrong_pixels_percent.max,
+                Aggregate::Max => s.error.wrong_pixels_percent.max,
                 _ => s.error.wrong_pixels_percent.mean,
             };
             let all: Vec<_> = report.strategies.iter().filter(|s| !s.is_yardstick()).collect();

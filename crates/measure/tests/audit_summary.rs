@@ -4,7 +4,7 @@
 #[path = "common/synthetic.rs"]
 mod synthetic;
 
-use antumbra_measure::keeping::kept;
+use antumbra_measure::audit_summary::audit_summaries;
 use antumbra_measure::report::{AuditReport, BudgetReport, FrameSeries, StrategyReport};
 
 fn strategy(label: &str, frame_ms: f64) -> StrategyReport {
@@ -33,11 +33,13 @@ fn an_audit_is_held_against_the_truth_and_its_cost_against_the_same_without() {
         ..AuditReport::default()
     });
     report.strategies = vec![strategy("late", 10.0), audited];
-    let all = kept(&report);
+    let all = audit_summaries(&report);
     let [only] = all.as_slice() else {
         panic!("{all:?}");
     };
     assert_eq!(only.strategy.label, "late audited");
+    // Older reports say by the audit's block alone that an entry was audited.
+    assert!(!only.strategy.audited);
     let text = only.lines.join("; ");
     for part in [
         "by its own audit 0.050 %",
@@ -48,6 +50,31 @@ fn an_audit_is_held_against_the_truth_and_its_cost_against_the_same_without() {
     ] {
         assert!(text.contains(part), "{part}: {text}");
     }
+}
+
+#[test]
+fn the_entry_without_an_audit_is_found_by_settings_and_not_by_title() {
+    let mut report = synthetic::report();
+    let with = |label: &str, threshold: u32| {
+        let mut strategy = strategy(label, 10.0);
+        let settings = [("threshold".to_owned(), threshold.into())];
+        strategy.settings = settings.into();
+        strategy
+    };
+    let mut audited = with("any title", 2);
+    audited.audited = true;
+    let mut within = with("with a budget", 2);
+    within.audited = true;
+    within.budget = Some(BudgetReport {
+        asked: "wrong_pixels=0.02%".to_owned(),
+        ..BudgetReport::default()
+    });
+    report.strategies = vec![with("one", 1), audited, within, with("two", 2)];
+    let found = |at: usize| {
+        let plain = report.without_audit(&report.strategies[at]);
+        plain.map(StrategyReport::title)
+    };
+    assert_eq!([0, 1, 2, 3].map(found), [None, Some("two"), None, None]);
 }
 
 #[test]
@@ -79,9 +106,9 @@ fn a_budget_says_whether_it_was_kept_and_where_frames_stood() {
         fixed("fast", 0.021, 8.0),
         waits,
     ];
-    let all = kept(&report);
+    let all = audit_summaries(&report);
     assert_eq!(all.len(), 2, "{all:?}");
-    let texts: Vec<String> = all.iter().map(|kept| kept.lines.join("; ")).collect();
+    let texts: Vec<String> = all.iter().map(|summary| summary.lines.join("; ")).collect();
     assert!(
         texts[0].contains("kept with 0.015 %") && texts[0].contains("3, 0, 21"),
         "{texts:?}"

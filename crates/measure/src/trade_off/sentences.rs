@@ -1,18 +1,20 @@
 //! What a person would say of a budget's choices.
 
 use super::settings;
-use crate::report::{Choice, Chosen, Measure, Over, Report, RunnerUp, StrategyReport, Sweep};
-use crate::{verdict, words};
+use crate::report::{
+    Aggregate, Choice, ErrorMeasure, LimitChoices, Report, RunnerUp, StrategyReport, Sweep,
+};
+use crate::{format, summary};
 
 /// What the mark of the efficient edge says of a setting.
-pub const EDGE_MEANS: &str = "* efficient edge: no other setting is faster, beyond the noise, \
+pub const EDGE_LEGEND: &str = "* efficient edge: no other setting is faster, beyond the noise, \
                               without more wrong pixels on average.";
 
 /// What one budget chooses, in words.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Answer<'a> {
-    /// The question it answers: "Fastest with at most 0.05 % wrong pixels on average".
-    pub question: String,
+pub struct ChoiceText<'a> {
+    /// The heading it choice_texts: "Fastest with at most 0.05 % wrong pixels on average".
+    pub heading: String,
     /// The setting that is named.
     pub setting: &'a StrategyReport,
     /// Whether it stays within the budget.
@@ -23,7 +25,7 @@ pub struct Answer<'a> {
 }
 
 /// "sweep of three-pass over threshold = 0, 1, 4".
-pub fn swept(sweep: &Sweep) -> String {
+pub fn sweep_title(sweep: &Sweep) -> String {
     let varied: Vec<String> = sweep
         .vary
         .iter()
@@ -33,33 +35,37 @@ pub fn swept(sweep: &Sweep) -> String {
             format!("{}{} = {values}", of.collect::<String>(), varied.key)
         })
         .collect();
-    words::clean(&format!(
+    format::clean(&format!(
         "sweep of {} over {}",
         sweep.strategies.join(", "),
         varied.join("; ")
     ))
 }
 
-/// The answers to all budgets of a report's sweep, in their order; none for a report that is no
+/// The choice_texts to all budgets of a report's sweep, in their order; none for a report that is no
 /// sweep or has no budget.
-pub fn answers(report: &Report) -> Vec<Answer<'_>> {
+pub fn choice_texts(report: &Report) -> Vec<ChoiceText<'_>> {
     let budgets = report.sweep.iter().flat_map(|sweep| &sweep.budgets);
     let choices = budgets.flat_map(|budget| budget.choices.iter().map(move |c| (budget, c)));
     choices
-        .filter_map(|(budget, choice)| answer(report, budget, choice))
+        .filter_map(|(budget, choice)| choice_text(report, budget, choice))
         .collect()
 }
 
-fn answer<'a>(report: &'a Report, budget: &Chosen, choice: &Choice) -> Option<Answer<'a>> {
+fn choice_text<'a>(
+    report: &'a Report,
+    budget: &LimitChoices,
+    choice: &Choice,
+) -> Option<ChoiceText<'a>> {
     let setting = titled(report, &choice.setting)?;
     // No error on average is none anywhere: that is said once.
     let none = budget.limit == 0.0;
-    if none && choice.over == Over::Max {
+    if none && choice.over == Aggregate::Max {
         return None;
     }
     let limit = error(budget.measure, budget.limit);
     let over = over(choice.over);
-    let question = match (choice.within, none) {
+    let heading = match (choice.within, none) {
         (true, true) => format!("Fastest with {limit}"),
         (true, false) => format!("Fastest with at most {limit}{over}"),
         (false, true) => format!("No setting has {limit}; nearest"),
@@ -69,9 +75,9 @@ fn answer<'a>(report: &'a Report, budget: &Chosen, choice: &Choice) -> Option<An
         String::new()
     } else {
         let share = 100.0 * choice.error / budget.limit;
-        format!(", {} % of the budget", words::percent(share))
+        format!(", {} % of the budget", format::percent(share))
     };
-    let (speed, _) = verdict::speed(report, setting);
+    let (speed, _) = summary::speed(report, setting);
     let mut lines = vec![format!(
         "{speed}, {}{used}",
         error(budget.measure, choice.error)
@@ -79,8 +85,8 @@ fn answer<'a>(report: &'a Report, budget: &Chosen, choice: &Choice) -> Option<An
     if choice.within {
         lines.extend(certainty(report, choice));
     }
-    Some(Answer {
-        question,
+    Some(ChoiceText {
+        heading,
         setting,
         within: choice.within,
         lines,
@@ -90,12 +96,12 @@ fn answer<'a>(report: &'a Report, budget: &Chosen, choice: &Choice) -> Option<An
 /// How certain it is that nothing within the budget is faster.
 fn certainty(report: &Report, choice: &Choice) -> Vec<String> {
     let noise = match report.noise.frame_time_ratio_p95 {
-        Some(ratio) => format!("the noise of {} %", words::percent((ratio - 1.0) * 100.0)),
+        Some(ratio) => format!("the noise of {} %", format::percent((ratio - 1.0) * 100.0)),
         None => "noise that was not measured".to_owned(),
     };
     let shown = |title: &String| match titled(report, title) {
-        Some(setting) => words::clean(report.title_of(setting)),
-        None => words::clean(title),
+        Some(setting) => format::clean(report.title_of(setting)),
+        None => format::clean(title),
     };
     let mut lines = Vec::new();
     if !choice.alike.is_empty() {
@@ -115,7 +121,7 @@ fn certainty(report: &Report, choice: &Choice) -> Vec<String> {
             lines.push(format!(
                 "slower, beyond {noise}: {} takes {} times as long{than}{}",
                 shown(&next.setting),
-                words::ratio(next.time_ratio),
+                format::ratio(next.time_ratio),
                 blocks(next)
             ));
         }
@@ -135,32 +141,32 @@ fn blocks(next: &RunnerUp) -> String {
     };
     let chance = match chance.recip() {
         times if times < 3.0 => "chance alone does as much".to_owned(),
-        times if times < 1e6 => format!("by chance 1 time in {}", words::count(times.round())),
+        times if times < 1e6 => format!("by chance 1 time in {}", format::count(times.round())),
         _ => "by chance hardly ever".to_owned(),
     };
     format!(
         ", slower in {} of {} ({chance})",
-        words::count(slower as f64),
-        words::plural(all, "block")
+        format::count(slower as f64),
+        format::plural(all, "block")
     )
 }
 
 /// "0.05 % wrong pixels", "no false cull", "a FLIP of 0.01".
-fn error(measure: Measure, error: f64) -> String {
+fn error(measure: ErrorMeasure, error: f64) -> String {
     match measure {
-        Measure::WrongPixelsPercent if error == 0.0 => "no wrong pixel".to_owned(),
-        Measure::WrongPixelsPercent => format!("{} % wrong pixels", words::percent(error)),
-        Measure::FalseCulls if error == 0.0 => "no false cull".to_owned(),
-        Measure::FalseCulls => words::plural(error as u64, "false cull"),
-        Measure::Flip => format!("a FLIP of {}", words::flip(error)),
+        ErrorMeasure::WrongPixelsPercent if error == 0.0 => "no wrong pixel".to_owned(),
+        ErrorMeasure::WrongPixelsPercent => format!("{} % wrong pixels", format::percent(error)),
+        ErrorMeasure::FalseCulls if error == 0.0 => "no false cull".to_owned(),
+        ErrorMeasure::FalseCulls => format::plural(error as u64, "false cull"),
+        ErrorMeasure::Flip => format!("a FLIP of {}", format::flip(error)),
     }
 }
 
-fn over(over: Over) -> &'static str {
+fn over(over: Aggregate) -> &'static str {
     match over {
-        Over::Mean => " on average",
-        Over::Max => " in the worst frame",
-        Over::Sum => " in all frames",
+        Aggregate::Mean => " on average",
+        Aggregate::Max => " in the worst frame",
+        Aggregate::Sum => " in all frames",
     }
 }
 

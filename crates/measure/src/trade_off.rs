@@ -10,42 +10,42 @@
 //!
 //! Everything here reads a [`Report`] and nothing else.
 
-use crate::report::{Report, StrategyReport, Sweep, Varied};
+use crate::report::{Report, StrategyReport, Sweep, VariedSetting};
 
-mod budget;
 mod choice;
-mod clock;
-mod edge;
-mod race;
-mod words;
+mod limit;
+mod pareto;
+mod sentences;
+mod speed;
+mod time_base;
 
-pub use budget::Budget;
 pub use choice::choose;
-pub(crate) use clock::Clock;
-pub use edge::edge;
-pub(crate) use edge::front;
-pub use words::{Answer, EDGE_MEANS, answers, swept};
+pub use limit::ErrorLimit;
+pub(crate) use pareto::front;
+pub use pareto::pareto_front;
+pub use sentences::{ChoiceText, EDGE_LEGEND, choice_texts, sweep_title};
+pub(crate) use time_base::TimeBase;
 
 /// What a report says of a sweep of `strategies` (as they were asked for) over `vary`: its edge and
 /// what each budget chooses. The report's own [`Report::sweep`] plays no part.
 ///
 /// ```no_run
-/// # use antumbra_measure::{MeasureError, report::{Report, Varied}, trade};
+/// # use antumbra_measure::{MeasureError, report::{Report, VariedSetting}, trade_off};
 /// # fn main() -> Result<(), MeasureError> {
 /// let mut report = Report::load("out/report.json")?;
-/// let threshold = Varied { strategy: None, key: "threshold".into(), values: vec!["1".into(), "4".into()] };
+/// let threshold = VariedSetting { strategy: None, key: "threshold".into(), values: vec!["1".into(), "4".into()] };
 /// let budget = "wrong_pixels=0.05%".parse()?;
-/// report.sweep = Some(trade::sweep(&report, vec!["three-pass".into()], vec![threshold], &[budget]));
+/// report.sweep = Some(trade_off::sweep(&report, vec!["three-pass".into()], vec![threshold], &[budget]));
 /// # Ok(())
 /// # }
 /// ```
 pub fn sweep(
     report: &Report,
     strategies: Vec<String>,
-    vary: Vec<Varied>,
-    budgets: &[Budget],
+    vary: Vec<VariedSetting>,
+    budgets: &[ErrorLimit],
 ) -> Sweep {
-    let edge = edge(report).into_iter();
+    let edge = pareto_front(report).into_iter();
     Sweep {
         strategies,
         vary,
@@ -56,7 +56,7 @@ pub fn sweep(
 
 /// The settings of a sweep: what is no yardstick, and was timed.
 fn settings(report: &Report) -> impl Iterator<Item = (&StrategyReport, f64)> {
-    let clock = Clock::of(report);
+    let clock = TimeBase::of(report);
     let measured = report.strategies.iter().filter(|s| !s.is_yardstick());
     measured.filter_map(move |s| Some((s, clock.time(s)?)))
 }

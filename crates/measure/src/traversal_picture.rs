@@ -8,8 +8,8 @@ use antumbra_strategies::{Sketch, Sketched, SketchedNode};
 use image::{ImageFormat, RgbaImage};
 
 use crate::MeasureError;
+use crate::files::write_beside;
 use crate::image_error::{data_uri, encode};
-use crate::store::write_beside;
 
 /// Room above the panels and below them, and between them, in pixels.
 const HEAD: u32 = 30;
@@ -23,7 +23,7 @@ const ENTRY: u32 = 240;
 ///
 /// # Errors
 /// When it cannot be encoded or written; nothing is left behind then.
-pub fn save_sketch(image: &RgbaImage, sketch: &Sketch, path: &Path) -> Result<(), MeasureError> {
+pub fn save_traversal(image: &RgbaImage, sketch: &Sketch, path: &Path) -> Result<(), MeasureError> {
     let png = data_uri(ImageFormat::Png.to_mime_type(), &encode(image, path)?);
     let picture = draw(image.dimensions(), &png, sketch);
     write_beside(path, picture.as_bytes())

@@ -4,14 +4,14 @@ use crate::report::{Report, StrategyReport};
 
 /// The best yardstick that every strategy of a report was held against.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Clock {
+pub(crate) enum TimeBase {
     VsFrustum,
     VsNone,
     /// No common yardstick: the frame time itself.
     Alone,
 }
 
-impl Clock {
+impl TimeBase {
     pub(crate) fn of(report: &Report) -> Self {
         let all = |clock: Self| {
             report

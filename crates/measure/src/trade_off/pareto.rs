@@ -1,18 +1,18 @@
-//! The efficient edge (Pareto's front): the settings than which none is both faster and no worse.
+//! The efficient pareto_front (Pareto's front): the settings than which none is both faster and no worse.
 
-use super::race::Race;
 use super::settings;
+use super::speed::SpeedComparison;
 use crate::report::{Report, StrategyReport};
 
-/// The settings of a report on the efficient edge of time and mean wrong pixels, the most right
+/// The settings of a report on the efficient pareto_front of time and mean wrong pixels, the most right
 /// first: each that follows has more wrong pixels and is faster, beyond what the noise can tell,
 /// than the one before. Yardsticks do not compete.
 ///
 /// No setting that was measured is both faster and no more wrong than one of these, nor as fast and
 /// less wrong. What is missing is either beaten by one of them, or buys for its errors no speed that
 /// the noise could not explain. Of exact equals the first stays.
-pub fn edge(report: &Report) -> Vec<&StrategyReport> {
-    let race = Race::of(report);
+pub fn pareto_front(report: &Report) -> Vec<&StrategyReport> {
+    let race = SpeedComparison::of(report);
     let measured: Vec<_> = settings(report)
         .filter(|(s, _)| s.error.wrong_pixels_percent.mean.is_finite())
         .collect();
@@ -20,16 +20,19 @@ pub fn edge(report: &Report) -> Vec<&StrategyReport> {
         .iter()
         .map(|(s, time)| (*time, s.error.wrong_pixels_percent.mean))
         .collect();
-    let mut edge: Vec<&StrategyReport> = Vec::new();
+    let mut pareto_front: Vec<&StrategyReport> = Vec::new();
     for at in front(&places) {
         let Some((setting, _)) = measured.get(at) else {
             continue;
         };
-        if edge.last().is_none_or(|last| race.faster(setting, last)) {
-            edge.push(setting);
+        if pareto_front
+            .last()
+            .is_none_or(|last| race.faster(setting, last))
+        {
+            pareto_front.push(setting);
         }
     }
-    edge
+    pareto_front
 }
 
 /// Which of these costs, each a time and an error, no other undercuts in one without exceeding it in

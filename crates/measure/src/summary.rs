@@ -1,11 +1,11 @@
 //! What a person would say on seeing the numbers: how fast against the yardsticks, how wrong, and
 //! which strategy to take.
 
+use crate::format;
 use crate::report::{Report, StrategyReport};
-use crate::words;
 
 /// Up to this share of wrong pixels (percent, mean) most viewers of a moving picture notice
-/// nothing; the picks of [`picks`] use it.
+/// nothing; the picks of [`recommendations`] use it.
 const HARDLY_WRONG_PERCENT: f64 = 0.1;
 
 /// How a strategy fared, beyond the words.
@@ -25,7 +25,7 @@ pub enum Tone {
 
 /// The words about one strategy.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Verdict {
+pub struct Summary {
     /// One line without the strategy's name: "3.4 times as fast as frustum, 0.012 % wrong pixels on
     /// average (0.31 % in the worst frame)".
     pub text: String,
@@ -35,17 +35,17 @@ pub struct Verdict {
 
 /// One answer to "which shall I take".
 #[derive(Debug, Clone, PartialEq)]
-pub struct Pick<'a> {
+pub struct Recommendation<'a> {
     /// The question it answers, e.g. "Fastest with every pixel right".
     pub title: &'static str,
     /// The strategy.
     pub strategy: &'a StrategyReport,
-    /// Its [`verdict`].
-    pub verdict: Verdict,
+    /// Its [`summarise`].
+    pub summary: Summary,
 }
 
 /// Judges one strategy of a report.
-pub fn verdict(report: &Report, strategy: &StrategyReport) -> Verdict {
+pub fn summarise(report: &Report, strategy: &StrategyReport) -> Summary {
     let (speed, faster) = speed(report, strategy);
     let wrong = strategy.error.wrong_pixels_percent;
     let right = all_right(strategy);
@@ -54,12 +54,12 @@ pub fn verdict(report: &Report, strategy: &StrategyReport) -> Verdict {
     text += &if right {
         "every pixel right".to_owned()
     } else if wrong.max == 0.0 {
-        words::plural(strategy.error.false_culls.entities, "false cull")
+        format::plural(strategy.error.false_culls.entities, "false cull")
     } else {
         format!(
             "{} % wrong pixels on average ({} % in the worst frame)",
-            words::percent(wrong.mean),
-            words::percent(wrong.max)
+            format::percent(wrong.mean),
+            format::percent(wrong.max)
         )
     };
     let tone = match (strategy.breaks_its_promise(), faster, right) {
@@ -72,13 +72,13 @@ pub fn verdict(report: &Report, strategy: &StrategyReport) -> Verdict {
         (_, true, true) => Tone::Good,
         (_, true, false) => Tone::Trade,
     };
-    Verdict { text, tone }
+    Summary { text, tone }
 }
 
 /// The strategies to look at first: the fastest with every pixel right, the fastest that is hardly
 /// wrong, the fastest of all. A strategy is named once, by its best title; yardsticks are not
 /// picked.
-pub fn picks(report: &Report) -> Vec<Pick<'_>> {
+pub fn recommendations(report: &Report) -> Vec<Recommendation<'_>> {
     type Question = (&'static str, &'static str, fn(&StrategyReport) -> bool);
     let questions: [Question; 3] = [
         (
@@ -101,7 +101,7 @@ pub fn picks(report: &Report) -> Vec<Pick<'_>> {
         runners.min_by(|a, b| a.frame_ms.median.total_cmp(&b.frame_ms.median))
     };
     let of_all = fastest(|_| true);
-    let mut picks: Vec<Pick<'_>> = Vec::new();
+    let mut picks: Vec<Recommendation<'_>> = Vec::new();
     for (title, title_of_all, fits) in questions {
         let Some(strategy) = fastest(fits) else {
             continue;
@@ -115,10 +115,10 @@ pub fn picks(report: &Report) -> Vec<Pick<'_>> {
             .iter()
             .all(|pick| !std::ptr::eq(pick.strategy, strategy))
         {
-            picks.push(Pick {
+            picks.push(Recommendation {
                 title,
                 strategy,
-                verdict: verdict(report, strategy),
+                summary: summarise(report, strategy),
             });
         }
     }
@@ -153,13 +153,16 @@ fn against(report: &Report, baseline: &str, ratio: Option<f64>) -> (String, bool
         (
             format!(
                 "{} times as fast as {baseline}",
-                words::factor(ratio.recip())
+                format::factor(ratio.recip())
             ),
             true,
         )
     } else {
         (
-            format!("takes {} times as long as {baseline}", words::factor(ratio)),
+            format!(
+                "takes {} times as long as {baseline}",
+                format::factor(ratio)
+            ),
             false,
         )
     }

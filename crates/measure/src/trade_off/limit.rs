@@ -4,15 +4,15 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::MeasureError;
-use crate::report::{ErrorReport, Measure, Over};
+use crate::report::{Aggregate, ErrorMeasure, ErrorReport};
 
 /// The most of one kind of error that is put up with.
 ///
 /// Written `wrong_pixels=0.05%`, `false_culls=3` or `flip=0.01`. A share of pixels has its percent
 /// sign, since 0.05 could as well mean one pixel in twenty; only nothing needs none.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Budget {
-    measure: Measure,
+pub struct ErrorLimit {
+    measure: ErrorMeasure,
     limit: f64,
 }
 
@@ -20,16 +20,16 @@ pub struct Budget {
 const FORMS: &str =
     "write wrong_pixels=0.05% (0 to 100, with its %), false_culls=3, or flip=0.01 (0 to 1)";
 
-impl Budget {
+impl ErrorLimit {
     /// At most `limit` of an error: percent of the pixels 0 to 100, entities, or FLIP 0 to 1.
     ///
     /// # Errors
-    /// [`MeasureError::Budget`] for a limit that its measure cannot have.
-    pub fn new(measure: Measure, limit: f64) -> Result<Self, MeasureError> {
+    /// [`MeasureError::ErrorLimit`] for a limit that its measure cannot have.
+    pub fn new(measure: ErrorMeasure, limit: f64) -> Result<Self, MeasureError> {
         let fits = match measure {
-            Measure::WrongPixelsPercent => (0.0..=100.0).contains(&limit),
-            Measure::FalseCulls => limit >= 0.0 && limit.is_finite() && limit.fract() == 0.0,
-            Measure::Flip => (0.0..=1.0).contains(&limit),
+            ErrorMeasure::WrongPixelsPercent => (0.0..=100.0).contains(&limit),
+            ErrorMeasure::FalseCulls => limit >= 0.0 && limit.is_finite() && limit.fract() == 0.0,
+            ErrorMeasure::Flip => (0.0..=1.0).contains(&limit),
         };
         // Of -0 and 0 there shall be one.
         let limit = limit.abs();
@@ -41,7 +41,7 @@ impl Budget {
     }
 
     /// What is limited.
-    pub fn measure(&self) -> Measure {
+    pub fn measure(&self) -> ErrorMeasure {
         self.measure
     }
 
@@ -51,42 +51,42 @@ impl Budget {
     }
 }
 
-impl Measure {
+impl ErrorMeasure {
     /// What of a measure is held against a limit.
-    pub(super) fn overs(self) -> &'static [Over] {
+    pub(super) fn overs(self) -> &'static [Aggregate] {
         match self {
-            Self::WrongPixelsPercent | Self::Flip => &[Over::Mean, Over::Max],
-            Self::FalseCulls => &[Over::Sum],
+            Self::WrongPixelsPercent | Self::Flip => &[Aggregate::Mean, Aggregate::Max],
+            Self::FalseCulls => &[Aggregate::Sum],
         }
     }
 
     /// An error block's number; `None` for one that the measure does not have.
-    pub(crate) fn of(self, error: &ErrorReport, over: Over) -> Option<f64> {
+    pub(crate) fn of(self, error: &ErrorReport, over: Aggregate) -> Option<f64> {
         let number = match (self, over) {
-            (Self::WrongPixelsPercent, Over::Mean) => error.wrong_pixels_percent.mean,
-            (Self::WrongPixelsPercent, Over::Max) => error.wrong_pixels_percent.max,
-            (Self::Flip, Over::Mean) => error.flip.mean,
-            (Self::Flip, Over::Max) => error.flip.max,
-            (Self::FalseCulls, Over::Sum) => error.false_culls.entities as f64,
+            (Self::WrongPixelsPercent, Aggregate::Mean) => error.wrong_pixels_percent.mean,
+            (Self::WrongPixelsPercent, Aggregate::Max) => error.wrong_pixels_percent.max,
+            (Self::Flip, Aggregate::Mean) => error.flip.mean,
+            (Self::Flip, Aggregate::Max) => error.flip.max,
+            (Self::FalseCulls, Aggregate::Sum) => error.false_culls.entities as f64,
             _ => return None,
         };
         number.is_finite().then_some(number)
     }
 }
 
-impl FromStr for Budget {
+impl FromStr for ErrorLimit {
     type Err = MeasureError;
 
     fn from_str(text: &str) -> Result<Self, MeasureError> {
         let parts = text.split_once('=');
         let (name, limit) = parts.ok_or_else(|| refused(text))?;
         let (measure, number) = match (name, limit.strip_suffix('%')) {
-            ("wrong_pixels", Some(percent)) => (Measure::WrongPixelsPercent, percent),
+            ("wrong_pixels", Some(percent)) => (ErrorMeasure::WrongPixelsPercent, percent),
             ("wrong_pixels", None) if limit.parse() == Ok(0.0) => {
-                (Measure::WrongPixelsPercent, limit)
+                (ErrorMeasure::WrongPixelsPercent, limit)
             }
-            ("false_culls", None) => (Measure::FalseCulls, limit),
-            ("flip", None) => (Measure::Flip, limit),
+            ("false_culls", None) => (ErrorMeasure::FalseCulls, limit),
+            ("flip", None) => (ErrorMeasure::Flip, limit),
             _ => return Err(refused(text)),
         };
         let limit = number.trim_end().parse().map_err(|_| refused(text))?;
@@ -94,19 +94,19 @@ impl FromStr for Budget {
     }
 }
 
-impl fmt::Display for Budget {
+impl fmt::Display for ErrorLimit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let limit = self.limit;
         match self.measure {
-            Measure::WrongPixelsPercent => write!(f, "wrong_pixels={limit}%"),
-            Measure::FalseCulls => write!(f, "false_culls={limit}"),
-            Measure::Flip => write!(f, "flip={limit}"),
+            ErrorMeasure::WrongPixelsPercent => write!(f, "wrong_pixels={limit}%"),
+            ErrorMeasure::FalseCulls => write!(f, "false_culls={limit}"),
+            ErrorMeasure::Flip => write!(f, "flip={limit}"),
         }
     }
 }
 
 fn refused(text: &str) -> MeasureError {
-    MeasureError::Budget {
+    MeasureError::ErrorLimit {
         text: text.to_owned(),
         forms: FORMS,
     }
@@ -126,7 +126,7 @@ mod tests {
             "flip=0.01",
             "flip=0",
         ] {
-            let budget: Budget = text.parse().unwrap();
+            let budget: ErrorLimit = text.parse().unwrap();
             assert_eq!(budget.to_string(), text);
         }
         for (text, same) in [
@@ -134,7 +134,7 @@ mod tests {
             ("wrong_pixels=-0%", "wrong_pixels=0%"),
             ("wrong_pixels=5e-2 %", "wrong_pixels=0.05%"),
         ] {
-            let budget: Budget = text.parse().unwrap();
+            let budget: ErrorLimit = text.parse().unwrap();
             assert_eq!(budget.to_string(), same);
         }
     }
@@ -157,7 +157,7 @@ mod tests {
             "speed=3",
             "",
         ] {
-            let error = text.parse::<Budget>().unwrap_err().to_string();
+            let error = text.parse::<ErrorLimit>().unwrap_err().to_string();
             assert!(
                 error.contains(&format!("'{text}'")) && error.contains("wrong_pixels=0.05%"),
                 "{error}"
