@@ -199,13 +199,9 @@ impl FrameGraph<'_> {
         if hiding != candidates {
             node.read(hiding);
         }
-        let mut submit = |set: ListDraws| ListDraws {
-            list: node.write(set.list),
-            slots: node.upload(set.slots),
-        };
-        let occluders = submit(occluders);
-        let others = others.map(&mut submit);
-        let all = occludees.map(&mut submit);
+        let occluders = occluders.written_by(&mut node);
+        let others = others.map(|list| list.written_by(&mut node));
+        let all = occludees.map(|list| list.written_by(&mut node));
         let queried = node.write(queried);
         node.read(inputs.view);
         // Near ones first spares the far ones' fragments. Full meshes keep the canonical order: there, ties must fall as in the reference.

@@ -323,14 +323,8 @@ impl<'g> FrameGraph<'g> {
         reads(&mut node);
         let chosen = Chosen {
             verdicts: node.write(verdicts),
-            solid: ListDraws {
-                list: node.write(solid.list),
-                slots: node.upload(solid.slots),
-            },
-            blended: blended.map(|set| ListDraws {
-                list: node.write(set.list),
-                slots: node.upload(set.slots),
-            }),
+            solid: solid.written_by(&mut node),
+            blended: blended.map(|list| list.written_by(&mut node)),
         };
         node.run(move |ctx| {
             let (scene, frame) = (ctx.get(inputs.scene)?, ctx.get(inputs.view)?);

@@ -4,7 +4,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use antumbra_strategies::{Sketch, Sketched, SketchedNode};
+use antumbra_strategies::{NodeOutcome, Sketch, SketchNode};
 use image::{ImageFormat, RgbaImage};
 
 use crate::MeasureError;
@@ -76,8 +76,8 @@ fn draw((width, height): (u32, u32), png: &str, sketch: &Sketch) -> String {
     }
     out.push_str("</g>\n");
     for batch in 0..=batches {
-        let of = |outcome: Sketched| {
-            let alike = |node: &&SketchedNode| node.batch == batch && node.outcome == outcome;
+        let of = |outcome: NodeOutcome| {
+            let alike = |node: &&SketchNode| node.batch == batch && node.outcome == outcome;
             sketch.nodes().iter().filter(alike).count()
         };
         let (x, y) = (
@@ -87,12 +87,12 @@ fn draw((width, height): (u32, u32), png: &str, sketch: &Sketch) -> String {
         let words = match batch {
             0 => format!(
                 "not asked: {}",
-                of(Sketched::Free) + of(Sketched::Seen) + of(Sketched::Hidden)
+                of(NodeOutcome::Free) + of(NodeOutcome::Visible) + of(NodeOutcome::Occluded)
             ),
             _ => format!(
                 "batch {batch}: {} seen, {} hidden",
-                of(Sketched::Seen),
-                of(Sketched::Hidden)
+                of(NodeOutcome::Visible),
+                of(NodeOutcome::Occluded)
             ),
         };
         let _ = writeln!(
@@ -142,16 +142,16 @@ fn taken(out: &mut String, sketch: &Sketch) {
 }
 
 /// A node's rectangle.
-fn outline(out: &mut String, node: &SketchedNode, batches: u32) {
+fn outline(out: &mut String, node: &SketchNode, batches: u32) {
     let (least, greatest) = (node.pixels.least, node.pixels.greatest);
     let size = (greatest - least).max(glam::Vec2::ONE);
     let (style, words) = match node.outcome {
-        Sketched::Free => (
+        NodeOutcome::Free => (
             "fill-opacity=\"0\" stroke-opacity=\"0.5\" stroke-width=\"1\"",
             "free: no question",
         ),
-        Sketched::Seen => ("fill-opacity=\"0\" stroke-width=\"1.5\"", "visible"),
-        Sketched::Hidden => (
+        NodeOutcome::Visible => ("fill-opacity=\"0\" stroke-width=\"1.5\"", "visible"),
+        NodeOutcome::Occluded => (
             "fill-opacity=\"0.04\" stroke-opacity=\"0.6\" stroke-width=\"1\" stroke-dasharray=\"4 3\"",
             "hidden",
         ),

@@ -10,12 +10,14 @@ use antumbra_draw::{AdapterChoice, Gpu, GpuScene, SceneTable, ViewFrame};
 use antumbra_scene::hierarchy::HierarchyShape;
 use antumbra_scene::{EntityKey, Scene};
 use antumbra_strategies::occupancy::{BlockRect, OccupancyMap};
-use antumbra_strategies::traversal::{How, LateWalk, Sight, Walk};
+use antumbra_strategies::traversal::{
+    LateTraversal, Traversal, TraversalContext, TraversalSettings,
+};
 use antumbra_testing::{balls, look_at, perspective};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use glam::{DAffine3, DVec3};
 
-const HOW: How = How::PAPER;
+const HOW: TraversalSettings = TraversalSettings::PAPER;
 
 /// Spheres along an edge, for about a thousand, ten thousand and a hundred thousand nodes.
 const SIDES: [u32; 3] = [9, 20, 42];
@@ -44,7 +46,12 @@ fn prepare(gpu: &Gpu, per_side: u32) -> Prepared {
 }
 
 /// A whole frame's walk; how many nodes were asked about.
-fn walk(walk: &mut Walk, sight: &Sight<'_>, verdicts: &mut Verdicts, visible: bool) -> u32 {
+fn walk(
+    walk: &mut Traversal,
+    sight: &TraversalContext<'_>,
+    verdicts: &mut Verdicts,
+    visible: bool,
+) -> u32 {
     let mut boxes = BoxList::default();
     outside(sight.table, verdicts);
     walk.begin(sight, &HOW, 0, verdicts);
@@ -59,7 +66,7 @@ fn walk(walk: &mut Walk, sight: &Sight<'_>, verdicts: &mut Verdicts, visible: bo
     }
 }
 
-fn late(walk: &mut LateWalk, sight: &Sight<'_>, verdicts: &mut Verdicts) {
+fn late(walk: &mut LateTraversal, sight: &TraversalContext<'_>, verdicts: &mut Verdicts) {
     let mut boxes = BoxList::default();
     outside(sight.table, verdicts);
     walk.begin(sight, 0);
@@ -75,8 +82,8 @@ fn late(walk: &mut LateWalk, sight: &Sight<'_>, verdicts: &mut Verdicts) {
     walk.take(sight, &HOW, &asked, answers.into_iter());
 }
 
-fn sight<'a>(tree: &'a Tree, table: &'a SceneTable, view: &ViewFrame) -> Sight<'a> {
-    Sight::new(table, tree, view, &HOW, BoxContents::Triangles)
+fn sight<'a>(tree: &'a Tree, table: &'a SceneTable, view: &ViewFrame) -> TraversalContext<'a> {
+    TraversalContext::new(table, tree, view, &HOW, BoxContents::Triangles)
 }
 
 fn walks(c: &mut Criterion) {
@@ -89,12 +96,12 @@ fn walks(c: &mut Criterion) {
         let sight = sight(&prepared.tree, prepared.gpu.table(), &prepared.view);
         let mut verdicts = Verdicts::default();
         for (name, visible) in [("all hidden", false), ("all visible", true)] {
-            let mut walked = Walk::default();
+            let mut walked = Traversal::default();
             group.bench_function(BenchmarkId::new(name, nodes), |b| {
                 b.iter(|| black_box(walk(&mut walked, &sight, &mut verdicts, visible)));
             });
         }
-        let mut settled = LateWalk::default();
+        let mut settled = LateTraversal::default();
         for _ in 0..20 {
             late(&mut settled, &sight, &mut verdicts);
         }

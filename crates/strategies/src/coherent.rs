@@ -1,21 +1,21 @@
-//! Coherence from frame to frame and from eye to eye: what was visible is drawn first and hides the rest.
+//! CoherentSettings from frame to frame and from eye to eye: what was visible is drawn first and hides the rest.
 //!
 //! Mansa, Amundarain, Garcia-Alonso, Matey, *Occlusion Culling for Stereoscopic Display of Complex Mechanical Sets*, 2007: OCF for one eye, scOCF for
 //! two. The scenes it is for are whole in the frustum and not densely occluded, so there is no hierarchy to walk and nothing to prepare.
 
-mod asking;
 mod fraction;
 mod memory;
-mod nearness;
-mod next_eye;
+mod next_view;
 mod on_gpu;
-mod one_eye;
+mod queried_list;
+mod schedule;
+mod screen_distance;
 mod settings;
-mod turns;
+mod single_view;
 
 use antumbra_graph::Buffer;
 use fraction::Share;
-use one_eye::Eye;
+use single_view::Eye;
 
 use antumbra_cull::{
     DeclareError, FrameGraph, Latency, Setting, SettingError, Step, Strategy, Tunable, Value,
@@ -24,7 +24,7 @@ use antumbra_cull::{
 
 /// What both strategies can be told.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Coherence {
+pub struct CoherentSettings {
     /// When the answers of the tests are used.
     pub latency: Latency,
     /// The part of the occluded that is tested a frame: above 0, at most 1. Below 1 what appears may be late.
@@ -38,7 +38,7 @@ pub struct Coherence {
     pub together: u32,
 }
 
-impl Default for Coherence {
+impl Default for CoherentSettings {
     fn default() -> Self {
         Self {
             latency: Latency::FrameLate,
@@ -50,7 +50,7 @@ impl Default for Coherence {
     }
 }
 
-impl Coherence {
+impl CoherentSettings {
     fn share(self) -> Share {
         Share {
             least: self.fraction,
@@ -83,7 +83,7 @@ impl Coherence {
     }
 }
 
-impl Tunable for Coherence {
+impl Tunable for CoherentSettings {
     fn settings(&self) -> Vec<Setting> {
         describe(settings::PARAMETERS, self)
     }
@@ -117,21 +117,21 @@ impl Tunable for Coherence {
 
 impl Tunable for StereoCoherent {
     fn settings(&self) -> Vec<Setting> {
-        self.coherence.settings()
+        self.settings.settings()
     }
 
     fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
         assign(
             "stereo-coherent",
             settings::PARAMETERS,
-            &mut self.coherence,
+            &mut self.settings,
             key,
             value,
         )
     }
 
     fn steps(&self) -> Vec<Step> {
-        self.coherence.steps()
+        self.settings.steps()
     }
 }
 
@@ -139,14 +139,14 @@ impl Tunable for StereoCoherent {
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Coherent {
     /// Its settings.
-    pub coherence: Coherence,
+    pub settings: CoherentSettings,
 }
 
 /// The strategy `stereo-coherent`: the first view as `coherent` does it, the others from what the first one saw (scOCF).
 #[derive(Debug, Clone, Copy, Default)]
 pub struct StereoCoherent {
     /// Its settings.
-    pub coherence: Coherence,
+    pub settings: CoherentSettings,
     first: Option<First>,
 }
 
@@ -160,9 +160,9 @@ enum First {
 
 impl StereoCoherent {
     /// With these settings.
-    pub fn new(coherence: Coherence) -> Self {
+    pub fn new(coherence: CoherentSettings) -> Self {
         Self {
-            coherence,
+            settings: coherence,
             first: None,
         }
     }
@@ -178,19 +178,19 @@ impl Strategy for Coherent {
     }
 
     fn conservative(&self) -> bool {
-        self.coherence.conservative()
+        self.settings.conservative()
     }
 
     fn latency(&self) -> Option<Latency> {
-        Some(self.coherence.latency)
+        Some(self.settings.latency)
     }
 
     fn tuning(&self) -> Option<&dyn Tunable> {
-        Some(&self.coherence)
+        Some(&self.settings)
     }
 
     fn tuning_mut(&mut self) -> Option<&mut dyn Tunable> {
-        Some(&mut self.coherence)
+        Some(&mut self.settings)
     }
 
     fn declare(
@@ -198,14 +198,14 @@ impl Strategy for Coherent {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
-        let how = self.coherence;
+        let how = self.settings;
         how.check(self.name())?;
         Ok(match how.latency {
             Latency::FrameLate => {
-                VisibleSet::drawn(one_eye::frame_late(g, view, how, None).verdicts)
+                VisibleSet::drawn(single_view::frame_late(g, view, how, None).verdicts)
             }
             Latency::SameFrame => {
-                VisibleSet::drawn(one_eye::same_frame(g, view, how, true).verdicts)
+                VisibleSet::drawn(single_view::same_frame(g, view, how, true).verdicts)
             }
             Latency::OnGpu => on_gpu::first(g, view, how).set,
         })
@@ -222,11 +222,11 @@ impl Strategy for StereoCoherent {
     }
 
     fn conservative(&self) -> bool {
-        self.coherence.conservative()
+        self.settings.conservative()
     }
 
     fn latency(&self) -> Option<Latency> {
-        Some(self.coherence.latency)
+        Some(self.settings.latency)
     }
 
     fn tuning(&self) -> Option<&dyn Tunable> {
@@ -242,7 +242,7 @@ impl Strategy for StereoCoherent {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
-        let how = self.coherence;
+        let how = self.settings;
         how.check(self.name())?;
         let first = self.first.take().filter(|_| view.index() > 0);
         let (set, first) = match (how.latency, first) {
@@ -255,22 +255,22 @@ impl Strategy for StereoCoherent {
                 (eye.set, First::OnGpu(eye.owned))
             }
             (Latency::FrameLate, Some(First::OnHost(eye))) => {
-                let own = one_eye::frame_late(g, view, how.whole(), Some(eye.verdicts));
+                let own = single_view::frame_late(g, view, how.whole(), Some(eye.verdicts));
                 (VisibleSet::drawn(own.verdicts), First::OnHost(eye))
             }
             (Latency::FrameLate, _) => {
-                let eye = one_eye::frame_late(g, view, how, None);
+                let eye = single_view::frame_late(g, view, how, None);
                 (VisibleSet::drawn(eye.verdicts), First::OnHost(eye))
             }
             (Latency::SameFrame, Some(First::OnHost(mut eye))) => {
                 // A third view finds in the memory what the second one has collected.
                 let collects = view.index() == 1;
-                let verdicts = next_eye::same_frame(g, view, how, &mut eye, collects);
+                let verdicts = next_view::same_frame(g, view, how, &mut eye, collects);
                 (VisibleSet::drawn(verdicts), First::OnHost(eye))
             }
             (Latency::SameFrame, _) => {
                 // Its answers are the next eye's to collect, where there is one.
-                let eye = one_eye::same_frame(g, view, how, view.is_last());
+                let eye = single_view::same_frame(g, view, how, view.is_last());
                 (VisibleSet::drawn(eye.verdicts), First::OnHost(eye))
             }
         };

@@ -18,11 +18,11 @@ pub mod traversal;
 
 use antumbra_cull::{Everything, Frustum, Ideal, Registry};
 
-pub use coherent::{Coherence, Coherent, StereoCoherent};
-pub use occupancy_map::{Occupancy, OccupancyMapSingle, OccupancyMaps};
-pub use sketch::{Sketch, Sketched, SketchedNode};
+pub use coherent::{Coherent, CoherentSettings, StereoCoherent};
+pub use occupancy_map::{OccupancyMapBatched, OccupancyMapSingle, OccupancySettings};
+pub use sketch::{NodeOutcome, Sketch, SketchNode};
 pub use stop_and_wait::StopAndWait;
-pub use three_pass::{StandIn, ThreePass};
+pub use three_pass::{TestGeometry, ThreePass};
 
 /// The strategies of this crate, by name.
 pub fn registry() -> Registry {
@@ -34,7 +34,7 @@ pub fn registry() -> Registry {
     registry.register(|| Box::new(ThreePass::default()));
     registry.register(|| Box::new(Coherent::default()));
     registry.register(|| Box::new(StereoCoherent::default()));
-    registry.register(|| Box::new(OccupancyMaps::default()));
+    registry.register(|| Box::new(OccupancyMapBatched::default()));
     registry.register(|| Box::new(OccupancyMapSingle::default()));
     registry
 }

@@ -8,7 +8,9 @@ mod settings;
 
 use antumbra_scene::hierarchy::HierarchyShape;
 
-use crate::traversal::{Asking, How, Order, Remember, frame_late, same_frame};
+use crate::traversal::{
+    AnswerLifetime, DrawOrder, QueryMode, TraversalSettings, frame_late, same_frame,
+};
 use antumbra_cull::{
     DeclareError, FrameGraph, Latency, Setting, SettingError, Step, Strategy, Tunable, Value,
     ViewNodes, VisibleSet, assign, describe,
@@ -16,7 +18,7 @@ use antumbra_cull::{
 
 /// What both strategies can be told.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Occupancy {
+pub struct OccupancySettings {
     /// Where the tree's inner nodes come from.
     pub tree: HierarchyShape,
     /// Pixels along a side of a block of the map: 1 to 256.
@@ -46,7 +48,7 @@ pub struct Occupancy {
     pub sketch: bool,
 }
 
-impl Default for Occupancy {
+impl Default for OccupancySettings {
     fn default() -> Self {
         Self {
             tree: HierarchyShape::Divided,
@@ -65,9 +67,9 @@ impl Default for Occupancy {
     }
 }
 
-impl Occupancy {
-    fn how(&self, asking: Asking) -> How {
-        How {
+impl OccupancySettings {
+    fn how(&self, asking: QueryMode) -> TraversalSettings {
+        TraversalSettings {
             asking,
             map: true,
             block: self.block,
@@ -76,14 +78,14 @@ impl Occupancy {
             least_seen: self.least_seen,
             together: self.together,
             worth: self.worth,
-            remember: Remember {
+            remember: AnswerLifetime {
                 visible: self.visible_for,
                 occluded: self.occluded_for,
                 slow: self.slow,
             },
             order: match self.by_depth {
-                true => Order::Depth,
-                false => Order::State,
+                true => DrawOrder::Depth,
+                false => DrawOrder::State,
             },
             sketch: self.sketch,
         }
@@ -99,9 +101,9 @@ const SMALL: [f64; 7] = [0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0];
 
 /// The strategy `occupancy-map`: multiple queries.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct OccupancyMaps {
+pub struct OccupancyMapBatched {
     /// Its settings.
-    pub occupancy: Occupancy,
+    pub settings: OccupancySettings,
     /// When the answers are used: [`Latency::SameFrame`] or [`Latency::FrameLate`].
     pub latency: Latency,
 }
@@ -110,10 +112,10 @@ pub struct OccupancyMaps {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct OccupancyMapSingle {
     /// Its settings.
-    pub occupancy: Occupancy,
+    pub settings: OccupancySettings,
 }
 
-impl Strategy for OccupancyMaps {
+impl Strategy for OccupancyMapBatched {
     fn name(&self) -> &str {
         "occupancy-map"
     }
@@ -123,7 +125,7 @@ impl Strategy for OccupancyMaps {
     }
 
     fn conservative(&self) -> bool {
-        self.latency == Latency::SameFrame && self.occupancy.conservative()
+        self.latency == Latency::SameFrame && self.settings.conservative()
     }
 
     fn latency(&self) -> Option<Latency> {
@@ -143,8 +145,8 @@ impl Strategy for OccupancyMaps {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
-        let how = self.occupancy.how(Asking::Batches);
-        let shape = self.occupancy.tree;
+        let how = self.settings.how(QueryMode::Batches);
+        let shape = self.settings.tree;
         Ok(match self.latency {
             Latency::FrameLate => frame_late(g, view, shape, how),
             _ => same_frame(g, view, shape, how),
@@ -162,7 +164,7 @@ impl Strategy for OccupancyMapSingle {
     }
 
     fn conservative(&self) -> bool {
-        self.occupancy.conservative()
+        self.settings.conservative()
     }
 
     fn latency(&self) -> Option<Latency> {
@@ -182,18 +184,18 @@ impl Strategy for OccupancyMapSingle {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
-        let how = How {
+        let how = TraversalSettings {
             worth: 0,
-            ..self.occupancy.how(Asking::Single)
+            ..self.settings.how(QueryMode::Single)
         };
-        Ok(same_frame(g, view, self.occupancy.tree, how))
+        Ok(same_frame(g, view, self.settings.tree, how))
     }
 }
 
-impl Tunable for OccupancyMaps {
+impl Tunable for OccupancyMapBatched {
     fn settings(&self) -> Vec<Setting> {
         let own = describe(settings::LATENCY, self).into_iter();
-        own.chain(describe(settings::PARAMETERS, &self.occupancy))
+        own.chain(describe(settings::PARAMETERS, &self.settings))
             .collect()
     }
 
@@ -209,7 +211,7 @@ impl Tunable for OccupancyMaps {
             (_, true) => assign(
                 "occupancy-map",
                 settings::PARAMETERS,
-                &mut self.occupancy,
+                &mut self.settings,
                 key,
                 value,
             ),
@@ -229,7 +231,7 @@ impl Tunable for OccupancyMaps {
 
 impl Tunable for OccupancyMapSingle {
     fn settings(&self) -> Vec<Setting> {
-        let mut settings = describe(settings::PARAMETERS, &self.occupancy);
+        let mut settings = describe(settings::PARAMETERS, &self.settings);
         settings.retain(|setting| !settings::OF_BATCHES.contains(&setting.key));
         settings
     }
@@ -241,7 +243,7 @@ impl Tunable for OccupancyMapSingle {
         assign(
             "occupancy-map-single",
             settings::PARAMETERS,
-            &mut self.occupancy,
+            &mut self.settings,
             key,
             value,
         )

@@ -11,29 +11,29 @@ pub struct Sketch {
     on: bool,
     block: u32,
     map: OccupancyMap,
-    nodes: Vec<SketchedNode>,
+    nodes: Vec<SketchNode>,
 }
 
 /// A node that was met.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SketchedNode {
+pub struct SketchNode {
     /// The pixels under its box.
     pub pixels: PixelRect,
     /// The batch it was asked about in, from 1; 0: it was not asked about.
     pub batch: u32,
     /// What became of it.
-    pub outcome: Sketched,
+    pub outcome: NodeOutcome,
 }
 
 /// What became of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sketched {
+pub enum NodeOutcome {
     /// It reached a free block, or was remembered as visible: drawn or opened without a query.
     Free,
     /// A query found it visible.
-    Seen,
+    Visible,
     /// A query found it occluded, or it was remembered as such.
-    Hidden,
+    Occluded,
 }
 
 impl Sketch {
@@ -51,7 +51,7 @@ impl Sketch {
     }
 
     /// The nodes that were met, in that order.
-    pub fn nodes(&self) -> &[SketchedNode] {
+    pub fn nodes(&self) -> &[SketchNode] {
         &self.nodes
     }
 
@@ -67,12 +67,18 @@ impl Sketch {
         }
     }
 
-    pub(crate) fn node(&mut self, screen: &Screen, bounds: &Aabb, batch: u32, outcome: Sketched) {
+    pub(crate) fn node(
+        &mut self,
+        screen: &Screen,
+        bounds: &Aabb,
+        batch: u32,
+        outcome: NodeOutcome,
+    ) {
         if !self.on {
             return;
         }
         if let Place::OnScreen { pixels, .. } = screen.place(bounds, false) {
-            self.nodes.push(SketchedNode {
+            self.nodes.push(SketchNode {
                 pixels,
                 batch,
                 outcome,

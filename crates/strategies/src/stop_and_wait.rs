@@ -4,7 +4,7 @@
 //! Meissner and Huettner, *OpenGL-assisted occlusion culling for large polygonal models*, 1999). Each turn of the loop draws what the
 //! last one found visible and asks about the next; its sync point is where the machine waits.
 
-use antumbra_draw::passes::{self, ListDraws, PassSpec};
+use antumbra_draw::passes::{self, PassSpec};
 use antumbra_draw::{MeshDetail, PipelineKind};
 use antumbra_graph::{BufferDesc, Host};
 
@@ -16,7 +16,7 @@ use antumbra_cull::{
 };
 use antumbra_scene::hierarchy::HierarchyShape;
 
-use crate::traversal::{Asking, How, same_frame, submit_transparent};
+use crate::traversal::{QueryMode, TraversalSettings, same_frame, submit_transparent};
 
 /// The strategy `stop-and-wait`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -55,10 +55,10 @@ const PARAMETERS: &[Parameter<StopAndWait>] = &[
 ];
 
 /// How a tree is walked: no map, no memory, a query for every node in the frustum.
-const A_QUERY_A_NODE: How = How {
-    asking: Asking::Single,
+const A_QUERY_A_NODE: TraversalSettings = TraversalSettings {
+    asking: QueryMode::Single,
     map: false,
-    ..How::PAPER
+    ..TraversalSettings::PAPER
 };
 
 impl Tunable for StopAndWait {
@@ -73,7 +73,7 @@ impl Tunable for StopAndWait {
 
 /// Where the traversal stands.
 #[derive(Debug, Default)]
-struct Walk {
+struct Traversal {
     /// Slots front to back.
     order: Vec<u32>,
     /// How many of them have been asked about.
@@ -148,9 +148,9 @@ fn begin(
     g: &mut FrameGraph<'_>,
     view: &ViewNodes,
     candidates: Host<Candidates>,
-) -> (Host<Walk>, Host<Verdicts>) {
+) -> (Host<Traversal>, Host<Verdicts>) {
     let inputs = view.inputs();
-    let walk = g.graph().host::<Walk>(view.named("walk"));
+    let walk = g.graph().host::<Traversal>(view.named("walk"));
     let verdicts = g.graph().host::<Verdicts>(view.named("verdicts"));
     let mut node = g.graph().host_node(view.named("sort front to back"));
     node.group(CULL)
@@ -185,7 +185,7 @@ fn begin(
 fn turn(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
-    ends: &mut (Host<Walk>, Host<Verdicts>),
+    ends: &mut (Host<Traversal>, Host<Verdicts>),
     drawing: &PassSpec,
     asking: &PassSpec,
     batch: u32,
@@ -199,14 +199,8 @@ fn turn(
         .read(inputs.scene)
         .read(inputs.view)
         .read(verdicts);
-    let draw = ListDraws {
-        list: node.write(draw.list),
-        slots: node.upload(draw.slots),
-    };
-    let ask = ListDraws {
-        list: node.write(ask.list),
-        slots: node.upload(ask.slots),
-    };
+    let draw = draw.written_by(&mut node);
+    let ask = ask.written_by(&mut node);
     let walk = node.write(walk);
     node.run(move |ctx| {
         let (scene, verdicts) = (ctx.get(inputs.scene)?, ctx.get(verdicts)?);
@@ -223,7 +217,7 @@ fn turn(
             MeshDetail::Level(0),
         );
         let next = walk.order.len().min(walk.asked + batch as usize);
-        let Walk {
+        let Traversal {
             order,
             asked,
             pending,

@@ -27,9 +27,9 @@ pub struct ThreePass {
     /// with a sixteenth three, in pixels of the final image; 0: never.
     pub coarser: u32,
     /// What stands in for the meshes in the first pass.
-    pub occluders: StandIn,
+    pub occluders: TestGeometry,
     /// What stands in for the meshes in the second pass.
-    pub occludees: StandIn,
+    pub occludees: TestGeometry,
     /// A low-resolution version stands in where it deviates from its mesh by at most so many pixels of the final image; nearer by, the mesh stands
     /// for itself. Infinity: anywhere.
     pub deviation: f64,
@@ -39,7 +39,7 @@ pub struct ThreePass {
 
 /// What stands in for a mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum StandIn {
+pub enum TestGeometry {
     /// Its low-resolution version.
     Proxy,
     /// Itself.
@@ -48,7 +48,7 @@ pub enum StandIn {
     Box,
 }
 
-impl StandIn {
+impl TestGeometry {
     fn detail(self) -> MeshDetail {
         match self {
             Self::Proxy => MeshDetail::Proxy,
@@ -74,8 +74,8 @@ impl Default for ThreePass {
             threshold: 10,
             allow: Dial::new(0.0),
             coarser: 0,
-            occluders: StandIn::Proxy,
-            occludees: StandIn::Proxy,
+            occluders: TestGeometry::Proxy,
+            occludees: TestGeometry::Proxy,
             deviation: 8.0,
             scale: 0.5,
         }
@@ -84,8 +84,8 @@ impl Default for ThreePass {
 
 /// Ways of counting by their place in the setting `counting`, after `auto`.
 const COUNTING: &[&str] = &["auto", "queries", "atomics", "compare", "identity"];
-const OCCLUDERS: [StandIn; 2] = [StandIn::Proxy, StandIn::Full];
-const OCCLUDEES: [StandIn; 3] = [StandIn::Proxy, StandIn::Full, StandIn::Box];
+const OCCLUDERS: [TestGeometry; 2] = [TestGeometry::Proxy, TestGeometry::Full];
+const OCCLUDEES: [TestGeometry; 3] = [TestGeometry::Proxy, TestGeometry::Full, TestGeometry::Box];
 
 const PARAMETERS: &[Parameter<ThreePass>] = &[
     Parameter::words(
@@ -229,8 +229,8 @@ impl Strategy for ThreePass {
             && self.threshold == 0
             && self.allow.get() == 0.0
             && self.coarser == 0
-            && self.occluders == StandIn::Full
-            && self.occludees == StandIn::Full
+            && self.occluders == TestGeometry::Full
+            && self.occludees == TestGeometry::Full
             && self.scale == 1.0
     }
 

@@ -3,21 +3,21 @@
 //!
 //! Staneker, Bartz, Strasser, *Efficient Multiple Occlusion Queries for Scene Graph Systems*, 2004, section 4.2.
 
+mod context;
 mod frame_late;
-mod front;
-mod late_walk;
-mod left;
-mod looking;
+mod frontier;
+mod inputs;
+mod late;
 mod memory;
+mod one_frame;
 mod queue;
+mod remaining;
 mod same_frame;
-mod sight;
-mod walk;
 
+pub use context::{TraversalContext, VisitedNode};
 pub use frame_late::frame_late;
-pub use late_walk::{AskedNodes, LateWalk};
-pub use memory::Remember;
+pub use late::{LateTraversal, QueriedNodes};
+pub use memory::AnswerLifetime;
+pub use one_frame::{DrawOrder, QueryMode, Traversal, TraversalSettings};
 pub use same_frame::same_frame;
 pub(crate) use same_frame::submit_transparent;
-pub use sight::{Met, Sight};
-pub use walk::{Asking, How, Order, Walk};

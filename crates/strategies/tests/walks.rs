@@ -7,7 +7,7 @@ use antumbra_demo_scenes::layer;
 use antumbra_draw::GpuScene;
 use antumbra_graph::{FrameReport, Mode};
 use antumbra_scene::{Camera, Drawable, EntityKey, Material, Scene, icosphere};
-use antumbra_strategies::Sketched;
+use antumbra_strategies::NodeOutcome;
 use antumbra_strategies::{Sketch, registry};
 use antumbra_testing::{cuboid, drawable, look_at, perspective, views, vulkan};
 use antumbra_verify::{EntitySet, Oracle};
@@ -376,12 +376,12 @@ fn a_sketch_is_left_where_one_was_asked_for() {
             .filter(|node| node.outcome == outcome)
             .count()
     };
-    assert!(outcomes(Sketched::Free) >= 1 && outcomes(Sketched::Hidden) == 1);
+    assert!(outcomes(NodeOutcome::Free) >= 1 && outcomes(NodeOutcome::Occluded) == 1);
     assert!(
         sketch
             .nodes()
             .iter()
-            .all(|node| (node.batch == 0) == (node.outcome == Sketched::Free))
+            .all(|node| (node.batch == 0) == (node.outcome == NodeOutcome::Free))
     );
 }
 

@@ -16,7 +16,7 @@ use antumbra_draw::{
     PassPipelines, PipelineKind, SceneFrame, SceneLayout, SceneTable, ViewFrame,
 };
 use antumbra_graph::{
-    Buffer, BufferDesc, Clear, CompileOptions, Graph, Host, HostBuilder, Plan, Texture, TextureDesc,
+    Buffer, BufferDesc, Clear, CompileOptions, Graph, Host, Plan, Texture, TextureDesc,
 };
 use antumbra_scene::Camera;
 
@@ -187,12 +187,8 @@ fn submit(
     let mut node = g.host_node("submit");
     node.read(scene).read(view).read(wanted);
     let uniform = node.upload(uniform);
-    let submit = |node: &mut HostBuilder<'_>, set: ListDraws| ListDraws {
-        list: node.write(set.list),
-        slots: node.upload(set.slots),
-    };
-    let solid = submit(&mut node, solid);
-    let blended = blended.map(|set| submit(&mut node, set));
+    let solid = solid.written_by(&mut node);
+    let blended = blended.map(|list| list.written_by(&mut node));
     let mut candidates = Candidates::default();
     node.run(move |ctx| {
         let (scene, frame) = (ctx.get(scene)?, ctx.get(view)?);

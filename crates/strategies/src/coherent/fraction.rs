@@ -6,7 +6,7 @@
 use antumbra_draw::{SceneTable, ViewFrame};
 
 use super::memory::Memory;
-use super::nearness::Nearness;
+use super::screen_distance::Nearness;
 
 /// How much of the occluded is tested a frame.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -11,8 +11,8 @@ use antumbra_draw::{IDENTITY_FORMAT, MeshDetail, PipelineKind};
 use antumbra_graph::{Bind, Buffer, Clear, Host, TextureDesc};
 use antumbra_shaders::jobs;
 
-use super::Coherence;
-use super::turns::Turns;
+use super::CoherentSettings;
+use super::schedule::Turns;
 use antumbra_cull::indirect::{IndirectLayout, SampleBounds};
 use antumbra_cull::order::back_to_front;
 use antumbra_cull::{
@@ -27,7 +27,7 @@ pub(super) struct Eye {
 }
 
 /// The first eye.
-pub(super) fn first(g: &mut FrameGraph<'_>, view: &mut ViewNodes, how: Coherence) -> Eye {
+pub(super) fn first(g: &mut FrameGraph<'_>, view: &mut ViewNodes, how: CoherentSettings) -> Eye {
     let candidates = g.in_frustum(view);
     let [width, height] = view.size();
     let blank = Clear::Colour(wgpu::Color::TRANSPARENT);
@@ -56,7 +56,7 @@ pub(super) fn first(g: &mut FrameGraph<'_>, view: &mut ViewNodes, how: Coherence
 pub(super) fn next(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
-    how: Coherence,
+    how: CoherentSettings,
     owned: Buffer,
 ) -> VisibleSet {
     let candidates = g.in_frustum(view);
@@ -109,7 +109,7 @@ fn test(
     g: &mut FrameGraph<'_>,
     view: &ViewNodes,
     candidates: Host<Candidates>,
-    how: Coherence,
+    how: CoherentSettings,
     seen: Buffer,
 ) -> Buffer {
     // Each batch by boxes, by meshes, or both.

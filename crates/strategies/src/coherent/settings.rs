@@ -2,9 +2,9 @@
 
 use antumbra_cull::{Latency, Parameter};
 
-use super::Coherence;
+use super::CoherentSettings;
 
-pub(super) const PARAMETERS: &[Parameter<Coherence>] = &[
+pub(super) const PARAMETERS: &[Parameter<CoherentSettings>] = &[
     Parameter::words(
         "latency",
         Latency::WORDS,

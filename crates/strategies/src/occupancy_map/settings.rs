@@ -3,12 +3,12 @@
 use antumbra_cull::{Latency, Parameter, shortest};
 use antumbra_scene::hierarchy::HierarchyShape;
 
-use super::{Occupancy, OccupancyMaps};
+use super::{OccupancyMapBatched, OccupancySettings};
 
 const LATENCIES: [Latency; 2] = [Latency::FrameLate, Latency::SameFrame];
 
 /// The setting that `occupancy-map` has beside those of [`PARAMETERS`].
-pub(super) const LATENCY: &[Parameter<OccupancyMaps>] = &[Parameter::words(
+pub(super) const LATENCY: &[Parameter<OccupancyMapBatched>] = &[Parameter::words(
     "latency",
     &["frame-late", "same-frame"],
     "when the answers are used",
@@ -19,7 +19,7 @@ pub(super) const LATENCY: &[Parameter<OccupancyMaps>] = &[Parameter::words(
 /// Settings without effect where one node is queried at a time.
 pub(super) const OF_BATCHES: [&str; 3] = ["least-seen", "together", "worth"];
 
-pub(super) const PARAMETERS: &[Parameter<Occupancy>] = &[
+pub(super) const PARAMETERS: &[Parameter<OccupancySettings>] = &[
     Parameter::words(
         "tree",
         HierarchyShape::WORDS,

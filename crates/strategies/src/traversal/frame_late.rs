@@ -1,30 +1,29 @@
 //! The late walk as nodes of the graph: one batch of questions a frame, whose answers the next frame's walk goes by.
 
-use antumbra_draw::boxes::{BoxDraws, BoxPassSpec, box_query_pass};
+use antumbra_draw::boxes::{BoxPassSpec, box_query_pass};
 use antumbra_graph::BufferDesc;
 use antumbra_scene::hierarchy::HierarchyShape;
 
-use super::late_walk::{AskedNodes, LateWalk};
-use super::looking::Looking;
+use super::inputs::TraversalInputs;
+use super::late::{LateTraversal, QueriedNodes};
+use super::one_frame::TraversalSettings;
 use super::same_frame::{fill, questions, submit_transparent};
-use super::walk::How;
 use crate::sketch::Sketch;
 use antumbra_cull::{CULL, FrameGraph, Verdicts, ViewNodes, VisibleSet, outside};
-use antumbra_draw::passes::ListDraws;
 
 /// Declares a walk that waits for nothing.
 pub fn frame_late(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
     shape: HierarchyShape,
-    how: How,
+    how: TraversalSettings,
 ) -> VisibleSet {
-    let looking = Looking::new(g, view, shape, how);
+    let looking = TraversalInputs::new(g, view, shape, how);
     let inputs = looking.inputs;
     let most = questions(g);
-    let walk = g.graph().host::<LateWalk>(view.named("walk"));
+    let walk = g.graph().host::<LateTraversal>(view.named("walk"));
     let verdicts = g.graph().host::<Verdicts>(view.named("verdicts"));
-    let asked = g.graph().host::<AskedNodes>(view.named("asked"));
+    let asked = g.graph().host::<QueriedNodes>(view.named("asked"));
     let sketch = how
         .sketch
         .then(|| g.graph().host::<Sketch>(view.named("sketch")));
@@ -42,14 +41,8 @@ pub fn frame_late(
         host.get(asked)
             .map_or(0, |asked| asked.ends.len() as u64 * 8)
     });
-    let draw = ListDraws {
-        list: node.write(draw.list),
-        slots: node.upload(draw.slots),
-    };
-    let ask = BoxDraws {
-        list: node.write(ask.list),
-        buffer: node.upload(ask.buffer),
-    };
+    let draw = draw.written_by(&mut node);
+    let ask = ask.written_by(&mut node);
     let sketch = sketch.map(|sketch| node.write(sketch));
     node.run(move |ctx| {
         let (mut walk, mut verdicts) = (ctx.get_mut(walk)?, ctx.get_mut(verdicts)?);

@@ -7,7 +7,7 @@ use antumbra_cull::Tree;
 
 /// How long verdicts stay valid.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Remember {
+pub struct AnswerLifetime {
     /// Frames for which what a query found visible is drawn without another.
     pub visible: u32,
     /// Frames for which what a query found occluded is left out without another: aggressive.
@@ -57,7 +57,7 @@ impl Memory {
     }
 
     /// The answer about a node that is still valid: `nearness` is the square of its distance.
-    pub fn valid(&self, node: u32, nearness: f32, how: Remember) -> Option<bool> {
+    pub fn valid(&self, node: u32, nearness: f32, how: AnswerLifetime) -> Option<bool> {
         let note = self.notes.get(node as usize)?;
         let come = self.travelled - note.travelled;
         let slow = come * come <= f64::from(nearness) * how.slow * how.slow;
@@ -77,7 +77,7 @@ impl Memory {
     }
 
     /// Takes an answer.
-    pub fn note(&mut self, node: u32, visible: bool, how: Remember) {
+    pub fn note(&mut self, node: u32, visible: bool, how: AnswerLifetime) {
         let frames = u64::from(if visible { how.visible } else { how.occluded });
         let at = node as usize;
         if self.notes.len() <= at {

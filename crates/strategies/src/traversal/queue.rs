@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use super::sight::Sight;
+use super::context::TraversalContext;
 
 /// Nodes by nearness, ties by number.
 #[derive(Debug, Clone, Default)]
@@ -14,7 +14,7 @@ pub(crate) struct Queue {
 
 /// The nearest of them.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Next {
+pub(crate) struct QueuedNode {
     pub node: u32,
     /// The square of the distance to its nearest corner.
     pub nearness: f32,
@@ -31,7 +31,7 @@ impl Queue {
         self.entries.is_empty()
     }
 
-    pub fn push(&mut self, sight: &Sight<'_>, number: u32, whole: bool) {
+    pub fn push(&mut self, sight: &TraversalContext<'_>, number: u32, whole: bool) {
         if let Some(node) = sight.node(number) {
             // The bits of floats that are not negative sort as the floats do.
             let nearness = sight.screen.nearness(&node.bounds).to_bits();
@@ -41,9 +41,9 @@ impl Queue {
         }
     }
 
-    pub fn pop(&mut self) -> Option<Next> {
+    pub fn pop(&mut self) -> Option<QueuedNode> {
         let Reverse(entry) = self.entries.pop()?;
-        Some(Next {
+        Some(QueuedNode {
             node: entry as u32 >> 1,
             nearness: f32::from_bits((entry >> 32) as u32),
             whole: entry & 1 != 0,

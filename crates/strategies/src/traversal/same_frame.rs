@@ -1,13 +1,13 @@
 //! The walk as nodes of the graph: a loop whose turns draw what is known to be visible, ask about those who wait, and wait for the answers.
 
-use antumbra_draw::boxes::{BoxDraws, BoxPassSpec, box_query_pass};
+use antumbra_draw::boxes::{BoxPassSpec, box_query_pass};
 use antumbra_draw::passes::{self, ListDraws};
 use antumbra_draw::{DrawList, MeshDetail, SceneTable};
 use antumbra_graph::{BufferDesc, Host};
 use antumbra_scene::hierarchy::HierarchyShape;
 
-use super::looking::Looking;
-use super::walk::{Asking, How, Order, Walk};
+use super::inputs::TraversalInputs;
+use super::one_frame::{DrawOrder, QueryMode, Traversal, TraversalSettings};
 use crate::sketch::Sketch;
 use antumbra_cull::order::back_to_front;
 use antumbra_cull::{CULL, DRAW, FrameGraph, Verdicts, ViewNodes, VisibleSet, outside};
@@ -15,7 +15,7 @@ use antumbra_cull::{CULL, DRAW, FrameGraph, Verdicts, ViewNodes, VisibleSet, out
 /// What goes from turn to turn.
 #[derive(Clone, Copy)]
 struct Ends {
-    walk: Host<Walk>,
+    walk: Host<Traversal>,
     verdicts: Host<Verdicts>,
 }
 
@@ -24,9 +24,9 @@ pub fn same_frame(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
     shape: HierarchyShape,
-    how: How,
+    how: TraversalSettings,
 ) -> VisibleSet {
-    let looking = Looking::new(g, view, shape, how);
+    let looking = TraversalInputs::new(g, view, shape, how);
     let mut ends = begin(g, view, looking);
     g.host_loop(view.named("walk"), |g| turn(g, view, looking, &mut ends));
     let Ends { walk, verdicts } = ends;
@@ -44,8 +44,8 @@ pub fn same_frame(
 }
 
 /// Goes to the roots.
-fn begin(g: &mut FrameGraph<'_>, view: &ViewNodes, looking: Looking) -> Ends {
-    let walk = g.graph().host::<Walk>(view.named("walk"));
+fn begin(g: &mut FrameGraph<'_>, view: &ViewNodes, looking: TraversalInputs) -> Ends {
+    let walk = g.graph().host::<Traversal>(view.named("walk"));
     let verdicts = g.graph().host::<Verdicts>(view.named("verdicts"));
     let mut node = g.graph().host_node(view.named("begin at the roots"));
     looking.declare(&mut node);
@@ -68,13 +68,13 @@ fn begin(g: &mut FrameGraph<'_>, view: &ViewNodes, looking: Looking) -> Ends {
 fn turn(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
-    looking: Looking,
+    looking: TraversalInputs,
     ends: &mut Ends,
 ) -> Host<bool> {
-    let Looking { inputs, how, .. } = looking;
+    let TraversalInputs { inputs, how, .. } = looking;
     let most = match how.asking {
-        Asking::Single => 1,
-        Asking::Batches => questions(g),
+        QueryMode::Single => 1,
+        QueryMode::Batches => questions(g),
     };
     let draw = g.unsubmitted(&view.named("to draw"));
     let ask = g.unsubmitted_boxes(&view.named("to ask about"), most);
@@ -82,14 +82,8 @@ fn turn(
     let mut node = g.graph().host_node(view.named("go on"));
     looking.declare(&mut node);
     let (walk, verdicts) = (node.write(walk), node.write(verdicts));
-    let draw = ListDraws {
-        list: node.write(draw.list),
-        slots: node.upload(draw.slots),
-    };
-    let ask = BoxDraws {
-        list: node.write(ask.list),
-        buffer: node.upload(ask.buffer),
-    };
+    let draw = draw.written_by(&mut node);
+    let ask = ask.written_by(&mut node);
     node.run(move |ctx| {
         let (mut walk, mut boxes) = (ctx.get_mut(walk)?, ctx.get_mut(ask.list)?);
         let (mut list, mut verdicts) = (ctx.get_mut(draw.list)?, ctx.get_mut(verdicts)?);
@@ -146,13 +140,13 @@ pub(super) fn questions(g: &FrameGraph<'_>) -> u64 {
 }
 
 /// Puts what was found into a list.
-pub(super) fn fill(list: &mut DrawList, table: &SceneTable, found: &mut [u32], order: Order) {
+pub(super) fn fill(list: &mut DrawList, table: &SceneTable, found: &mut [u32], order: DrawOrder) {
     match order {
-        Order::State => {
+        DrawOrder::State => {
             found.sort_unstable();
             list.fill(table, found.iter().copied(), MeshDetail::Level(0));
         }
-        Order::Depth => {
+        DrawOrder::Depth => {
             list.clear();
             for slot in found {
                 list.push(table, *slot, MeshDetail::Level(0));
@@ -174,10 +168,7 @@ pub(crate) fn submit_transparent(
         .read(inputs.scene)
         .read(inputs.view)
         .read(verdicts);
-    let list = ListDraws {
-        list: node.write(list.list),
-        slots: node.upload(list.slots),
-    };
+    let list = list.written_by(&mut node);
     node.run(move |ctx| {
         let (scene, frame, verdicts) = (
             ctx.get(inputs.scene)?,
@@ -195,7 +186,7 @@ pub(crate) fn submit_transparent(
 }
 
 /// Takes the sketch out of a finished walk.
-fn hand_over(g: &mut FrameGraph<'_>, view: &ViewNodes, walk: Host<Walk>) -> Host<Sketch> {
+fn hand_over(g: &mut FrameGraph<'_>, view: &ViewNodes, walk: Host<Traversal>) -> Host<Sketch> {
     let sketch = g.graph().host::<Sketch>(view.named("sketch"));
     let mut node = g.graph().host_node(view.named("sketch the walk"));
     node.group(CULL).read(walk);

@@ -4,10 +4,10 @@
 
 use antumbra_graph::Host;
 
-use super::Coherence;
-use super::asking::{Asking, submit_unasked};
+use super::CoherentSettings;
 use super::memory::Known;
-use super::one_eye::{Eye, blended_list, submit_blended, written_by};
+use super::queried_list::{Asking, submit_unasked};
+use super::single_view::{Eye, blended_list, submit_blended};
 use antumbra_cull::order::by_nearest_corner;
 use antumbra_cull::{CULL, CountLayout, FrameGraph, Verdict, Verdicts, ViewNodes, outside};
 
@@ -16,7 +16,7 @@ use antumbra_cull::{CULL, CountLayout, FrameGraph, Verdict, Verdicts, ViewNodes,
 pub(super) fn same_frame(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
-    how: Coherence,
+    how: CoherentSettings,
     first: &mut Eye,
     collects: bool,
 ) -> Host<Verdicts> {
@@ -39,7 +39,7 @@ pub(super) fn same_frame(
     let memory = node.write(first.memory);
     first.memory = memory;
     let verdicts = node.write(verdicts);
-    let seen = written_by(seen, &mut node);
+    let seen = seen.written_by(&mut node);
     let tests = tests.written_by(&mut node);
     node.run(move |ctx| {
         let (scene, frame, candidates) = (
@@ -95,8 +95,8 @@ pub(super) fn same_frame(
     let memory = node.write(memory);
     first.memory = memory;
     let verdicts = node.write(verdicts);
-    let found = written_by(found, &mut node);
-    let blended = blended.map(|list| written_by(list, &mut node));
+    let found = found.written_by(&mut node);
+    let blended = blended.map(|list| list.written_by(&mut node));
     node.run(move |ctx| {
         let (scene, frame, asked) = (
             ctx.get(inputs.scene)?,

@@ -1,6 +1,6 @@
 //! One eye: last frame's visible first, each with a query; then a fraction of the occluded against what that left in the depth buffer.
 //!
-//! Mansa, Amundarain, Elizalde, Garcia-Alonso, Matey, *Towards Adaptive Occlusion Culling Using Camera Coherence*, 2006, as *Occlusion
+//! Mansa, Amundarain, Elizalde, Garcia-Alonso, Matey, *Towards Adaptive Occlusion Culling Using Camera CoherentSettings*, 2006, as *Occlusion
 //! Culling for Stereoscopic Display of Complex Mechanical Sets*, 2007, section 3.1, tells it (OCF). The paper waits for the tests' answers within the
 //! frame; the frame-late form uses them in the next one and waits for nothing.
 
@@ -8,11 +8,11 @@ use antumbra_draw::passes::ListDraws;
 use antumbra_draw::{MeshDetail, SceneTable, ViewFrame};
 use antumbra_graph::{BodyError, Host, HostBuilder, HostContext, ReadBack};
 
-use super::Coherence;
-use super::asking::Asking;
+use super::CoherentSettings;
 use super::fraction::Fraction;
 use super::memory::{Known, Memory};
-use super::nearness::Nearness;
+use super::queried_list::Asking;
+use super::screen_distance::Nearness;
 use antumbra_cull::order::{back_to_front, by_nearest_corner};
 use antumbra_cull::{
     CULL, Candidates, CountLayout, FrameGraph, Queried, Verdict, Verdicts, ViewNodes, outside,
@@ -43,7 +43,7 @@ struct Late {
 pub(super) fn same_frame(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
-    how: Coherence,
+    how: CoherentSettings,
     collects: bool,
 ) -> Eye {
     let inputs = view.inputs();
@@ -119,7 +119,7 @@ pub(super) fn same_frame(
     let memory = node.write(memory);
     let verdicts = node.write(verdicts);
     let found = found.written_by(&mut node);
-    let blended = blended.map(|list| written_by(list, &mut node));
+    let blended = blended.map(|list| list.written_by(&mut node));
     node.run(move |ctx| {
         let (scene, frame, candidates) = (
             ctx.get(inputs.scene)?,
@@ -160,7 +160,7 @@ pub(super) fn same_frame(
 pub(super) fn frame_late(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
-    how: Coherence,
+    how: CoherentSettings,
     lent: Option<Host<Verdicts>>,
 ) -> Eye {
     let inputs = view.inputs();
@@ -183,8 +183,8 @@ pub(super) fn frame_late(
     let memory = node.updates(memory);
     let verdicts = node.write(verdicts);
     let (drawn, tests) = (drawn.written_by(&mut node), tests.written_by(&mut node));
-    let borrowed = borrowed.map(|list| written_by(list, &mut node));
-    let blended = blended.map(|list| written_by(list, &mut node));
+    let borrowed = borrowed.map(|list| list.written_by(&mut node));
+    let blended = blended.map(|list| list.written_by(&mut node));
     let (mut nearness, mut picked) = (Nearness::default(), Vec::new());
     node.run(move |ctx| {
         let (scene, frame, candidates) = (
@@ -318,14 +318,6 @@ fn judge(memory: &Memory, table: &SceneTable, candidates: &Candidates, verdicts:
 pub(super) fn blended_list(g: &mut FrameGraph<'_>, view: &ViewNodes) -> Option<ListDraws> {
     let name = view.named("visible transparent set");
     g.scene_layout().transparent.then(|| g.unsubmitted(&name))
-}
-
-/// The version of a list that a host node writes.
-pub(super) fn written_by(list: ListDraws, node: &mut HostBuilder<'_>) -> ListDraws {
-    ListDraws {
-        list: node.write(list.list),
-        slots: node.upload(list.slots),
-    }
 }
 
 /// Fills the list of what is blended and drawn.

@@ -1,13 +1,13 @@
 //! How far a walk has come: who is still to be met, what has been found, and where on the screen that lies.
 
-use super::queue::{Next, Queue};
-use super::sight::{Met, Sight};
+use super::context::{TraversalContext, VisitedNode};
+use super::queue::{Queue, QueuedNode};
 use crate::occupancy::{BlockRect, OccupancyMap};
 use antumbra_cull::{Verdict, Verdicts};
 
 /// The front of a walk.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Front {
+pub(super) struct Frontier {
     queue: Queue,
     /// Blocks that something drawn may lie on.
     pub drawn_on: OccupancyMap,
@@ -15,9 +15,9 @@ pub(super) struct Front {
     pub found: Vec<u32>,
 }
 
-impl Front {
+impl Frontier {
     /// Begins at the roots, with all that no test may cull drawn.
-    pub fn begin(&mut self, sight: &Sight<'_>, verdicts: &mut Verdicts) {
+    pub fn begin(&mut self, sight: &TraversalContext<'_>, verdicts: &mut Verdicts) {
         self.queue.clear();
         self.found.clear();
         let [wide, high] = sight.screen.blocks();
@@ -33,7 +33,7 @@ impl Front {
     }
 
     /// The nearest of those still to be met.
-    pub fn next(&mut self) -> Option<Next> {
+    pub fn next(&mut self) -> Option<QueuedNode> {
         self.queue.pop()
     }
 
@@ -48,7 +48,13 @@ impl Front {
     }
 
     /// Draws a unit, opens what is none.
-    pub fn see(&mut self, sight: &Sight<'_>, met: &Met, verdict: Verdict, verdicts: &mut Verdicts) {
+    pub fn see(
+        &mut self,
+        sight: &TraversalContext<'_>,
+        met: &VisitedNode,
+        verdict: Verdict,
+        verdicts: &mut Verdicts,
+    ) {
         match sight.node(met.node) {
             Some(node) if !sight.is_unit(met.node, node) => {
                 for child in node.children() {
@@ -62,8 +68,8 @@ impl Front {
     /// Draws all at and below a node.
     pub fn draw(
         &mut self,
-        sight: &Sight<'_>,
-        met: &Met,
+        sight: &TraversalContext<'_>,
+        met: &VisitedNode,
         verdict: Verdict,
         verdicts: &mut Verdicts,
     ) {

@@ -7,25 +7,30 @@ use antumbra_graph::{BodyError, Host, HostBuilder, HostContext};
 use antumbra_scene::Topology;
 use antumbra_scene::hierarchy::HierarchyShape;
 
-use super::left::Left;
-use super::sight::Sight;
-use super::walk::How;
+use super::context::TraversalContext;
+use super::one_frame::TraversalSettings;
+use super::remaining::Remaining;
 use antumbra_cull::{CULL, FrameGraph, Tree, ViewNodes};
 
 /// The scene, the view and the tree of a walk.
 #[derive(Clone, Copy)]
-pub(super) struct Looking {
+pub(super) struct TraversalInputs {
     pub inputs: ViewInputs,
-    pub how: How,
+    pub how: TraversalSettings,
     tree: Host<Tree>,
     /// What an outer strategy has left of it.
-    left: Option<Host<Left>>,
+    left: Option<Host<Remaining>>,
     /// What the boxes of the scene hold.
     contents: BoxContents,
 }
 
-impl Looking {
-    pub fn new(g: &mut FrameGraph<'_>, view: &ViewNodes, shape: HierarchyShape, how: How) -> Self {
+impl TraversalInputs {
+    pub fn new(
+        g: &mut FrameGraph<'_>,
+        view: &ViewNodes,
+        shape: HierarchyShape,
+        how: TraversalSettings,
+    ) -> Self {
         let line_like = |class: PipelineClass| class.topology() != Topology::Triangles;
         let contents = match g.scene_layout().classes().any(line_like) {
             true => BoxContents::AnyTopology,
@@ -56,7 +61,7 @@ impl Looking {
     pub fn look(
         &self,
         ctx: &HostContext<'_>,
-        act: impl FnOnce(&Sight<'_>, &ViewFrame) -> Result<(), BodyError>,
+        act: impl FnOnce(&TraversalContext<'_>, &ViewFrame) -> Result<(), BodyError>,
     ) -> Result<(), BodyError> {
         let (scene, frame, tree) = (
             ctx.get(self.inputs.scene)?,
@@ -64,16 +69,16 @@ impl Looking {
             ctx.get(self.tree)?,
         );
         let left = self.left.map(|left| ctx.get(left)).transpose()?;
-        let sight = Sight::new(&scene.table, &tree, &frame, &self.how, self.contents);
+        let sight = TraversalContext::new(&scene.table, &tree, &frame, &self.how, self.contents);
         act(&sight.at_what_is(left.as_deref()), &frame)
     }
 }
 
 /// A host value that says what an outer strategy has left of a tree, where there is one.
-fn left_of(g: &mut FrameGraph<'_>, view: &ViewNodes, tree: Host<Tree>) -> Option<Host<Left>> {
+fn left_of(g: &mut FrameGraph<'_>, view: &ViewNodes, tree: Host<Tree>) -> Option<Host<Remaining>> {
     let narrowed = view.narrowed_to()?;
     let scene = view.inputs().scene;
-    let left = g.graph().host::<Left>(view.named("left of the tree"));
+    let left = g.graph().host::<Remaining>(view.named("left of the tree"));
     let mut node = g.graph().host_node(view.named("find what is left"));
     node.group(CULL).read(scene).read(tree).read(narrowed);
     let left = node.write(left);

@@ -6,12 +6,12 @@ use antumbra_cull::{Candidates, Tree};
 
 /// The slots that are left, and the nodes that they lie below.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Left {
+pub(super) struct Remaining {
     slots: Vec<bool>,
     nodes: Vec<bool>,
 }
 
-impl Left {
+impl Remaining {
     /// Takes over what is left of a scene of so many slots.
     pub fn take(&mut self, tree: &Tree, slots: u32, left: &Candidates) {
         let hierarchy = tree.hierarchy();

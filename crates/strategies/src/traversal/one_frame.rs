@@ -2,17 +2,17 @@
 
 use antumbra_draw::boxes::BoxList;
 
-use super::front::Front;
-use super::memory::{Memory, Remember};
-use super::queue::Next;
-use super::sight::{Meeting, Met, Sight};
+use super::context::{TraversalContext, Visit, VisitedNode};
+use super::frontier::Frontier;
+use super::memory::{AnswerLifetime, Memory};
+use super::queue::QueuedNode;
 use crate::occupancy::OccupancyMap;
-use crate::sketch::{Sketch, Sketched};
+use crate::sketch::{NodeOutcome, Sketch};
 use antumbra_cull::{Verdict, Verdicts};
 
 /// In what portions a walk asks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Asking {
+pub enum QueryMode {
     /// In batches whose boxes each reach a block of the screen that no other of the batch lies on; when there were enough of these, about
     /// all who wait at once.
     Batches,
@@ -22,7 +22,7 @@ pub enum Asking {
 
 /// In what order a batch's entities are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Order {
+pub enum DrawOrder {
     /// By pipeline, texture and mesh, as few draws as there can be.
     State,
     /// As they were found, near ones first.
@@ -31,9 +31,9 @@ pub enum Order {
 
 /// How a walk goes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct How {
+pub struct TraversalSettings {
     /// In what portions it asks.
-    pub asking: Asking,
+    pub asking: QueryMode,
     /// Whether what reaches a free block of the map is visible without a query.
     pub map: bool,
     /// Pixels along a side of a block.
@@ -50,17 +50,17 @@ pub struct How {
     /// without a question. 0: whoever waits is asked about.
     pub worth: u32,
     /// How long answers stay valid.
-    pub remember: Remember,
+    pub remember: AnswerLifetime,
     /// In what order a batch's entities are drawn.
-    pub order: Order,
+    pub order: DrawOrder,
     /// Whether it leaves a sketch.
     pub sketch: bool,
 }
 
-impl How {
+impl TraversalSettings {
     /// The paper's walk and nothing beyond it.
     pub const PAPER: Self = Self {
-        asking: Asking::Batches,
+        asking: QueryMode::Batches,
         map: true,
         block: 4,
         grain: 0,
@@ -68,12 +68,12 @@ impl How {
         least_seen: 0.0,
         together: 1,
         worth: 0,
-        remember: Remember {
+        remember: AnswerLifetime {
             visible: 0,
             occluded: 0,
             slow: 0.0,
         },
-        order: Order::State,
+        order: DrawOrder::State,
         sketch: false,
     };
 }
@@ -82,15 +82,15 @@ impl How {
 #[derive(Debug, Clone, Copy)]
 struct Waiting {
     nearness: f32,
-    met: Met,
+    met: VisitedNode,
     /// Whether it was asked about together with others, and one of them was visible.
     alone: bool,
 }
 
 /// A walk; kept from frame to frame.
 #[derive(Debug, Clone, Default)]
-pub struct Walk {
-    front: Front,
+pub struct Traversal {
+    front: Frontier,
     waiting: Vec<Waiting>,
     asked: Vec<Waiting>,
     /// Where the members of each question end.
@@ -111,9 +111,15 @@ const A_QUERY: u64 = 190;
 /// Organised batches of the first frame; after that 7/10 of the last frame's batches.
 const FIRST_ORGANISED: u32 = 8;
 
-impl Walk {
+impl Traversal {
     /// Begins a frame at the roots.
-    pub fn begin(&mut self, sight: &Sight<'_>, how: &How, cuts: u64, verdicts: &mut Verdicts) {
+    pub fn begin(
+        &mut self,
+        sight: &TraversalContext<'_>,
+        how: &TraversalSettings,
+        cuts: u64,
+        verdicts: &mut Verdicts,
+    ) {
         let last = std::mem::take(&mut self.batches);
         self.most_organised = Some(match self.most_organised {
             Some(_) => last * 7 / 10,
@@ -137,8 +143,8 @@ impl Walk {
     /// Goes on until there is something to ask, and says what: a box a question. None: the walk is over.
     pub fn advance(
         &mut self,
-        sight: &Sight<'_>,
-        how: &How,
+        sight: &TraversalContext<'_>,
+        how: &TraversalSettings,
         verdicts: &mut Verdicts,
         boxes: &mut BoxList,
     ) {
@@ -151,7 +157,7 @@ impl Walk {
         if self.batches == 0 {
             self.sketch.map(&self.front.drawn_on);
         }
-        if how.asking == Asking::Single {
+        if how.asking == QueryMode::Single {
             self.asked.append(&mut self.waiting);
         } else {
             self.gather();
@@ -186,8 +192,8 @@ impl Walk {
     /// Takes the answers, in the order of the questions: whether any sample was visible.
     pub fn answer(
         &mut self,
-        sight: &Sight<'_>,
-        how: &How,
+        sight: &TraversalContext<'_>,
+        how: &TraversalSettings,
         verdicts: &mut Verdicts,
         answers: impl Iterator<Item = bool>,
     ) {
@@ -214,9 +220,9 @@ impl Walk {
                 self.memory.note(met.node, visible, how.remember);
                 if let Some(node) = sight.node(met.node) {
                     let outcome = if visible {
-                        Sketched::Seen
+                        NodeOutcome::Visible
                     } else {
-                        Sketched::Hidden
+                        NodeOutcome::Occluded
                     };
                     let screen = &sight.screen;
                     (self.sketch).node(screen, &node.bounds, self.batches, outcome);
@@ -240,29 +246,40 @@ impl Walk {
     }
 
     /// Meets all who are queued; one at a time until one has to wait where each is asked about alone.
-    fn meet_all(&mut self, sight: &Sight<'_>, how: &How, verdicts: &mut Verdicts) {
+    fn meet_all(
+        &mut self,
+        sight: &TraversalContext<'_>,
+        how: &TraversalSettings,
+        verdicts: &mut Verdicts,
+    ) {
         while let Some(next) = self.front.next() {
             self.meet(sight, how, next, verdicts);
-            if how.asking == Asking::Single && !self.waiting.is_empty() {
+            if how.asking == QueryMode::Single && !self.waiting.is_empty() {
                 break;
             }
         }
     }
 
-    fn meet(&mut self, sight: &Sight<'_>, how: &How, next: Next, verdicts: &mut Verdicts) {
+    fn meet(
+        &mut self,
+        sight: &TraversalContext<'_>,
+        how: &TraversalSettings,
+        next: QueuedNode,
+        verdicts: &mut Verdicts,
+    ) {
         let (number, nearness) = (next.node, next.nearness);
         let (met, node) = match sight.meet(next, how.small) {
-            Meeting::Nobody => return,
-            Meeting::Near(met) => return self.front.see(sight, &met, Verdict::Untested, verdicts),
-            Meeting::Small(met) => return sight.mark(&met, Verdict::BelowThreshold, verdicts),
-            Meeting::OnScreen(met, node) => (met, node),
+            Visit::Outside => return,
+            Visit::Near(met) => return self.front.see(sight, &met, Verdict::Untested, verdicts),
+            Visit::Small(met) => return sight.mark(&met, Verdict::BelowThreshold, verdicts),
+            Visit::OnScreen(met, node) => (met, node),
         };
         let remembered = self.memory.valid(number, nearness, how.remember);
         if remembered == Some(false) {
             sight.mark(&met, Verdict::Occluded, verdicts);
         } else if remembered.is_some() || how.map && self.front.is_free(met.rect) {
             self.sketch
-                .node(&sight.screen, &node.bounds, 0, Sketched::Free);
+                .node(&sight.screen, &node.bounds, 0, NodeOutcome::Free);
             self.front.see(sight, &met, Verdict::Visible, verdicts);
         } else {
             self.waiting.push(Waiting {
@@ -277,8 +294,8 @@ impl Walk {
     /// not counted, for nobody expects to save them: they are taken for visible once more, and what they hold waits in turn.
     fn draw_what_is_not_worth_asking(
         &mut self,
-        sight: &Sight<'_>,
-        how: &How,
+        sight: &TraversalContext<'_>,
+        how: &TraversalSettings,
         verdicts: &mut Verdicts,
     ) {
         loop {

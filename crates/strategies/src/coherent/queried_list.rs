@@ -40,10 +40,7 @@ impl Asking {
     /// The versions that a host node writes.
     pub fn written_by(self, node: &mut HostBuilder<'_>) -> Self {
         Self {
-            list: ListDraws {
-                list: node.write(self.list.list),
-                slots: node.upload(self.list.slots),
-            },
+            list: self.list.written_by(node),
             asked: node.write(self.asked),
             answers: self.answers,
         }

@@ -4,15 +4,15 @@ use antumbra_draw::boxes::{BoxContents, GpuBox};
 use antumbra_draw::{SceneTable, ViewFrame};
 use antumbra_scene::hierarchy::HierarchyNode;
 
-use super::left::Left;
-use super::queue::Next;
-use super::walk::How;
+use super::one_frame::TraversalSettings;
+use super::queue::QueuedNode;
+use super::remaining::Remaining;
 use crate::occupancy::{BlockRect, PixelRect, Place, Screen};
 use antumbra_cull::{Tree, Verdict, Verdicts};
 
 /// A node that was met on the screen.
 #[derive(Debug, Clone, Copy)]
-pub struct Met {
+pub struct VisitedNode {
     /// Its number.
     pub node: u32,
     /// The blocks under its box.
@@ -22,19 +22,19 @@ pub struct Met {
 }
 
 /// How a node is to be taken.
-pub(crate) enum Meeting<'a> {
+pub(crate) enum Visit<'a> {
     /// It is outside the frustum, or empty.
-    Nobody,
+    Outside,
     /// It is too near to be asked about: visible.
-    Near(Met),
+    Near(VisitedNode),
     /// It is so small that it is dropped.
-    Small(Met),
+    Small(VisitedNode),
     /// It lies on the screen.
-    OnScreen(Met, &'a HierarchyNode),
+    OnScreen(VisitedNode, &'a HierarchyNode),
 }
 
 /// One frame's scene as a walk sees it.
-pub struct Sight<'a> {
+pub struct TraversalContext<'a> {
     /// The scene.
     pub table: &'a SceneTable,
     /// The tree over it.
@@ -44,16 +44,16 @@ pub struct Sight<'a> {
     /// Triangles below a node that is not opened.
     pub grain: u32,
     /// What an outer strategy has left of it; all, where there is none.
-    left: Option<&'a Left>,
+    left: Option<&'a Remaining>,
 }
 
-impl<'a> Sight<'a> {
+impl<'a> TraversalContext<'a> {
     /// Looks at a scene. `contents`: what the boxes of its entities hold.
     pub fn new(
         table: &'a SceneTable,
         tree: &'a Tree,
         view: &ViewFrame,
-        how: &How,
+        how: &TraversalSettings,
         contents: BoxContents,
     ) -> Self {
         Self {
@@ -66,7 +66,7 @@ impl<'a> Sight<'a> {
     }
 
     /// The same with no more than what an outer strategy has left.
-    pub(super) fn at_what_is(self, left: Option<&'a Left>) -> Self {
+    pub(super) fn at_what_is(self, left: Option<&'a Remaining>) -> Self {
         Self { left, ..self }
     }
 
@@ -112,30 +112,30 @@ impl<'a> Sight<'a> {
     }
 
     /// Meets a node: where it lies, and how it is to be taken. `small`: pixels in width and height below which it is dropped.
-    pub(crate) fn meet(&self, next: Next, small: f32) -> Meeting<'a> {
+    pub(crate) fn meet(&self, next: QueuedNode, small: f32) -> Visit<'a> {
         let Some(node) = self.node(next.node) else {
-            return Meeting::Nobody;
+            return Visit::Outside;
         };
-        let met = |pixels: &PixelRect, whole| Met {
+        let met = |pixels: &PixelRect, whole| VisitedNode {
             node: next.node,
             rect: self.screen.blocks_of(pixels),
             whole,
         };
         match self.screen.place(&node.bounds, next.whole) {
-            Place::Outside => Meeting::Nobody,
-            Place::Near => Meeting::Near(met(&self.screen.clipped(&node.bounds), false)),
+            Place::Outside => Visit::Outside,
+            Place::Near => Visit::Near(met(&self.screen.clipped(&node.bounds), false)),
             Place::OnScreen { pixels, whole } => {
                 let met = met(&pixels, whole);
                 match (pixels.greatest - pixels.least).max_element() < small {
-                    true => Meeting::Small(met),
-                    false => Meeting::OnScreen(met, node),
+                    true => Visit::Small(met),
+                    false => Visit::OnScreen(met, node),
                 }
             }
         }
     }
 
     /// Gives all in the frustum at and below a node a verdict.
-    pub fn mark(&self, met: &Met, verdict: Verdict, verdicts: &mut Verdicts) {
+    pub fn mark(&self, met: &VisitedNode, verdict: Verdict, verdicts: &mut Verdicts) {
         for slot in self.slots(met.node, met.whole) {
             verdicts.set(slot, verdict);
         }
@@ -144,7 +144,7 @@ impl<'a> Sight<'a> {
     /// Finds all in the frustum at and below a node to be drawn; whether any of it can hide others.
     pub fn draw(
         &self,
-        met: &Met,
+        met: &VisitedNode,
         verdict: Verdict,
         verdicts: &mut Verdicts,
         found: &mut Vec<u32>,

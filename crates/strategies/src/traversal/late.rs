@@ -6,16 +6,16 @@
 
 use antumbra_draw::boxes::BoxList;
 
-use super::front::Front;
-use super::queue::Next;
-use super::sight::{Meeting, Met, Sight};
-use super::walk::How;
-use crate::sketch::{Sketch, Sketched};
+use super::context::{TraversalContext, Visit, VisitedNode};
+use super::frontier::Frontier;
+use super::one_frame::TraversalSettings;
+use super::queue::QueuedNode;
+use crate::sketch::{NodeOutcome, Sketch};
 use antumbra_cull::{Verdict, Verdicts};
 
 /// What a batch of questions was about; goes along with the answers.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct AskedNodes {
+pub struct QueriedNodes {
     /// The tree's generation and the view's count of cuts: answers about another tree, or from before a cut, say nothing.
     pub of: (u64, u64),
     /// The walk's own count of frames.
@@ -44,13 +44,13 @@ struct Known {
 
 /// A walk; kept from frame to frame.
 #[derive(Debug, Clone, Default)]
-pub struct LateWalk {
+pub struct LateTraversal {
     known: Vec<Known>,
     of: Option<(u64, u64)>,
     frame: u32,
     travelled: f64,
     last_eye: Option<glam::DVec3>,
-    front: Front,
+    front: Frontier,
     asked: Vec<u32>,
     /// What was met on the way, where a sketch was asked for.
     pub sketch: Sketch,
@@ -68,13 +68,13 @@ const HEAVY: u32 = 20_000;
 /// been asked about for a while, and is drawn until it has been.
 const UNWIELDY: u32 = 100_000;
 
-impl LateWalk {
+impl LateTraversal {
     /// Takes in an answer of an earlier frame: whether each node that was asked about had a visible sample.
     pub fn take(
         &mut self,
-        sight: &Sight<'_>,
-        how: &How,
-        asked: &AskedNodes,
+        sight: &TraversalContext<'_>,
+        how: &TraversalSettings,
+        asked: &QueriedNodes,
         answers: impl Iterator<Item = bool>,
     ) {
         if self.of != Some(asked.of) {
@@ -100,7 +100,7 @@ impl LateWalk {
     }
 
     /// Takes an answer about a node that was asked for in a frame.
-    fn note(&mut self, how: &How, asked: u32, node: u32, visible: bool) {
+    fn note(&mut self, how: &TraversalSettings, asked: u32, node: u32, visible: bool) {
         let frames = match visible {
             true => how.remember.visible,
             false => how.remember.occluded,
@@ -124,7 +124,7 @@ impl LateWalk {
     }
 
     /// A node all of whose children are hidden is hidden, and its parent perhaps too.
-    fn pull_up(&mut self, sight: &Sight<'_>, how: &How, node: u32) {
+    fn pull_up(&mut self, sight: &TraversalContext<'_>, how: &TraversalSettings, node: u32) {
         let mut at = node;
         while self.is_hidden(at, how)
             && let Some(parent) = sight.node(at).map(|node| node.parent)
@@ -159,7 +159,7 @@ impl LateWalk {
         &mut self.known[at]
     }
 
-    fn is_hidden(&self, node: u32, how: &How) -> bool {
+    fn is_hidden(&self, node: u32, how: &TraversalSettings) -> bool {
         let Some(known) = self.known.get(node as usize) else {
             return false;
         };
@@ -170,8 +170,8 @@ impl LateWalk {
     /// Walks from the roots: finds what is drawn, gives verdicts, and says what is asked about.
     pub fn walk(
         &mut self,
-        sight: &Sight<'_>,
-        how: &How,
+        sight: &TraversalContext<'_>,
+        how: &TraversalSettings,
         verdicts: &mut Verdicts,
         boxes: &mut BoxList,
     ) {
@@ -193,7 +193,7 @@ impl LateWalk {
     }
 
     /// Begins a frame: what another tree or camera cut was about is forgotten.
-    pub fn begin(&mut self, sight: &Sight<'_>, cuts: u64) {
+    pub fn begin(&mut self, sight: &TraversalContext<'_>, cuts: u64) {
         self.frame += 1;
         let now = (sight.tree.generation(), cuts);
         if self.of != Some(now) {
@@ -207,8 +207,8 @@ impl LateWalk {
     }
 
     /// What this frame's questions are about.
-    pub fn asked(&mut self, boxes: &BoxList) -> AskedNodes {
-        AskedNodes {
+    pub fn asked(&mut self, boxes: &BoxList) -> QueriedNodes {
+        QueriedNodes {
             of: self.of.unwrap_or_default(),
             frame: self.frame,
             nodes: std::sync::Arc::new(std::mem::take(&mut self.asked)),
@@ -216,18 +216,24 @@ impl LateWalk {
         }
     }
 
-    fn meet(&mut self, sight: &Sight<'_>, how: &How, next: Next, verdicts: &mut Verdicts) {
+    fn meet(
+        &mut self,
+        sight: &TraversalContext<'_>,
+        how: &TraversalSettings,
+        next: QueuedNode,
+        verdicts: &mut Verdicts,
+    ) {
         let (number, nearness) = (next.node, next.nearness);
         let (met, node) = match sight.meet(next, how.small) {
-            Meeting::Nobody => return,
-            Meeting::Near(met) => return self.front.see(sight, &met, Verdict::Untested, verdicts),
-            Meeting::Small(met) => return sight.mark(&met, Verdict::BelowThreshold, verdicts),
-            Meeting::OnScreen(met, node) => (met, node),
+            Visit::Outside => return,
+            Visit::Near(met) => return self.front.see(sight, &met, Verdict::Untested, verdicts),
+            Visit::Small(met) => return sight.mark(&met, Verdict::BelowThreshold, verdicts),
+            Visit::OnScreen(met, node) => (met, node),
         };
         let known = self.known.get(number as usize).copied().unwrap_or_default();
         if how.map && self.front.is_free(met.rect) {
             self.sketch
-                .node(&sight.screen, &node.bounds, 0, Sketched::Free);
+                .node(&sight.screen, &node.bounds, 0, NodeOutcome::Free);
             let verdict = match known.asked {
                 0 => Verdict::Untested,
                 _ => Verdict::Visible,
@@ -240,9 +246,9 @@ impl LateWalk {
         let ask = known.again <= self.frame || !slow;
         let hidden = self.is_hidden(number, how);
         let outcome = if hidden {
-            Sketched::Hidden
+            NodeOutcome::Occluded
         } else {
-            Sketched::Seen
+            NodeOutcome::Visible
         };
         self.sketch
             .node(&sight.screen, &node.bounds, u32::from(ask), outcome);
@@ -267,14 +273,14 @@ impl LateWalk {
     }
 
     /// Whether a node that nothing is known of is better opened than asked about.
-    fn is_sure_to_open(&self, sight: &Sight<'_>, met: &Met) -> bool {
+    fn is_sure_to_open(&self, sight: &TraversalContext<'_>, met: &VisitedNode) -> bool {
         let [wide, high] = sight.screen.blocks().map(u64::from);
         let screen = wide * high;
         met.rect.blocks() * LARGE >= screen || sight.tree.weight(met.node) > HEAVY
     }
 
     /// Asks about all who are to be asked about, siblings that are hidden together.
-    fn ask(&mut self, sight: &Sight<'_>, how: &How, boxes: &mut BoxList) {
+    fn ask(&mut self, sight: &TraversalContext<'_>, how: &TraversalSettings, boxes: &mut BoxList) {
         // Siblings, and children of siblings, are neighbours by number.
         self.asked.sort_unstable();
         let mut asked = std::mem::take(&mut self.asked);
