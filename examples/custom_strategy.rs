@@ -1,7 +1,9 @@
 //! A strategy from outside: the depth of the occluders that look largest (their choice after Coorg and Teller, *Real-Time Occlusion
 //! Culling for Models with Large Occluders*, 1997), and a hardware query an occludee against it, answered on the GPU.
 
-use antumbra::cull::{Counting, DeclareError, FrameGraph, Latency, Stage, StageOptions};
+use antumbra::cull::{
+    Counting, DeclareError, FrameGraph, Latency, ProxySource, Stage, StageOptions,
+};
 use antumbra::cull::{Strategy, ViewInput, ViewNodes, ViewSpec, VisibleSet};
 use antumbra::draw::{AdapterChoice, Gpu, GpuScene, MeshDetail};
 use antumbra::measure::path::CameraPath;
@@ -36,7 +38,11 @@ impl Strategy for LargestOccluders {
             });
             slots.truncate(most);
         });
-        let proxies = g.proxies_of(view, (largest, MeshDetail::Level(0)), (candidates, occludee));
+        let proxies = g.proxies_of(
+            view,
+            ProxySource { candidates: largest, detail: MeshDetail::Level(0) },
+            ProxySource { candidates, detail: occludee },
+        );
         let counts = g.count_samples(view, proxies, Counting::Queries, view.size());
         Ok(g.visible_samples(view, candidates, counts, Latency::OnGpu, 0))
     }

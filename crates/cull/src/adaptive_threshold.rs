@@ -1,4 +1,4 @@
-//! A threshold for sets that are chosen on the GPU, as high as an allowance lets it be: by this frame's own counts, which no host has seen.
+//! The threshold of a visible set that is chosen on the GPU: as high as an allowance permits, found from this frame's own counts, which stay on the GPU.
 
 use antumbra_graph::{Bind, Buffer, BufferDesc, Host};
 use antumbra_shaders::{assert_layout, jobs};
@@ -6,15 +6,15 @@ use bytemuck::{Pod, Zeroable};
 
 use crate::candidates::Candidates;
 use crate::frame_graph::{CULL, FrameGraph};
-use crate::samples::{Allowance, SampleRule};
+use crate::sample_rule::Selection;
 use crate::view_nodes::ViewNodes;
 
-/// A frame's threshold, on the GPU.
+/// A frame's threshold on the GPU.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct AdaptiveThreshold {
     /// [`GpuThreshold`].
     pub buffer: Buffer,
-    /// What the frame was allowed.
+    /// What the frame may leave out.
     pub allowed: Host<Allowed>,
 }
 
@@ -49,13 +49,13 @@ assert_layout!(GpuThreshold, "adapt_threshold", "AdaptedThreshold", { padding_a,
 assert_layout!(GpuSettings, "adapt_threshold", "Settings", { count, allowed, least, padding });
 
 impl FrameGraph<'_> {
-    /// Finds each frame's threshold from its counts, by slot: the rule's, or as high a one as an allowance lets it be.
+    /// Finds each frame's threshold from its counts, which are by slot: the rule's own, or a higher one that keeps within the allowance.
     pub(crate) fn adaptive_threshold(
         &mut self,
         view: &ViewNodes,
         candidates: Host<Candidates>,
         counts: Buffer,
-        (rule, within): (SampleRule, Allowance),
+        selection: Selection,
     ) -> AdaptiveThreshold {
         let pipeline = self.compute_pipeline(&jobs::adapt_threshold::JOB, "adapt_threshold");
         let bytes = self.slot_bytes();
@@ -63,43 +63,43 @@ impl FrameGraph<'_> {
             let name = view.named(name);
             self.graph().buffer(name, BufferDesc::new(bytes))
         };
-        let judged = buffer("judged slots", bytes);
+        let tested = buffer("tested slots", bytes);
         let settings = buffer("allowance", size_of::<GpuSettings>() as u64);
         let threshold = buffer("threshold", size_of::<GpuThreshold>() as u64);
         let allowed = self.graph().host::<Allowed>(view.named("allowed"));
-        let mut node = self.graph().host_node(view.named("submit judged"));
+        let mut node = self.graph().host_node(view.named("submit tested slots"));
         node.group(CULL).read(candidates);
         let allowed = node.write(allowed);
-        let (judged, settings) = (node.upload(judged), node.upload(settings));
+        let (tested, settings) = (node.upload(tested), node.upload(settings));
         node.run(move |ctx| {
             let candidates = ctx.get(candidates)?;
             let inside = candidates.inside().iter().copied();
             let slots: Vec<u32> = inside.filter(|slot| !candidates.is_exempt(*slot)).collect();
             let now = Allowed {
-                samples: within.samples(),
-                pixels: within.pixels,
+                samples: selection.allowance.samples(),
+                pixels: selection.allowance.pixels,
             };
             let numbers = GpuSettings {
                 count: slots.len() as u32,
                 allowed: now.samples.try_into().unwrap_or(u32::MAX),
-                least: rule.threshold,
+                least: selection.rule.threshold,
                 padding: 0,
             };
-            ctx.upload(judged, 0, bytemuck::cast_slice(&slots))?;
+            ctx.upload(tested, 0, bytemuck::cast_slice(&slots))?;
             ctx.upload(settings, 0, bytemuck::bytes_of(&numbers))?;
             *ctx.get_mut(allowed)? = now;
             Ok(())
         });
-        let mut node = self.graph().compute(view.named("turn threshold"));
+        let mut node = self.graph().compute(view.named("adapt threshold"));
         node.group(CULL)
             .storage_read(settings)
-            .storage_read(judged)
+            .storage_read(tested)
             .storage_read(counts);
         let threshold = node.storage_write(threshold);
         node.run(move |ctx| {
             let binds = [
                 Bind::Buffer(0, settings),
-                Bind::Buffer(1, judged),
+                Bind::Buffer(1, tested),
                 Bind::Buffer(2, counts),
                 Bind::Buffer(3, threshold),
             ];

@@ -5,20 +5,22 @@
 //! stands for as many as its chance of being drawn says (Horvitz and Thompson, *A Generalization of Sampling Without Replacement From a Finite
 //! Universe*, 1952). `docs/audit.md` has the derivation.
 
-mod cover;
-mod doubts;
+mod audited_frame;
+mod chooser;
+mod depth_cull;
 mod interval;
 mod nodes;
-mod plan;
-mod sift;
+mod patch_frustum;
+mod sample_plan;
+mod screen_box;
 mod strata;
-mod through;
+mod uncertain;
 
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
 
 pub use interval::Estimate;
-use plan::Costs;
+use sample_plan::Costs;
 use strata::Moments;
 
 /// The label of what the audit costs.
@@ -32,8 +34,8 @@ pub struct AuditOptions {
     pub share: f64,
     /// The part of the frames that are looked at, by lot; 0.001 to 1. What an audit takes however little it looks at, two passes and their
     /// turns, is paid that seldom, and the frames that are looked at get as much more of `share`.
-    pub often: f64,
-    /// Seeds the lots. The same seed and frames give the same patches.
+    pub frame_share: f64,
+    /// Seeds the plan. The same seed and frames give the same patches.
     pub seed: u64,
     /// Draws every patch of every frame, whatever `share` says: no estimate but the count itself. For tests, and for images nobody waits for.
     pub census: bool,
@@ -41,24 +43,24 @@ pub struct AuditOptions {
 
 impl AuditOptions {
     /// The part of the frames that are looked at, within its range whatever was asked for.
-    fn part(&self) -> f64 {
+    fn frame_share_in_range(&self) -> f64 {
         match self.census {
             true => 1.0,
             // What is no number is looked at as seldom as can be.
-            false if self.often.is_nan() => LEAST_OFTEN,
-            false => self.often.clamp(LEAST_OFTEN, 1.0),
+            false if self.frame_share.is_nan() => LEAST_FRAME_SHARE,
+            false => self.frame_share.clamp(LEAST_FRAME_SHARE, 1.0),
         }
     }
 }
 
 /// No audit looks at fewer frames than one in a thousand.
-const LEAST_OFTEN: f64 = 1e-3;
+const LEAST_FRAME_SHARE: f64 = 1e-3;
 
 impl Default for AuditOptions {
     fn default() -> Self {
         Self {
             share: 0.08,
-            often: 0.25,
+            frame_share: 0.25,
             seed: 0,
             census: false,
         }
@@ -75,8 +77,8 @@ pub struct FrameAudit {
     /// Patches that were looked at.
     pub patches: u32,
     /// Whether its lot was to be looked at, and how large a part of the frames that is.
-    looked: bool,
-    often: f64,
+    sampled: bool,
+    frame_share: f64,
     /// Pixels of the view.
     pixels: f64,
     /// The most pixels that one pixel looked at stands for, times those of a patch; 0 when all were looked at.
@@ -93,7 +95,7 @@ struct Hit {
     /// The pixels that it stands for.
     pixels: f64,
     /// Whether an entity below the threshold lies on it.
-    doubtful: bool,
+    uncertain: bool,
 }
 
 /// What was found in the patches of one kind.
@@ -101,7 +103,7 @@ struct Hit {
 pub(crate) struct Found {
     /// Percent of the view's pixels.
     pub percent: f64,
-    /// In how many patches that were drawn by lots of their own.
+    /// In how many patches that were drawn by plan of their own.
     pub hits: f64,
 }
 
@@ -117,7 +119,7 @@ impl FrameAudit {
         self.left_out
     }
 
-    /// What an audit might have found: hits in percent of the image, doubtful or not.
+    /// What an audit might have found: hits in percent of the image, uncertain or not.
     #[cfg(test)]
     pub(crate) fn made_up(
         frame: u64,
@@ -125,15 +127,15 @@ impl FrameAudit {
         hits: impl Iterator<Item = (f64, bool)>,
         left_out: Option<f64>,
     ) -> Self {
-        let hits = hits.map(|(pixels, doubtful)| Hit { pixels, doubtful });
+        let hits = hits.map(|(pixels, uncertain)| Hit { pixels, uncertain });
         Self {
             frame,
             heaviest,
             pixels: 100.0,
             hits: hits.collect(),
             left_out,
-            looked: true,
-            often: 1.0,
+            sampled: true,
+            frame_share: 1.0,
             ..Self::default()
         }
     }
@@ -146,20 +148,20 @@ impl FrameAudit {
     /// What was found wrong in percent of the image where something below the threshold lies, and what the frame meant to leave out; taken for itself, not for
     /// the frames beside it that nobody looked at. `None` where it is one of these, or nothing is known of what was meant.
     pub(crate) fn meant(&self) -> Option<[f64; 2]> {
-        let [_, doubtful] = self.by_kind();
-        let left_out = self.left_out.filter(|_| self.looked)?;
-        Some([doubtful.percent * self.often, left_out])
+        let [_, uncertain] = self.by_kind();
+        let left_out = self.left_out.filter(|_| self.sampled)?;
+        Some([uncertain.percent * self.frame_share, left_out])
     }
 
     /// What was found where nothing below the threshold lies, and where something does.
     pub(crate) fn by_kind(&self) -> [Found; 2] {
         let mut kinds = [Found::default(); 2];
         for hit in &self.hits {
-            let [plain, doubtful] = &mut kinds;
-            let kind = if hit.doubtful { doubtful } else { plain };
+            let [plain, uncertain] = &mut kinds;
+            let kind = if hit.uncertain { uncertain } else { plain };
             kind.percent += hit.pixels / self.pixels * 100.0;
             // Where a lot decides about whole frames, all that is found in one is found together.
-            kind.hits = if self.often < 1.0 {
+            kind.hits = if self.frame_share < 1.0 {
                 1.0
             } else {
                 kind.hits + 1.0

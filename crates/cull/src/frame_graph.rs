@@ -22,7 +22,6 @@ use crate::compute_pipeline::ComputePipeline;
 use crate::narrowing::Narrowing;
 use crate::order::back_to_front;
 use crate::pipelines::Pipelines;
-use crate::samples::outside;
 use crate::strategy::VisibleSet;
 use crate::tree::Tree;
 use crate::verdict::{Verdict, Verdicts};
@@ -330,7 +329,7 @@ impl<'g> FrameGraph<'g> {
             let (scene, frame) = (ctx.get(inputs.scene)?, ctx.get(inputs.view)?);
             let table = &scene.table;
             let mut verdicts = ctx.get_mut(chosen.verdicts)?;
-            outside(table, &mut verdicts);
+            verdicts.reset_outside(table);
             judge(ctx, table, &frame, &mut verdicts)?;
             if let Some(narrowing) = narrowing {
                 narrowing.hide(ctx, &mut verdicts)?;

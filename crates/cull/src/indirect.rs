@@ -1,4 +1,8 @@
-//! The on-gpu way: a compute node keeps the visible of each batch and writes its indirect draw. Neither stall nor delay.
+//! Indirect draws: a host node lays candidates out in runs, one a batch, and a compute node keeps those with enough visible samples and writes the draw of each
+//! run.
+//!
+//! A strategy of its own uses three steps: [`FrameGraph::lay_out`], [`FrameGraph::compact`] with counts of visible samples by slot, and
+//! [`FrameGraph::shade_indirect`].
 
 use antumbra_draw::passes::{self, IdentifiedTargets, IndirectDraws};
 use antumbra_draw::{
@@ -12,11 +16,7 @@ use bytemuck::{Pod, Zeroable};
 
 use crate::adaptive_threshold::AdaptiveThreshold;
 use crate::candidates::{Candidates, Queried};
-use crate::counting::Counts;
 use crate::frame_graph::{CULL, DRAW, FrameGraph};
-use crate::order::back_to_front;
-use crate::samples::{Allowance, CountLayout, SampleRule};
-use crate::strategy::{VerdictSource, VisibleSet};
 use crate::view_nodes::ViewNodes;
 
 /// Mirrors `Batch` of `compact.wgsl`.
@@ -36,7 +36,7 @@ struct GpuRun {
 /// Mirrors `Settings` of `compact.wgsl` and `scatter.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
-struct GpuSettings {
+pub(crate) struct GpuSettings {
     count: u32,
     padding_a: u32,
     padding_b: u32,
@@ -46,13 +46,13 @@ struct GpuSettings {
 assert_layout!(GpuRun, "compact", "Batch", { first, count, index_count, first_index, base_vertex, over, most, hidden });
 assert_layout!(GpuSettings, "compact", "Settings", { count, padding_a, padding_b, padding_c });
 
-/// Marks a candidate that is drawn whatever its count.
+/// Marks an entry that is kept whatever its count.
 const FORCED: u32 = 0x8000_0000;
-/// Marks a candidate that is not drawn whatever its count: it is in another run.
+/// Marks an entry that is never kept: another run keeps the entity.
 const BARRED: u32 = 0x4000_0000;
 
 impl GpuSettings {
-    fn counting(count: usize) -> Self {
+    pub fn counting(count: usize) -> Self {
         Self {
             count: count as u32,
             padding_a: 0,
@@ -62,45 +62,54 @@ impl GpuSettings {
     }
 }
 
-/// The visible samples that keep an entity in a run: more than `over`, at most `most`; or, where it is to be hidden, none.
+/// The visible samples with which a run keeps an entity: more than `over` and at most `most`, or none at all.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SampleBounds {
     /// More than this.
     pub over: u32,
     /// At most this.
     pub most: u32,
-    /// None at all, whatever the other two say.
+    /// Keeps entities without visible samples instead.
     pub hidden: bool,
 }
 
 impl SampleBounds {
-    /// Any sample.
+    /// At least one sample.
     pub const SEEN: Self = Self {
         over: 0,
         most: u32::MAX,
         hidden: false,
     };
-    /// No sample.
+    /// No sample at all.
     pub const HIDDEN: Self = Self {
         hidden: true,
         ..Self::SEEN
     };
 }
 
-/// Candidates laid out for the compaction.
+/// How large a layout may get.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LayoutSize {
+    /// The most runs: batches for a list in canonical order, slots for one in an order of its own.
+    pub runs: u32,
+    /// The most entries a slot.
+    pub entries_a_slot: u64,
+}
+
+/// Candidates that are laid out for [`FrameGraph::compact`].
 #[derive(Debug, Clone, Copy)]
 pub struct IndirectLayout {
     list: Host<DrawList>,
     entries: Buffer,
     runs: Buffer,
     settings: Buffer,
-    /// Runs there is room for.
-    most: u32,
+    /// The number of runs there is room for.
+    most_runs: u32,
     /// Bytes of `entries`, and of what is kept of them.
     entry_bytes: u64,
 }
 
-/// What a layout is made of: the list, its entries with their marks, its runs with their bounds.
+/// A layout that is being filled: the list, and for the GPU its entries with their marks and its runs with their bounds.
 pub struct LayoutEntries<'a> {
     /// The list to fill.
     pub list: &'a mut DrawList,
@@ -109,7 +118,7 @@ pub struct LayoutEntries<'a> {
 }
 
 impl LayoutEntries<'_> {
-    /// Once the list is filled: gives each run its bounds, and marks what is drawn whatever its count.
+    /// Call this once the list is filled: gives each run its bounds, and marks the entities that are drawn whatever their count (`forced`).
     pub fn bound(
         &mut self,
         table: &SceneTable,
@@ -134,103 +143,12 @@ impl LayoutEntries<'_> {
 }
 
 impl FrameGraph<'_> {
-    pub(crate) fn visible_on_gpu(
-        &mut self,
-        view: &mut ViewNodes,
-        candidates: Host<Candidates>,
-        counts: Counts,
-        (rule, within): (SampleRule, Allowance),
-    ) -> VisibleSet {
-        let by_slot = match counts.layout {
-            CountLayout::BySlot => counts.buffer,
-            CountLayout::ByQuery => self.scatter(view, counts),
-        };
-        let adapted = within
-            .allows()
-            .then(|| self.adaptive_threshold(view, candidates, by_slot, (rule, within)));
-        let among = (candidates, counts.queried);
-        let solid = self.layout(view, "candidates", among, rule, false);
-        let solid = self.compact_above(view, "visible set", solid, by_slot, adapted);
-        self.shade_indirect(view, "shaded", solid);
-        if self.scene_layout().transparent {
-            let blended = self.layout(view, "transparent candidates", among, rule, true);
-            let name = "visible transparent set";
-            let blended = self.compact_above(view, name, blended, by_slot, adapted);
-            self.shade_indirect(view, "transparent", blended);
-        }
-        VerdictSource::Gpu {
-            candidates,
-            asked: counts.queried,
-            counts: by_slot,
-            layout: CountLayout::BySlot,
-            rule,
-            adapted,
-        }
-        .into()
-    }
-
-    /// Lays the full meshes of the candidates out: the list, and for the GPU its entries and runs.
-    fn layout(
-        &mut self,
-        view: &ViewNodes,
-        name: &str,
-        (candidates, asked): (Host<Candidates>, Host<Queried>),
-        rule: SampleRule,
-        transparent: bool,
-    ) -> IndirectLayout {
-        // Back to front, neighbours seldom share a batch: as many runs as slots at worst.
-        let levels = if rule.coarser > 0 && !transparent {
-            SampleRule::LEVELS
-        } else {
-            1
-        };
-        let most = if transparent {
-            self.scene_layout().slots.max(1)
-        } else {
-            self.scene_layout().batches * u32::from(levels)
-        };
-        self.lay_out(
-            view,
-            name,
-            (most, u64::from(levels)),
-            |node| {
-                node.read(candidates).read(asked);
-            },
-            move |ctx, table, frame, laid| {
-                let candidates = ctx.get(candidates)?;
-                let unasked = unasked(&candidates, &*ctx.get(asked)?);
-                let members = candidates
-                    .inside()
-                    .iter()
-                    .copied()
-                    .filter(|slot| table.is_transparent(*slot) == transparent);
-                if transparent {
-                    let draw = members.map(|slot| (slot, 0));
-                    back_to_front(laid.list, table, frame, draw);
-                } else if levels > 1 {
-                    // Each level of a batch is a run of its own, with all that may come to it; the counts decide to which.
-                    let every = members.flat_map(|slot| {
-                        let own = table.levels_of(slot).min(levels);
-                        (0..own).map(move |level| (slot, level))
-                    });
-                    laid.list.fill_levels(table, every, levels);
-                } else {
-                    laid.list.fill(table, members, MeshDetail::Level(0));
-                }
-                let forced =
-                    |slot: u32| candidates.is_exempt(slot) || unasked.binary_search(&slot).is_ok();
-                laid.bound(table, |run| earns(table, run, rule, levels), forced);
-                Ok(())
-            },
-        )
-    }
-
-    /// A host node that lays a list out for the compaction: up to `most` runs, and as many entries as slots times `times`.
+    /// Adds a host node that lays out candidates. `reads` declares what else the node reads; `fill` fills the list and then calls [`LayoutEntries::bound`].
     pub fn lay_out(
         &mut self,
         view: &ViewNodes,
         name: &str,
-        (most, times): (u32, u64),
+        size: LayoutSize,
         reads: impl FnOnce(&mut HostBuilder<'_>),
         mut fill: impl FnMut(
             &HostContext<'_>,
@@ -243,12 +161,12 @@ impl FrameGraph<'_> {
     ) -> IndirectLayout {
         let inputs = view.inputs();
         let list = self.graph().host::<DrawList>(view.named(name));
-        let entry_bytes = self.slot_bytes() * times;
+        let entry_bytes = self.slot_bytes() * size.entries_a_slot;
         let entries = self.graph().buffer(
             view.named(&format!("{name}: slots")),
             BufferDesc::new(entry_bytes),
         );
-        let run_bytes = u64::from(most) * size_of::<GpuRun>() as u64;
+        let run_bytes = u64::from(size.runs) * size_of::<GpuRun>() as u64;
         let runs = self.graph().buffer(
             view.named(&format!("{name}: runs")),
             BufferDesc::new(run_bytes),
@@ -267,7 +185,7 @@ impl FrameGraph<'_> {
             entries: node.upload(entries),
             runs: node.upload(runs),
             settings: node.upload(settings),
-            most,
+            most_runs: size.runs,
             entry_bytes,
         };
         node.run(move |ctx| {
@@ -289,7 +207,8 @@ impl FrameGraph<'_> {
         layout
     }
 
-    /// Keeps of a layout what its counts of visible samples, a u32 a slot, earn, and writes an indirect draw a run.
+    /// Adds a compute node that keeps the entries of a layout whose counts of visible samples (a u32 a slot) are within their run's bounds, and writes one indirect draw a
+    /// run. A run that keeps nothing draws zero instances.
     pub fn compact(
         &mut self,
         view: &ViewNodes,
@@ -300,8 +219,8 @@ impl FrameGraph<'_> {
         self.compact_above(view, name, layout, counts, None)
     }
 
-    /// The same with a threshold that the GPU found this frame, beyond the runs' bounds.
-    fn compact_above(
+    /// The same, with a threshold that the GPU found for this frame in addition to the runs' bounds.
+    pub(crate) fn compact_above(
         &mut self,
         view: &ViewNodes,
         name: &str,
@@ -316,7 +235,7 @@ impl FrameGraph<'_> {
         );
         let draws = self.graph().buffer(
             view.named(&format!("{name}: draws")),
-            BufferDesc::new(u64::from(layout.most) * INDIRECT_DRAW_BYTES),
+            BufferDesc::new(u64::from(layout.most_runs) * INDIRECT_DRAW_BYTES),
         );
         let mut node = self.graph().compute(view.named(&format!("compact {name}")));
         node.group(CULL)
@@ -325,7 +244,7 @@ impl FrameGraph<'_> {
         node.storage_read(layout.runs)
             .storage_read(layout.entries)
             .storage_read(counts);
-        // Words that hold no threshold.
+        // Without an adaptive threshold the binding is filled by another buffer that the shader does not read.
         let adapted = adapted.map_or(layout.settings, |adapted| adapted.buffer);
         if adapted != layout.settings {
             node.storage_read(adapted);
@@ -356,12 +275,12 @@ impl FrameGraph<'_> {
         }
     }
 
-    /// Shades what was kept.
+    /// Shades the kept entities.
     pub fn shade_indirect(&mut self, view: &mut ViewNodes, name: &str, what: IndirectDraws) {
         self.shade_kept(view, name, what, self.shaded_kind(), None);
     }
 
-    /// Shades what was kept, with the entities' ids beside the colour.
+    /// Shades the kept entities, and writes their ids to a second target.
     pub fn shade_identified(
         &mut self,
         view: &mut ViewNodes,
@@ -391,81 +310,19 @@ impl FrameGraph<'_> {
         view.targets = out.targets;
         out.ids
     }
-
-    /// Brings the answers of hardware queries into the order of slots.
-    fn scatter(&mut self, view: &ViewNodes, counts: Counts) -> Buffer {
-        let pipeline = self.compute_pipeline(&jobs::scatter::JOB, "scatter");
-        let bytes = self.slot_bytes();
-        let asked = self
-            .graph()
-            .buffer(view.named("asked slots"), BufferDesc::new(bytes));
-        let settings = self.graph().buffer(
-            view.named("asked: settings"),
-            BufferDesc::new(size_of::<GpuSettings>() as u64),
-        );
-        let mut node = self.graph().host_node(view.named("submit asked"));
-        node.group(CULL).read(counts.queried);
-        let (asked, settings) = (node.upload(asked), node.upload(settings));
-        node.run(move |ctx| {
-            let slots = ctx.get(counts.queried)?;
-            let number = GpuSettings::counting(slots.slots.len());
-            ctx.upload(asked, 0, bytemuck::cast_slice(&slots.slots))?;
-            ctx.upload(settings, 0, bytemuck::bytes_of(&number))?;
-            Ok(())
-        });
-        let by_slot = self.sample_counts(view);
-        let mut node = self.graph().compute(view.named("scatter answers"));
-        node.group(CULL)
-            .read(counts.queried)
-            .storage_read(settings)
-            .storage_read(asked)
-            .storage_read(counts.buffer);
-        let by_slot = node.storage_write(by_slot);
-        node.run(move |ctx| {
-            let groups = (ctx.get(counts.queried)?.slots.len() as u32).div_ceil(64);
-            if groups == 0 {
-                return Ok(());
-            }
-            let binds = [
-                Bind::Buffer(0, settings),
-                Bind::Buffer(1, asked),
-                Bind::Buffer(2, counts.buffer),
-                Bind::Buffer(3, by_slot),
-            ];
-            pipeline.dispatch(ctx, &binds, [groups, 1])
-        });
-        by_slot
-    }
 }
 
-/// Candidates nobody asked about, ascending: they are drawn. Most strategies ask about all.
-pub(crate) fn unasked(candidates: &Candidates, asked: &Queried) -> Vec<u32> {
-    if asked.slots.len() >= candidates.inside().len() {
+/// Candidates that were not tested, ascending: they are drawn. Most strategies test all.
+pub(crate) fn untested(candidates: &Candidates, queried: &Queried) -> Vec<u32> {
+    if queried.slots.len() >= candidates.inside().len() {
         return Vec::new();
     }
-    let mut known = asked.slots.to_vec();
+    let mut known = queried.slots.to_vec();
     known.sort_unstable();
     let inside = candidates.inside().iter().copied();
     inside
         .filter(|slot| known.binary_search(slot).is_err())
         .collect()
-}
-
-/// The visible samples that bring an entity into a run of a list of so many levels.
-fn earns(table: &SceneTable, run: &Run, rule: SampleRule, levels: u8) -> SampleBounds {
-    let MeshDetail::Level(level) = run.detail else {
-        return SampleBounds {
-            over: rule.threshold,
-            ..SampleBounds::SEEN
-        };
-    };
-    let has_coarser = level + 1 < table.batch_levels(run.batch).min(levels);
-    let over = if has_coarser { rule.most(level + 1) } else { 0 };
-    SampleBounds {
-        over: over.max(rule.threshold),
-        most: rule.most(level),
-        hidden: false,
-    }
 }
 
 fn gpu_run(table: &SceneTable, run: &Run, bounds: SampleBounds) -> GpuRun {

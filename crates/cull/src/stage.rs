@@ -466,7 +466,7 @@ impl Stage {
             VerdictSource::Host(verdicts) => plan.get(verdicts).ok_or_else(missing)?.clone(),
             VerdictSource::Gpu {
                 candidates,
-                asked,
+                queried,
                 counts,
                 layout,
                 mut rule,
@@ -479,10 +479,10 @@ impl Stage {
                     rule.threshold = found.threshold;
                 }
                 let candidates = plan.get(candidates).ok_or_else(missing)?;
-                let asked: &Queried = plan.get(asked).ok_or_else(missing)?;
+                let queried: &Queried = plan.get(queried).ok_or_else(missing)?;
                 let bytes = read_back::buffer(&self.gpu, plan.buffer(counts).ok_or_else(missing)?)?;
                 let mut samples = Samples::default();
-                samples.take(asked, layout, &bytes);
+                samples.take(queried, layout, &bytes);
                 let mut verdicts = Verdicts::default();
                 samples.judge(scene.table(), candidates, rule, &mut verdicts);
                 verdicts

@@ -184,7 +184,7 @@ pub(crate) enum VerdictSource {
     /// On the GPU: they follow from the counts, the candidates and the rule.
     Gpu {
         candidates: Host<Candidates>,
-        asked: Host<crate::Queried>,
+        queried: Host<crate::Queried>,
         counts: Buffer,
         layout: crate::CountLayout,
         rule: crate::SampleRule,
@@ -217,7 +217,7 @@ impl VisibleSet {
     ) -> Self {
         VerdictSource::Gpu {
             candidates,
-            asked: counts.queried,
+            queried: counts.queried,
             counts: counts.buffer,
             layout: counts.layout,
             rule: rule.into(),

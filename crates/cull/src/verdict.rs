@@ -1,5 +1,7 @@
 //! Verdicts: for each occludee, whether it is drawn and why.
 
+use antumbra_draw::SceneTable;
+
 /// Why an occludee is drawn or not.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[repr(u8)]
@@ -15,9 +17,9 @@ pub enum Verdict {
     BelowThreshold,
     /// More samples passed than the threshold. Drawn.
     Visible,
-    /// No answer about it from this camera cut, it reaches over the near plane, or the scene says that it is not tested. Drawn.
+    /// There is no answer from this camera cut, the entity crosses the near plane, or the scene says that it is not tested. Drawn.
     Untested,
-    /// It came after the answer was asked for. Drawn.
+    /// It was added after the query. Drawn.
     New,
 }
 
@@ -57,10 +59,10 @@ pub struct Verdicts {
     of: Vec<Verdict>,
     /// By slot as far as it reaches; level 0 beyond.
     levels: Vec<u8>,
-    /// What a test said of those that are drawn whatever it says; ascending.
+    /// The test results of entities that are drawn whatever the result; ascending by slot.
     noted: Vec<(u32, bool)>,
-    asked: u32,
-    /// Visible samples of those below the threshold.
+    tested: u32,
+    /// Visible samples of the entities below the threshold.
     left_out: u64,
     /// Pixels of the image they were counted in; 0: unknown.
     counted_in: u32,
@@ -73,38 +75,46 @@ impl Verdicts {
         self.of.resize(slots as usize, verdict);
         self.levels.clear();
         self.noted.clear();
-        self.asked = 0;
+        self.tested = 0;
         (self.left_out, self.counted_in) = (0, 0);
     }
 
-    /// Notes the visible samples of an entity that is left out all the same.
+    /// Starts anew: every live entity of a scene outside the frustum, every free slot absent.
+    pub fn reset_outside(&mut self, table: &SceneTable) {
+        self.reset(table.slots(), Verdict::Absent);
+        for slot in table.live_slots() {
+            self.set(slot, Verdict::OutsideFrustum);
+        }
+    }
+
+    /// Adds the visible samples of an entity that is below the threshold.
     pub fn leave_out(&mut self, samples: u32) {
         self.left_out += u64::from(samples);
     }
 
-    /// Says of how many pixels an image is that samples were counted in.
+    /// Sets the number of pixels of the image that samples were counted in.
     pub fn share_left_out_of(&mut self, pixels: u32) {
         self.counted_in = pixels;
     }
 
-    /// What those below the threshold have of the image by the samples that were counted, in percent: wrong pixels that were meant. `None` where
-    /// nobody counted.
+    /// The part of the image, in percent, that the entities below the threshold cover by their counted samples: wrong pixels that were intended. `None`
+    /// where nothing was counted.
     pub fn left_out_percent(&self) -> Option<f64> {
         let of = f64::from(self.counted_in);
         (of > 0.0).then(|| self.left_out as f64 / of * 100.0)
     }
 
-    /// Counts entities that were asked about: hardware queries, or proxies whose samples were counted.
-    pub fn add_tested(&mut self, asked: u32) {
-        self.asked += asked;
+    /// Adds to the number of tests: hardware queries, or proxies whose samples were counted.
+    pub fn add_tested(&mut self, tests: u32) {
+        self.tested += tests;
     }
 
-    /// How many entities were asked about to reach these verdicts.
+    /// How many tests these verdicts took.
     pub fn tested(&self) -> u32 {
-        self.asked
+        self.tested
     }
 
-    /// Whether the same entities are drawn for the same reasons and at the same levels, however many were asked about.
+    /// Whether the same entities are drawn for the same reasons and at the same levels, however many tests that took.
     pub fn agree(&self, other: &Self) -> bool {
         self.of == other.of && self.levels == other.levels
     }
@@ -121,7 +131,7 @@ impl Verdicts {
         self.of.get(slot as usize).copied().unwrap_or_default()
     }
 
-    /// Has a slot drawn at a level of detail; 0 is the full mesh, and what is drawn where nobody says otherwise.
+    /// Sets the level of detail that a slot is drawn at; 0, the default, is the full mesh.
     pub fn set_level(&mut self, slot: u32, level: u8) {
         let at = slot as usize;
         if at < self.of.len() && (level > 0 || at < self.levels.len()) {
@@ -145,13 +155,13 @@ impl Verdicts {
             .map_or(1, |most| most.saturating_add(1))
     }
 
-    /// Notes what a test said of a slot that is drawn whatever it says: whether any sample was visible. Slots come in ascending order.
+    /// Notes the test result of a slot that is drawn whatever the result: whether any sample was visible. Slots must be in ascending order.
     pub fn note(&mut self, slot: u32, seen: bool) {
         self.noted.push((slot, seen));
     }
 
-    /// Whether a test found a visible sample of a slot, be it drawn or not; `None` where no test has said anything yet. What would be fetched to
-    /// show a slot need not be until this is `Some(true)`.
+    /// Whether a test found a visible sample of a slot, drawn or not; `None` before the first result. Data that is paged in to show a slot need not be fetched
+    /// until this is `Some(true)`.
     pub fn seen(&self, slot: u32) -> Option<bool> {
         match self.get(slot) {
             Verdict::Absent => None,

@@ -1,4 +1,4 @@
-//! From counts to a visible set: one edge of the graph decides whether it takes a frame, a stall, or neither.
+//! From counts to a visible set. One edge of the graph decides whether that costs a frame of delay, a stall, or neither.
 
 use antumbra_graph::Host;
 
@@ -6,12 +6,13 @@ use crate::candidates::Candidates;
 use crate::counting::Counts;
 use crate::frame_graph::{CULL, FrameGraph};
 use crate::latency::Latency;
-use crate::samples::{Allowance, SampleRule, Samples};
+use crate::sample_rule::{Allowance, SampleRule, Selection};
+use crate::samples::Samples;
 use crate::strategy::VisibleSet;
 use crate::view_nodes::ViewNodes;
 
 impl FrameGraph<'_> {
-    /// Shades what the rule (a threshold alone, or more) makes of each entity's visible samples, by answers of the given latency.
+    /// Shades the entities that a rule (a number is a threshold) selects by their visible samples. `latency` says which counts are used.
     pub fn visible_samples(
         &mut self,
         view: &mut ViewNodes,
@@ -24,8 +25,8 @@ impl FrameGraph<'_> {
         self.visible_samples_within(view, candidates, counts, latency, rule, &none)
     }
 
-    /// The same with a threshold that each frame is as high as an allowance lets it be by the counts it goes by. On the GPU, where no host sees these, a
-    /// compute node turns it; an allowance that stands at 0 when this is declared has none there, and stays without effect.
+    /// The same, with a threshold that each frame is as high as an allowance permits by that frame's counts. On the GPU a compute node finds it; there, an
+    /// allowance that is 0 when this is declared has no such node and stays without effect.
     pub fn visible_samples_within(
         &mut self,
         view: &mut ViewNodes,
@@ -35,22 +36,24 @@ impl FrameGraph<'_> {
         rule: impl Into<SampleRule>,
         allowance: &Allowance,
     ) -> VisibleSet {
-        let rule = rule.into();
-        let within = allowance.shared();
+        let selection = Selection {
+            rule: rule.into(),
+            allowance: allowance.shared(),
+        };
         match latency {
-            Latency::FrameLate => self.visible_late(view, candidates, counts, (rule, within)),
-            Latency::SameFrame => self.visible_now(view, candidates, counts, (rule, within)),
-            Latency::OnGpu => self.visible_on_gpu(view, candidates, counts, (rule, within)),
+            Latency::FrameLate => self.visible_late(view, candidates, counts, selection),
+            Latency::SameFrame => self.visible_now(view, candidates, counts, selection),
+            Latency::OnGpu => self.visible_on_gpu(view, candidates, counts, selection),
         }
     }
 
-    /// `counts.previous()`, read by a host node: no stall, the answer one frame old. The newest answer stays in use until a newer one is there.
+    /// `counts.previous()`, read by a host node: no stall, the answer is one frame old. The newest answer stays in use until a newer one arrives.
     fn visible_late(
         &mut self,
         view: &mut ViewNodes,
         candidates: Host<Candidates>,
         counts: Counts,
-        (rule, within): (SampleRule, Allowance),
+        selection: Selection,
     ) -> VisibleSet {
         let samples = self.graph().host::<Samples>(view.named("latest samples"));
         let mut node = self.graph().host_node(view.named("read late"));
@@ -72,7 +75,7 @@ impl FrameGraph<'_> {
             move |ctx, table, _, verdicts| {
                 let candidates = ctx.get(candidates)?;
                 ctx.get(samples)?
-                    .judge_within(table, &candidates, rule, &within, verdicts);
+                    .judge_within(table, &candidates, &selection, verdicts);
                 Ok(())
             },
         );
@@ -85,7 +88,7 @@ impl FrameGraph<'_> {
         view: &mut ViewNodes,
         candidates: Host<Candidates>,
         counts: Counts,
-        (rule, within): (SampleRule, Allowance),
+        selection: Selection,
     ) -> VisibleSet {
         let mut samples = Samples::default();
         let chosen = self.choose(
@@ -102,7 +105,7 @@ impl FrameGraph<'_> {
                     ctx.bytes(counts.buffer)?,
                 );
                 let candidates = ctx.get(candidates)?;
-                samples.judge_within(table, &candidates, rule, &within, verdicts);
+                samples.judge_within(table, &candidates, &selection, verdicts);
                 Ok(())
             },
         );

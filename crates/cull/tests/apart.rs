@@ -1,7 +1,9 @@
 //! Occluders and occludees need not be the same candidates: what nobody asks about is drawn, whenever the answers are used.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{Counting, DeclareError, FrameGraph, Latency, Strategy, ViewNodes, VisibleSet};
+use antumbra_cull::{
+    Counting, DeclareError, FrameGraph, Latency, ProxySource, Strategy, ViewNodes, VisibleSet,
+};
 use antumbra_draw::MeshDetail;
 use antumbra_verify::kit::{Case, Kit};
 
@@ -45,8 +47,14 @@ impl Strategy for Apart {
         });
         let proxies = g.proxies_of(
             view,
-            (hiding, MeshDetail::Level(0)),
-            (questioned, MeshDetail::Level(0)),
+            ProxySource {
+                candidates: hiding,
+                detail: MeshDetail::Level(0),
+            },
+            ProxySource {
+                candidates: questioned,
+                detail: MeshDetail::Level(0),
+            },
         );
         let counts = g.count_samples(view, proxies, self.counting, view.size());
         Ok(g.visible_samples(view, candidates, counts, self.latency, 0))

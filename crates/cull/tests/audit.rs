@@ -1,4 +1,4 @@
-//! The audit against the oracle: a census counts what the oracle counts, lots are right on average and within their interval as often as
+//! The audit against the oracle: a census counts what the oracle counts, plan are right on average and within their interval as often as
 //! they say, and what is audited draws what it drew before.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -67,7 +67,7 @@ fn fly(
 
 const CENSUS: AuditOptions = AuditOptions {
     share: 0.02,
-    often: 1.0,
+    frame_share: 1.0,
     seed: 0,
     census: true,
 };
@@ -198,7 +198,7 @@ fn glass_holes_points_and_mirrored_meshes_are_audited_as_they_are_drawn() {
 fn lots_are_right_on_average() {
     let gpu = vulkan();
     let scene = GpuScene::new(gpu, &mut balls_with_proxies(7)).unwrap();
-    // Nothing moves: the truth is known from one look, and many lots are soon drawn.
+    // Nothing moves: the truth is known from one look, and many plan are soon drawn.
     let camera = camera(9, 9.0);
     let mut oracle = Oracle::new(&scene, SIZE);
     for strategy in [
@@ -258,7 +258,7 @@ fn the_truth_lies_within_the_interval_as_often_as_it_says() {
     ] {
         let audit = AuditOptions {
             share: 0.5,
-            often,
+            frame_share: often,
             seed: 11,
             ..AuditOptions::default()
         };
@@ -413,7 +413,7 @@ fn patches_a_frame(scene: &GpuScene, strategy: Box<dyn Strategy>, wall: f32) -> 
         mode: Mode::Embedded,
         audit: Some(AuditOptions {
             share: 0.1,
-            often: 1.0,
+            frame_share: 1.0,
             ..AuditOptions::default()
         }),
         ..StageOptions::default()

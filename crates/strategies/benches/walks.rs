@@ -4,7 +4,7 @@
 
 use std::hint::black_box;
 
-use antumbra_cull::{Tree, Verdicts, outside};
+use antumbra_cull::{Tree, Verdicts};
 use antumbra_draw::boxes::{BoxContents, BoxList};
 use antumbra_draw::{AdapterChoice, Gpu, GpuScene, SceneTable, ViewFrame};
 use antumbra_scene::hierarchy::HierarchyShape;
@@ -53,7 +53,7 @@ fn walk(
     visible: bool,
 ) -> u32 {
     let mut boxes = BoxList::default();
-    outside(sight.table, verdicts);
+    verdicts.reset_outside(sight.table);
     walk.begin(sight, &HOW, 0, verdicts);
     loop {
         walk.advance(sight, &HOW, verdicts, &mut boxes);
@@ -68,7 +68,7 @@ fn walk(
 
 fn late(walk: &mut LateTraversal, sight: &TraversalContext<'_>, verdicts: &mut Verdicts) {
     let mut boxes = BoxList::default();
-    outside(sight.table, verdicts);
+    verdicts.reset_outside(sight.table);
     walk.begin(sight, 0);
     walk.walk(sight, &HOW, verdicts, &mut boxes);
     let asked = walk.asked(&boxes);

@@ -11,7 +11,7 @@ use antumbra_graph::{BufferDesc, Host};
 use antumbra_cull::order::by_nearest_corner;
 use antumbra_cull::{
     CULL, Candidates, DRAW, DeclareError, FrameGraph, Latency, Parameter, Setting, SettingError,
-    Strategy, Tunable, Value, Verdict, Verdicts, ViewNodes, VisibleSet, assign, describe, outside,
+    Strategy, Tunable, Value, Verdict, Verdicts, ViewNodes, VisibleSet, assign, describe,
     query_detail,
 };
 use antumbra_scene::hierarchy::HierarchyShape;
@@ -165,7 +165,7 @@ fn begin(
             ctx.get(candidates)?,
         );
         let (mut walk, mut verdicts) = (ctx.get_mut(walk)?, ctx.get_mut(verdicts)?);
-        outside(&scene.table, &mut verdicts);
+        verdicts.reset_outside(&scene.table);
         for slot in candidates.exempt() {
             verdicts.set(*slot, Verdict::Untested);
         }

@@ -6,9 +6,9 @@
 use antumbra_draw::MeshDetail;
 
 use antumbra_cull::{
-    Allowance, Counting, DeclareError, Dial, FrameGraph, Latency, Parameter, ProxyLimits,
-    SampleRule, Setting, SettingError, Step, Strategy, Tunable, Value, ViewNodes, VisibleSet,
-    assign, describe, shortest,
+    Allowance, AtNearPlane, Counting, DeclareError, Dial, FrameGraph, Latency, Parameter,
+    ProxyLimits, ProxySource, SampleRule, Setting, SettingError, Step, Strategy, Tunable, Value,
+    ViewNodes, VisibleSet, assign, describe, shortest,
 };
 
 /// The strategy `three-pass`.
@@ -264,11 +264,20 @@ impl Strategy for ThreePass {
         let candidates = g.in_frustum(view);
         let proxies = g.proxies_within(
             view,
-            (candidates, self.occluders.detail()),
-            (candidates, self.occludees.detail()),
+            ProxySource {
+                candidates,
+                detail: self.occluders.detail(),
+            },
+            ProxySource {
+                candidates,
+                detail: self.occludees.detail(),
+            },
             ProxyLimits {
                 deviation: self.deviation,
-                cut_hide: self.latency != Latency::FrameLate,
+                at_near_plane: match self.latency {
+                    Latency::FrameLate => AtNearPlane::HideNothing,
+                    Latency::SameFrame | Latency::OnGpu => AtNearPlane::Hide,
+                },
             },
         );
         let counts = g.count_samples(view, proxies, way, size);

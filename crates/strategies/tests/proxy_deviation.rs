@@ -99,7 +99,7 @@ fn leaping(scene: &GpuScene, text: &str) -> (Vec<Drawn>, Vec<LeftOut>) {
     let options = StageOptions {
         audit: Some(AuditOptions {
             // What the GPU leaves out is told of frames that are looked at.
-            often: 1.0,
+            frame_share: 1.0,
             ..AuditOptions::default()
         }),
         ..StageOptions::default()

@@ -7,7 +7,7 @@ use super::FrameAudit;
 /// A share of wrong pixels, in percent of a view's pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
-    /// Unbiased: its mean over all lots is the truth.
+    /// Unbiased: its mean over all plan is the truth.
     pub percent: f64,
     /// With [`Self::CONFIDENCE`] the truth lies at or above this,
     pub low: f64,
@@ -44,7 +44,7 @@ impl Estimate {
             });
             let found = frame.hits.iter().map(|hit| hit.pixels);
             // Where a lot decides about whole frames, all that is found in one is found or missed together.
-            match frame.often < 1.0 && !frame.hits.is_empty() {
+            match frame.frame_share < 1.0 && !frame.hits.is_empty() {
                 true => hits.push(found.sum()),
                 false => hits.extend(found),
             }
@@ -85,11 +85,11 @@ impl Estimate {
 /// at. Where a part p of the frames is, W wrong ones go unhit with a chance of 1 - p + p exp(-W / (p M)); its logarithm is convex in W, so its chord over all of
 /// a frame's pixels bounds it.
 fn unit(frame: &FrameAudit) -> f64 {
-    let (often, pixels) = (frame.often, frame.pixels);
-    if often >= 1.0 || frame.heaviest <= 0.0 {
+    let (frame_share, pixels) = (frame.frame_share, frame.pixels);
+    if frame_share >= 1.0 || frame.heaviest <= 0.0 {
         return frame.heaviest;
     }
-    let unhit = 1.0 - often + often * (-pixels / (often * frame.heaviest)).exp();
+    let unhit = 1.0 - frame_share + frame_share * (-pixels / (frame_share * frame.heaviest)).exp();
     pixels / -unhit.ln()
 }
 
@@ -171,13 +171,13 @@ mod tests {
         FrameAudit {
             pixels: 10_000.0,
             heaviest,
-            looked: true,
-            often: 1.0,
+            sampled: true,
+            frame_share: 1.0,
             hits: hits
                 .iter()
                 .map(|pixels| Hit {
                     pixels: *pixels,
-                    doubtful: false,
+                    uncertain: false,
                 })
                 .collect(),
             ..FrameAudit::default()
@@ -238,7 +238,7 @@ mod tests {
                         let seen = random.random_bool(often) && number < wrong_frames;
                         let hits: &[f64] = if seen { &[400.0; 100] } else { &[] };
                         FrameAudit {
-                            often,
+                            frame_share: often,
                             ..frame(400.0, hits)
                         }
                     })

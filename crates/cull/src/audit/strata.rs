@@ -1,36 +1,36 @@
 //! Two kinds of patches: those on which an entity lies that was culled though a sample of it showed, and all others. The first are few and hold
-//! most of what an aggressive setting gets wrong, so they are looked at more often, by as much as it pays (Neyman, *On the Two Different
+//! most of what an aggressive setting gets wrong, so they are looked at more frame_share, by as much as it pays (Neyman, *On the Two Different
 //! Aspects of the Representative Method*, 1934).
 
 use antumbra_draw::SceneTable;
 use antumbra_draw::patches::PATCH_SIDE;
 
-use super::cover::Covers;
+use super::screen_box::ScreenProjector;
 
 /// Kinds of patches.
 pub(super) const STRATA: usize = 2;
 /// Any other patch.
 pub(super) const PLAIN: usize = 0;
 /// A patch with an entity below the threshold.
-pub(super) const DOUBTFUL: usize = 1;
+pub(super) const UNCERTAIN: usize = 1;
 
-/// The image in patches, and which of them are doubtful.
+/// The image in patches, and which of them are uncertain.
 #[derive(Debug, Default)]
 pub(super) struct Patches {
     pub columns: u32,
     pub rows: u32,
-    is_doubtful: Vec<bool>,
+    is_uncertain: Vec<bool>,
     /// The patches of each kind, ascending.
     kinds: [Vec<u32>; STRATA],
 }
 
 impl Patches {
-    /// All patches of an image, none of them doubtful.
+    /// All patches of an image, none of them uncertain.
     pub fn reset(&mut self, [width, height]: [u32; 2]) {
         self.columns = width.div_ceil(PATCH_SIDE);
         self.rows = height.div_ceil(PATCH_SIDE);
-        self.is_doubtful.clear();
-        self.is_doubtful.resize(self.number() as usize, false);
+        self.is_uncertain.clear();
+        self.is_uncertain.resize(self.number() as usize, false);
         self.part();
     }
 
@@ -48,10 +48,10 @@ impl Patches {
         self.kinds.get(kind).map_or(&[], Vec::as_slice)
     }
 
-    /// Marks patches as doubtful.
+    /// Marks patches as uncertain.
     pub fn mark(&mut self, patches: impl Iterator<Item = u32>) {
         for patch in patches {
-            if let Some(marked) = self.is_doubtful.get_mut(patch as usize) {
+            if let Some(marked) = self.is_uncertain.get_mut(patch as usize) {
                 *marked = true;
             }
         }
@@ -63,23 +63,23 @@ impl Patches {
         for kind in &mut self.kinds {
             kind.clear();
         }
-        for (doubtful, patch) in self.is_doubtful.iter().zip(0..) {
-            self.kinds[if *doubtful { DOUBTFUL } else { PLAIN }].push(patch);
+        for (uncertain, patch) in self.is_uncertain.iter().zip(0..) {
+            self.kinds[if *uncertain { UNCERTAIN } else { PLAIN }].push(patch);
         }
     }
 
-    /// Marks the patches that entities below the threshold lie on. What is left unmarked is merely looked at less often, so boxes do for meshes.
-    pub fn doubt(
+    /// Marks the patches that entities below the threshold lie on. What is left unmarked is merely looked at less frame_share, so boxes do for meshes.
+    pub fn mark_uncertain(
         &mut self,
         table: &SceneTable,
-        covers: &Covers,
+        projector: &ScreenProjector,
         left_out: impl Iterator<Item = u32>,
     ) {
         let columns_a_row = self.columns;
-        let shadows = left_out.map(|slot| covers.shadow(table, slot));
+        let screen_boxes = left_out.map(|slot| projector.project(table, slot));
         // What is seen anywhere says nothing about where to look.
-        let somewhere = shadows.filter(|shadow| !shadow.is_everywhere());
-        let places = somewhere.filter_map(|shadow| covers.patches(&shadow));
+        let somewhere = screen_boxes.filter(|screen_box| !screen_box.is_everywhere());
+        let places = somewhere.filter_map(|screen_box| projector.patches(&screen_box));
         self.mark(places.flat_map(|[columns, rows]| {
             (rows[0]..=rows[1]).flat_map(move |row| {
                 (columns[0]..=columns[1]).map(move |column| row * columns_a_row + column)

@@ -20,7 +20,7 @@ pub(super) struct ErrorKeeper {
     saved: f64,
     variance: f64,
     /// What was found of what was meant to be left out, and what was meant.
-    doubtful: [f64; 2],
+    uncertain: [f64; 2],
     /// What a frame may leave out by its own count on average, in percent.
     share: f64,
     /// What frames did not leave out of their shares, for want of anything small, added up; below 0: what they left out beyond them.
@@ -83,7 +83,7 @@ impl ErrorKeeper {
             patience: 0,
             saved: 0.0,
             variance: 0.0,
-            doubtful: [0.0; 2],
+            uncertain: [0.0; 2],
             share: 0.0,
             unspent: 0.0,
             patch: 100.0,
@@ -101,21 +101,21 @@ impl ErrorKeeper {
 
     /// Takes in what the audit found in a frame; `now` is the frame that is about to be drawn. Says where to stand from now on.
     pub fn note(&mut self, found: &FrameAudit, now: u64) -> BudgetState {
-        let [plain, doubtful] = found.by_kind();
-        self.saved += self.budget - plain.percent - doubtful.percent;
+        let [plain, uncertain] = found.by_kind();
+        self.saved += self.budget - plain.percent - uncertain.percent;
         // More than a horizon's worth of frugality is not handed down, nor of debts.
         let most = self.budget * HORIZON;
         self.saved = self.saved.clamp(-4.0 * most, most);
         // What is found rarely, each by itself, varies by the sum of the squares (Poisson).
-        self.variance = self.variance * FADES + (plain.percent + doubtful.percent).powi(2);
-        let hits = plain.hits + doubtful.hits;
+        self.variance = self.variance * FADES + (plain.percent + uncertain.percent).powi(2);
+        let hits = plain.hits + uncertain.hits;
         let patch = found.heaviest_percent();
         self.patch = match self.frames {
             0 => patch,
             _ => self.patch + (patch - self.patch) * 0.05,
         };
         if hits > 0.0 && patch > 0.0 {
-            let each = (plain.percent + doubtful.percent) / hits / patch;
+            let each = (plain.percent + uncertain.percent) / hits / patch;
             self.taint += (each.min(1.0) - self.taint) * 0.1;
         }
         let current = found.frame >= self.since;
@@ -126,7 +126,7 @@ impl ErrorKeeper {
             }
         }
         if current && let Some(both) = found.meant() {
-            for (sum, more) in self.doubtful.iter_mut().zip(both) {
+            for (sum, more) in self.uncertain.iter_mut().zip(both) {
                 *sum = *sum * FADES + more;
             }
         }
@@ -203,7 +203,7 @@ impl ErrorKeeper {
 
     /// What may be left out by a frame's own count, of which the audit says how wrong it is.
     fn left(&self, percent: f64) -> f64 {
-        let [found, meant] = self.doubtful;
+        let [found, meant] = self.uncertain;
         let believed = BELIEF * self.a_hit();
         percent.max(0.0) / ((found + believed) / (meant + believed)).clamp(0.25, 8.0)
     }
@@ -238,10 +238,10 @@ mod tests {
             stood[at.step] += 1;
             let (base, meant) = (errors[at.step], at.allow);
             wrong += base + meant * times;
-            let mut hit = |percent: f64, doubtful| {
+            let mut hit = |percent: f64, uncertain| {
                 random
                     .random_bool((percent / a_hit).min(1.0))
-                    .then_some((a_hit, doubtful))
+                    .then_some((a_hit, uncertain))
             };
             let hits = [hit(base, false), hit(meant * times, true)];
             let found =

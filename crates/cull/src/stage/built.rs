@@ -200,7 +200,7 @@ fn declare(
             VerdictSource::Host(verdicts) => graph.output(verdicts),
             VerdictSource::Gpu {
                 candidates,
-                asked,
+                queried,
                 counts,
                 adapted,
                 ..
@@ -209,7 +209,7 @@ fn declare(
                     graph.output(adapted.buffer);
                 }
                 graph.output(candidates);
-                graph.output(asked);
+                graph.output(queried);
                 graph.output(counts);
             }
         }

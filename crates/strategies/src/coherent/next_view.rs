@@ -9,7 +9,7 @@ use super::memory::Known;
 use super::queried_list::{Asking, submit_unasked};
 use super::single_view::{Eye, blended_list, submit_blended};
 use antumbra_cull::order::by_nearest_corner;
-use antumbra_cull::{CULL, CountLayout, FrameGraph, Verdict, Verdicts, ViewNodes, outside};
+use antumbra_cull::{CULL, CountLayout, FrameGraph, Verdict, Verdicts, ViewNodes};
 
 /// An eye after `first`, waiting for its answers: those about what it drew, which it collects for both, and then its own.
 /// `collects`: whether they are still to be fetched; a third eye finds them in the memory.
@@ -56,7 +56,7 @@ pub(super) fn same_frame(
             memory.take(table, cuts, answers, true);
         }
         let mut verdicts = ctx.get_mut(verdicts)?;
-        outside(table, &mut verdicts);
+        verdicts.reset_outside(table);
         for slot in candidates.inside() {
             let verdict = match candidates.is_exempt(*slot) {
                 true => Verdict::Untested,

@@ -13,7 +13,7 @@ use antumbra_shaders::jobs;
 
 use super::CoherentSettings;
 use super::schedule::Turns;
-use antumbra_cull::indirect::{IndirectLayout, SampleBounds};
+use antumbra_cull::indirect::{IndirectLayout, LayoutSize, SampleBounds};
 use antumbra_cull::order::back_to_front;
 use antumbra_cull::{
     CULL, Candidates, CountLayout, Counting, Counts, FrameGraph, Queried, ViewNodes, VisibleSet,
@@ -83,7 +83,10 @@ fn solid(
     g.lay_out(
         view,
         name,
-        (most, 1),
+        LayoutSize {
+            runs: most,
+            entries_a_slot: 1,
+        },
         |node| {
             node.read(candidates);
         },
@@ -118,7 +121,10 @@ fn test(
     let layout = g.lay_out(
         view,
         "last occluded",
-        (most, 1),
+        LayoutSize {
+            runs: most,
+            entries_a_slot: 1,
+        },
         |node| {
             node.read(candidates);
         },
@@ -180,7 +186,10 @@ fn shade_blended(
     let layout = g.lay_out(
         view,
         name,
-        (most, 1),
+        LayoutSize {
+            runs: most,
+            entries_a_slot: 1,
+        },
         |node| {
             node.read(candidates);
         },

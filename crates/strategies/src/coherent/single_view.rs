@@ -15,7 +15,7 @@ use super::queried_list::Asking;
 use super::screen_distance::Nearness;
 use antumbra_cull::order::{back_to_front, by_nearest_corner};
 use antumbra_cull::{
-    CULL, Candidates, CountLayout, FrameGraph, Queried, Verdict, Verdicts, ViewNodes, outside,
+    CULL, Candidates, CountLayout, FrameGraph, Queried, Verdict, Verdicts, ViewNodes,
 };
 
 /// What another eye may go on from.
@@ -296,7 +296,7 @@ fn take_late(
 
 /// Verdicts from what is known.
 fn judge(memory: &Memory, table: &SceneTable, candidates: &Candidates, verdicts: &mut Verdicts) {
-    outside(table, verdicts);
+    verdicts.reset_outside(table);
     for slot in candidates.inside() {
         let known = memory.known(*slot);
         let verdict = match known {

@@ -9,7 +9,7 @@ use super::late::{LateTraversal, QueriedNodes};
 use super::one_frame::TraversalSettings;
 use super::same_frame::{fill, questions, submit_transparent};
 use crate::sketch::Sketch;
-use antumbra_cull::{CULL, FrameGraph, Verdicts, ViewNodes, VisibleSet, outside};
+use antumbra_cull::{CULL, FrameGraph, Verdicts, ViewNodes, VisibleSet};
 
 /// Declares a walk that waits for nothing.
 pub fn frame_late(
@@ -48,7 +48,7 @@ pub fn frame_late(
         let (mut walk, mut verdicts) = (ctx.get_mut(walk)?, ctx.get_mut(verdicts)?);
         let (mut list, mut boxes) = (ctx.get_mut(draw.list)?, ctx.get_mut(ask.list)?);
         looking.look(ctx, |sight, frame| {
-            outside(sight.table, &mut verdicts);
+            verdicts.reset_outside(sight.table);
             walk.begin(sight, frame.cuts);
             if let Some(late) = ctx.late(late) {
                 // Zero, or anything else: some drivers count.

@@ -10,7 +10,7 @@ use super::inputs::TraversalInputs;
 use super::one_frame::{DrawOrder, QueryMode, Traversal, TraversalSettings};
 use crate::sketch::Sketch;
 use antumbra_cull::order::back_to_front;
-use antumbra_cull::{CULL, DRAW, FrameGraph, Verdicts, ViewNodes, VisibleSet, outside};
+use antumbra_cull::{CULL, DRAW, FrameGraph, Verdicts, ViewNodes, VisibleSet};
 
 /// What goes from turn to turn.
 #[derive(Clone, Copy)]
@@ -56,7 +56,7 @@ fn begin(g: &mut FrameGraph<'_>, view: &ViewNodes, looking: TraversalInputs) -> 
     node.run(move |ctx| {
         let (mut walk, mut verdicts) = (ctx.get_mut(ends.walk)?, ctx.get_mut(ends.verdicts)?);
         looking.look(ctx, |sight, frame| {
-            outside(sight.table, &mut verdicts);
+            verdicts.reset_outside(sight.table);
             walk.begin(sight, &looking.how, frame.cuts, &mut verdicts);
             Ok(())
         })

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use antumbra_cull::{
     CountLayout, Counting, DeclareError, FrameGraph, Latency, Queried, Samples, Stamp, Strategy,
-    Verdict, Verdicts, ViewNodes, VisibleSet, outside,
+    Verdict, Verdicts, ViewNodes, VisibleSet,
 };
 use antumbra_draw::MeshDetail;
 use antumbra_strategies::ThreePass;
@@ -222,7 +222,7 @@ impl Strategy for Liar {
         let said = node.write(said);
         node.run(move |ctx| {
             let mut said = ctx.get_mut(said)?;
-            outside(&ctx.get(scene)?.table, &mut said);
+            said.reset_outside(&ctx.get(scene)?.table);
             for slot in ctx.get(inside)?.inside() {
                 said.set(*slot, Verdict::Untested);
             }

@@ -8,7 +8,7 @@ use glam::{DMat4, DVec2, DVec3};
 
 /// A view, ready to see where boxes fall.
 #[derive(Debug)]
-pub(super) struct Covers {
+pub(super) struct ScreenProjector {
     clip_from_relative: DMat4,
     size: [u32; 2],
     solid: Widening,
@@ -17,7 +17,7 @@ pub(super) struct Covers {
 
 /// Where a box falls on the image.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Shadow {
+pub(super) struct ScreenBox {
     /// In pixels from the upper left corner, on the image or not.
     least: DVec2,
     greatest: DVec2,
@@ -25,7 +25,7 @@ pub(super) struct Shadow {
     nearest: f64,
 }
 
-impl Shadow {
+impl ScreenBox {
     /// Anywhere, and before all else.
     const EVERYWHERE: Self = Self {
         least: DVec2::NEG_INFINITY,
@@ -42,7 +42,7 @@ impl Shadow {
 /// What f32 may lose of a depth: a share of it, and where depth is linear a part of the whole. Two places above that of one operation.
 const ROUNDING: f64 = 1e-5;
 
-impl Covers {
+impl ScreenProjector {
     pub fn new(view: &ViewFrame) -> Self {
         Self {
             clip_from_relative: view.clip_from_relative().as_dmat4(),
@@ -53,13 +53,13 @@ impl Covers {
     }
 
     /// Where an entity's box falls.
-    pub fn shadow(&self, table: &SceneTable, slot: u32) -> Shadow {
+    pub fn project(&self, table: &SceneTable, slot: u32) -> ScreenBox {
         let widening = match table.class_of(slot).topology() {
             Topology::Triangles => &self.solid,
             _ => &self.thin,
         };
         let Some(corners) = widening.corners(&table.oriented(slot)) else {
-            return Shadow::EVERYWHERE;
+            return ScreenBox::EVERYWHERE;
         };
         let size = DVec2::new(f64::from(self.size[0]), f64::from(self.size[1]));
         let (mut least, mut greatest) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
@@ -67,7 +67,7 @@ impl Covers {
             let clip = self.clip_from_relative * corner.as_dvec3().extend(1.0);
             // What is beside or behind the eye is seen anywhere; so is what has left the range of numbers.
             if !(clip.w > 0.0 && clip.is_finite()) {
-                return Shadow::EVERYWHERE;
+                return ScreenBox::EVERYWHERE;
             }
             let at = clip.truncate() / clip.w;
             least = least.min(at);
@@ -78,7 +78,7 @@ impl Covers {
         let lost = if linear { ROUNDING } else { 0.0 };
         // Upwards in clip space is downwards in pixels.
         let pixels = |x: f64, y: f64| (DVec2::new(x, -y) * 0.5 + 0.5) * size;
-        Shadow {
+        ScreenBox {
             least: pixels(least.x, greatest.y),
             greatest: pixels(greatest.x, least.y),
             nearest: greatest.z * (1.0 + ROUNDING) + lost,
@@ -86,17 +86,17 @@ impl Covers {
     }
 
     /// The patches that it falls on: columns and rows, as far as the image goes; `None` for none.
-    pub fn patches(&self, shadow: &Shadow) -> Option<[[u32; 2]; 2]> {
-        let [x, y] = self.on_image(shadow, [0, 0], self.size)?;
+    pub fn patches(&self, screen_box: &ScreenBox) -> Option<[[u32; 2]; 2]> {
+        let [x, y] = self.on_image(screen_box, [0, 0], self.size)?;
         Some([x, y].map(|[least, greatest]| [least / PATCH_SIDE, greatest / PATCH_SIDE]))
     }
 
     /// What it may cover of a patch; `None` for nothing.
-    pub fn cover(&self, shadow: &Shadow, [column, row]: [u32; 2]) -> Option<Cover> {
+    pub fn cover(&self, screen_box: &ScreenBox, [column, row]: [u32; 2]) -> Option<Cover> {
         let corner = [column * PATCH_SIDE, row * PATCH_SIDE];
         let end = |at: usize| self.size[at].min(corner[at] + PATCH_SIDE);
-        let [x, y] = self.on_image(shadow, corner, [end(0), end(1)])?;
-        let nearest = shadow.nearest as f32;
+        let [x, y] = self.on_image(screen_box, corner, [end(0), end(1)])?;
+        let nearest = screen_box.nearest as f32;
         Some(Cover {
             nearest: nearest.next_up(),
             least: [x[0], y[0]],
@@ -105,15 +105,20 @@ impl Covers {
     }
 
     /// The pixels in x and in y between two corners of the image, both ends included.
-    fn on_image(&self, shadow: &Shadow, from: [u32; 2], to: [u32; 2]) -> Option<[[u32; 2]; 2]> {
+    fn on_image(
+        &self,
+        screen_box: &ScreenBox,
+        from: [u32; 2],
+        to: [u32; 2],
+    ) -> Option<[[u32; 2]; 2]> {
         let along = |least: f64, greatest: f64, from: u32, to: u32| {
             // Casts of what is out of range end at the range's ends.
             let (first, last) = (least.floor() as u32, greatest.floor() as u32);
             let inside = greatest >= f64::from(from) && last >= from && first < to;
             inside.then(|| [first.max(from), last.min(to - 1)])
         };
-        let x = along(shadow.least.x, shadow.greatest.x, from[0], to[0])?;
-        let y = along(shadow.least.y, shadow.greatest.y, from[1], to[1])?;
+        let x = along(screen_box.least.x, screen_box.greatest.x, from[0], to[0])?;
+        let y = along(screen_box.least.y, screen_box.greatest.y, from[1], to[1])?;
         Some([x, y])
     }
 }

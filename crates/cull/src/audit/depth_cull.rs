@@ -1,5 +1,5 @@
-//! Leaves out of the patches' entities what cannot show: a compute node holds the box of each against the finished depth of the pixels it
-//! covers, and writes the draws of the rest.
+//! Drops entities of the patches that cannot show: a compute node tests the box of each against the finished depth of the pixels that it covers, and
+//! writes the draws of the rest.
 
 use antumbra_draw::INDIRECT_DRAW_BYTES;
 use antumbra_draw::patches::{GpuPatchEntry, PatchDraws, PatchList};
@@ -8,7 +8,7 @@ use antumbra_shaders::{assert_layout, jobs};
 use bytemuck::{Pod, Zeroable};
 
 use super::AUDIT;
-use super::nodes::Looked;
+use super::audited_frame::AuditedFrame;
 use crate::adaptive_threshold::AdaptiveThreshold;
 use crate::frame_graph::FrameGraph;
 use crate::view_nodes::ViewNodes;
@@ -26,7 +26,7 @@ pub(super) struct GpuSettings {
 assert_layout!(GpuSettings, "cull_patches", "Settings", { count, threshold, padding_a, padding_b });
 
 impl GpuSettings {
-    /// For so many entries; who has more visible samples than the threshold is drawn already.
+    /// For `count` entries. An entity with more visible samples than the threshold is drawn already.
     pub fn new(count: usize, threshold: u32) -> Self {
         Self {
             count: count as u32,
@@ -37,7 +37,7 @@ impl GpuSettings {
     }
 }
 
-/// Bytes of an entry, and of what is kept of it.
+/// Bytes of an entry, and of a kept entry.
 pub(super) const ENTRY_BYTES: u64 = size_of::<GpuPatchEntry>() as u64;
 const KEPT_BYTES: u64 = 8;
 /// Entries a workgroup.
@@ -45,83 +45,96 @@ const LANES: u32 = 64;
 /// The most entries that one row of workgroups holds.
 pub(super) const MOST_ENTRIES: u64 = 65_535 * LANES as u64;
 
-/// What the host has listed, on the GPU.
+/// What the host lists for the patches, on the GPU.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Listed {
-    pub looked: Host<Looked>,
+pub(super) struct PatchBuffers {
+    pub frame: Host<AuditedFrame>,
     pub list: Host<PatchList>,
     pub settings: Buffer,
     pub entries: Buffer,
-    /// Draws of no instance yet.
+    /// Draws with no instances yet.
     pub draws: Buffer,
-    /// Visible samples by slot, or words of zero.
+    /// Visible samples by slot, or zeroes.
     pub counts: Buffer,
-    /// The threshold they are held against, where it is not that of the settings.
+    /// The threshold for them, where it is found on the GPU.
     pub adapted: Option<AdaptiveThreshold>,
 }
 
-/// Bytes of the draws of so many entries.
+/// What is left after the test.
+pub(super) struct DepthCulled {
+    /// The draws of the kept entries.
+    pub draws: PatchDraws,
+    /// The marks, with the indices of each patch added.
+    pub shown: Buffer,
+}
+
+/// Bytes of the draws of this many entries.
 pub(super) fn draw_bytes(entries: u64) -> u64 {
     entries * INDIRECT_DRAW_BYTES
 }
 
 impl FrameGraph<'_> {
-    /// Keeps what may show, and notes how many indices that is in what is kept of each patch.
-    pub(super) fn sift(
+    /// Keeps the entries that may show, and adds up the indices of each patch.
+    pub(super) fn depth_cull(
         &mut self,
         view: &ViewNodes,
-        listed: Listed,
-        (depth, shown): (Texture, Buffer),
+        buffers: PatchBuffers,
+        depth: Texture,
+        shown: Buffer,
         entries: u64,
-    ) -> (PatchDraws, Buffer) {
+    ) -> DepthCulled {
         let pipeline = self.compute_pipeline(&jobs::cull_patches::JOB, "cull_patches");
         let kept = self.graph().buffer(
             view.named("audit: kept"),
             BufferDesc::new(entries * KEPT_BYTES),
         );
-        let mut node = self.graph().compute(view.named("audit: sift"));
+        let mut node = self
+            .graph()
+            .compute(view.named("audit: test against depth"));
         node.group(AUDIT)
-            .read(listed.looked)
-            .read(listed.list)
-            .storage_read(listed.settings)
-            .storage_read(listed.entries)
-            .storage_read(listed.counts)
+            .read(buffers.frame)
+            .read(buffers.list)
+            .storage_read(buffers.settings)
+            .storage_read(buffers.entries)
+            .storage_read(buffers.counts)
             .sample(depth);
-        let adapted = listed.adapted.map(|adapted| adapted.buffer);
+        let adapted = buffers.adapted.map(|adapted| adapted.buffer);
         if let Some(adapted) = adapted {
             node.storage_read(adapted);
         }
         node.only_if(move |host| {
-            // A value that cannot be read is the body's to complain of.
-            let something = host.get(listed.list).map_or(true, |list| !list.is_empty());
-            // What a adapted threshold left out is noted though there is nothing to sift.
+            // The body reports a value that cannot be read.
+            let something = host.get(buffers.list).map_or(true, |list| !list.is_empty());
+            // What an adaptive threshold left out is noted even without entries.
             let notes = host
-                .get(listed.looked)
-                .map_or(true, |looked| looked.at_all());
+                .get(buffers.frame)
+                .map_or(true, |frame| frame.is_sampled());
             something || adapted.is_some() && notes
         });
         let kept = node.storage_write(kept);
-        let draws = node.storage_write(listed.draws);
+        let draws = node.storage_write(buffers.draws);
         let shown = node.storage_write(shown);
         node.run(move |ctx| {
-            let entries = ctx.get(listed.list)?.entries().len() as u32;
+            let entries = ctx.get(buffers.list)?.entries().len() as u32;
             let binds = [
-                Bind::Buffer(0, listed.settings),
-                Bind::Buffer(1, listed.entries),
-                Bind::Buffer(2, listed.counts),
+                Bind::Buffer(0, buffers.settings),
+                Bind::Buffer(1, buffers.entries),
+                Bind::Buffer(2, buffers.counts),
                 Bind::Texture(3, depth),
                 Bind::Buffer(4, kept),
                 Bind::Buffer(5, draws),
                 Bind::Buffer(6, shown),
-                Bind::Buffer(7, adapted.unwrap_or(listed.settings)),
+                Bind::Buffer(7, adapted.unwrap_or(buffers.settings)),
             ];
             pipeline.dispatch(ctx, &binds, [entries.div_ceil(LANES).max(1), 1])
         });
-        let sifted = PatchDraws {
-            list: listed.list,
-            kept,
-            draws,
-        };
-        (sifted, shown)
+        DepthCulled {
+            draws: PatchDraws {
+                list: buffers.list,
+                kept,
+                draws,
+            },
+            shown,
+        }
     }
 }

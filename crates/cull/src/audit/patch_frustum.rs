@@ -25,7 +25,7 @@ pub(super) fn frustum(view: &ViewFrame, [column, row]: [u32; 2]) -> Frustum {
 }
 
 /// Appends the slots of all tested entities whose boxes touch it, and says how many nodes of the tree that took.
-pub(super) fn walk(
+pub(super) fn visit(
     tree: &Tree,
     frustum: &Frustum,
     stack: &mut Vec<u32>,
