@@ -1,10 +1,11 @@
-//! Axis-aligned boxes in f64 and how they are moved, joined and rounded outwards, never inwards.
-//! The box of a transformed box is James Arvo's ("Transforming Axis-Aligned Bounding Boxes", Graphics Gems, 1990).
+//! Axis-aligned boxes in f64: union, transform, and rounding outwards to f32.
+//!
+//! The box of a transformed box follows James Arvo, "Transforming Axis-Aligned Bounding Boxes", Graphics Gems, 1990.
 
-mod boxes;
+mod box_array;
 
-pub use boxes::BoxArray;
-pub(crate) use boxes::{Block, Hull, LANES};
+pub use box_array::BoxArray;
+pub(crate) use box_array::{Block, Hull, LANES};
 
 use glam::{DAffine3, DVec3, Vec3};
 
@@ -18,7 +19,7 @@ pub struct Aabb {
 }
 
 impl Aabb {
-    /// The box without a point: joining it with another box gives the other.
+    /// The box that contains no point. Its union with another box is the other box.
     pub const EMPTY: Self = Self {
         min: DVec3::INFINITY,
         max: DVec3::NEG_INFINITY,
@@ -33,7 +34,7 @@ impl Aabb {
         }
     }
 
-    /// The smallest box around `points`; `None` without a point.
+    /// The smallest box around `points`; `None` if there is no point.
     pub fn from_points(points: impl IntoIterator<Item = DVec3>) -> Option<Self> {
         let mut found = Self::EMPTY;
         for point in points {
@@ -52,7 +53,7 @@ impl Aabb {
         }
     }
 
-    /// Whether no point lies in the box.
+    /// Whether the box contains no point.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         !self.min.cmple(self.max).all()
@@ -64,7 +65,7 @@ impl Aabb {
         self.min.is_finite() && self.max.is_finite()
     }
 
-    /// The smallest box around both.
+    /// The smallest box around both boxes.
     #[must_use]
     pub fn union(&self, other: &Self) -> Self {
         Self {
@@ -103,13 +104,13 @@ impl Aabb {
         self.min.cmple(point).all() && point.cmple(self.max).all()
     }
 
-    /// Whether the whole of `other` lies in this box.
+    /// Whether this box contains all of `other`.
     #[must_use]
     pub fn contains_box(&self, other: &Self) -> bool {
         other.is_empty() || (self.min.cmple(other.min).all() && other.max.cmple(self.max).all())
     }
 
-    /// Whether the two share a point, borders included.
+    /// Whether the two boxes share a point, borders included.
     #[must_use]
     pub fn overlaps(&self, other: &Self) -> bool {
         self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
@@ -122,8 +123,8 @@ impl Aabb {
         outside.length()
     }
 
-    /// The box around this box after `transform` (Arvo 1990), widened by the rounding error of the
-    /// computation, so that it holds every transformed point of this box.
+    /// The box around this box after `transform` (Arvo 1990). It is widened by the rounding error of the computation,
+    /// so it contains every transformed point of this box.
     #[must_use]
     pub fn transformed(&self, transform: &DAffine3) -> Self {
         if self.is_empty() {
@@ -137,7 +138,7 @@ impl Aabb {
         Self::from_centre(transform.transform_point3(centre), reach + slack)
     }
 
-    /// The box grown by `margin` metres on every side.
+    /// The box, larger by `margin` metres on every side.
     #[must_use]
     pub fn grown(&self, margin: DVec3) -> Self {
         Self {
@@ -146,8 +147,8 @@ impl Aabb {
         }
     }
 
-    /// The box relative to `origin` in f32, each number rounded outwards: no point of the box is lost.
-    /// Hand in the camera's position to get what a GPU may be told.
+    /// The box relative to `origin` in f32, as least and greatest corner. Each number is rounded outwards, so the f32
+    /// box contains the whole box. Pass the camera's position to get the box that goes to the GPU.
     #[must_use]
     pub fn to_f32_outward(&self, origin: DVec3) -> (Vec3, Vec3) {
         let (low, high) = (self.min - origin, self.max - origin);

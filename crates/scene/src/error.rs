@@ -1,9 +1,9 @@
-//! What a scene refuses, and why.
+//! The errors of a scene.
 
 use crate::camera::CameraError;
 use thiserror::Error;
 
-/// Why a change to a [`Scene`](crate::Scene) was refused. The scene is as it was before the call.
+/// Why a change to a [`Scene`](crate::Scene) was refused. The scene is unchanged.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum SceneError {
@@ -12,44 +12,44 @@ pub enum SceneError {
         "{entity} is not in scene \"{scene}\": it was despawned or belongs to another scene; check with Scene::contains"
     )]
     UnknownEntity {
-        /// The entity as far as it can be named.
+        /// The entity's key, and its name if known.
         entity: String,
         /// The scene's name.
         scene: String,
     },
-    /// An asset key that this scene does not hold.
+    /// The scene does not contain this asset.
     #[error("{what} {key} of {entity} is not in scene \"{scene}\": add it to this scene first")]
     UnknownAsset {
         /// "mesh", "material" or "image".
         what: &'static str,
         /// The key.
         key: String,
-        /// Who wanted it.
+        /// The user of the asset.
         entity: String,
         /// The scene's name.
         scene: String,
     },
-    /// A number that is NaN or infinite.
-    #[error("the {what} of {entity} is not finite ({value}): only finite numbers are let in")]
+    /// A number is NaN or infinite.
+    #[error("the {what} of {entity} is not finite ({value}): give finite numbers")]
     NotFinite {
         /// The entity or asset.
         entity: String,
-        /// Which of its numbers.
+        /// The name of the number.
         what: &'static str,
         /// The numbers as given.
         value: String,
     },
-    /// The new parent is the entity itself or lies below it.
+    /// The new parent is the entity itself or one of its descendants.
     #[error(
-        "{child} cannot hang below {parent}, which hangs below {child}: that would be a cycle; re-parent {parent} first"
+        "{child} cannot become a child of {parent}, which is {child} itself or its descendant: that would be a cycle; re-parent {parent} first"
     )]
     Cycle {
-        /// The entity that was to move.
+        /// The entity to move.
         child: String,
         /// Its intended parent.
         parent: String,
     },
-    /// A mesh whose numbers do not fit together.
+    /// The arrays of a mesh do not fit together.
     #[error("mesh \"{mesh}\", {part}: {problem}")]
     BadMesh {
         /// The mesh's name.
@@ -59,7 +59,7 @@ pub enum SceneError {
         /// What is wrong, and what to do.
         problem: String,
     },
-    /// An image whose pixels do not match its size.
+    /// The number of an image's bytes does not match its size.
     #[error("image of {width} x {height} pixels needs {expected} bytes of RGBA and has {actual}")]
     BadImage {
         /// Width in pixels.
@@ -71,7 +71,7 @@ pub enum SceneError {
         /// Bytes given.
         actual: usize,
     },
-    /// A camera that cannot look.
+    /// The camera is invalid.
     #[error("the camera of {entity}: {source}")]
     BadCamera {
         /// The entity.
@@ -80,7 +80,7 @@ pub enum SceneError {
         #[source]
         source: CameraError,
     },
-    /// A light with a number that means nothing.
+    /// A number of the light is invalid.
     #[error("the light of {entity}: {problem}")]
     BadLight {
         /// The entity.
@@ -88,7 +88,7 @@ pub enum SceneError {
         /// What is wrong, and what to do.
         problem: String,
     },
-    /// An environment whose strength means nothing.
+    /// The intensity of the environment is invalid.
     #[error(
         "the environment of scene \"{scene}\" has the intensity {intensity}: give a finite number, 0 or more"
     )]
@@ -98,10 +98,10 @@ pub enum SceneError {
         /// The intensity as given.
         intensity: String,
     },
-    /// More entities than a 32-bit slot can name.
+    /// The scene has as many entities as 32-bit slots can index.
     #[error("a scene holds at most {limit} entities: split it into several scenes")]
     Full {
-        /// The limit.
+        /// The greatest number of entities.
         limit: u32,
     },
 }

@@ -1,22 +1,24 @@
-//! The planes that bound what a camera sees, and which boxes they leave: one at a time, or a million at once.
-//! A box is outside when it lies wholly behind one plane (Assarsson and Möller, "Optimized View Frustum Culling
-//! Algorithms for Bounding Boxes", 2000); near the frustum's edges a box outside may count as inside, never the reverse.
+//! View frusta as sets of planes, and the test of boxes against them: one box at a time, or millions at once.
+//!
+//! A box is outside if it is wholly behind one plane (Assarsson and Möller, "Optimized View Frustum Culling
+//! Algorithms for Bounding Boxes", 2000). Near the frustum's edges a box outside may count as inside, never the
+//! reverse.
 
 use crate::bounds::{Aabb, Block, BoxArray, Hull, LANES};
 use glam::DVec3;
 use rayon::prelude::*;
 
-/// The points where `normal . p + offset` is 0; the inside is where it is above.
+/// The plane `normal . p + offset = 0`. The inside is where the value is positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
-    /// Of unit length, inwards.
+    /// The inward normal, of unit length.
     pub normal: DVec3,
-    /// Metres.
+    /// The signed distance of the world's origin from the plane, in metres.
     pub offset: f64,
 }
 
 impl Plane {
-    /// The plane through `point` whose inside lies in the direction of the unit vector `normal`.
+    /// The plane through `point` whose inside is in the direction of the unit vector `normal`.
     #[must_use]
     pub fn through(point: DVec3, normal: DVec3) -> Self {
         Self {
@@ -25,27 +27,28 @@ impl Plane {
         }
     }
 
-    /// Metres from the plane, positive inside.
+    /// The signed distance from the plane in metres, positive inside.
     #[must_use]
     pub fn distance(&self, point: DVec3) -> f64 {
         self.normal.dot(point) + self.offset
     }
 }
 
-/// What a camera sees: the inside of every plane. Five planes without a far plane, six with one.
+/// A view frustum: the intersection of the inner half-spaces of its planes. It has five planes without a far plane,
+/// six with one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frustum {
     planes: Vec<Plane>,
 }
 
 impl Frustum {
-    /// The inside of all `planes`.
+    /// The frustum with these planes.
     #[must_use]
     pub fn new(planes: Vec<Plane>) -> Self {
         Self { planes }
     }
 
-    /// Left, right, bottom, top, near and, if there is one, far.
+    /// The planes: left, right, bottom, top, near and, if there is one, far.
     #[must_use]
     pub fn planes(&self) -> &[Plane] {
         &self.planes
@@ -58,15 +61,15 @@ impl Frustum {
             return false;
         }
         let (centre, half) = (bounds.centre(), bounds.half_extents());
-        // Written so that NaN counts as inside.
+        // The comparison is written so that NaN counts as inside.
         !self
             .planes
             .iter()
             .any(|plane| plane.distance(centre) + plane.normal.abs().dot(half) < 0.0)
     }
 
-    /// Appends the indices of the boxes that may share a point with the frustum, ascending. The same boxes on every
-    /// machine and with every number of threads. Empty boxes are never among them.
+    /// Appends the indices of the boxes that may share a point with the frustum, in ascending order. The result does
+    /// not depend on the machine or the number of threads. Empty boxes are never in it.
     pub fn cull(&self, boxes: &BoxArray, out: &mut Vec<u32>) {
         let mut words = Vec::new();
         self.cull_into_bits(boxes, &mut words);
@@ -84,7 +87,7 @@ impl Frustum {
         }
     }
 
-    /// The same as a bit set: bit `i % 64` of word `i / 64` is box `i`. `out` is overwritten.
+    /// The same result as a bit set: bit `i % 64` of word `i / 64` is box `i`. `out` is overwritten.
     pub fn cull_into_bits(&self, boxes: &BoxArray, out: &mut Vec<u64>) {
         let (blocks, hulls) = boxes.blocks();
         let planes = self.wide();
@@ -106,10 +109,10 @@ impl Frustum {
     }
 }
 
-/// Blocks of 64 boxes that one thread works off at a time: large enough to be worth a thread's waking.
+/// Blocks of 64 boxes per parallel task, enough to outweigh the cost of waking a thread.
 const BLOCKS_A_TASK: usize = 256;
 
-/// A plane with what the inner loop would otherwise compute again and again.
+/// A plane with precomputed values for the inner loop.
 #[derive(Clone, Copy)]
 struct WidePlane {
     normal: [f64; 3],
@@ -118,7 +121,7 @@ struct WidePlane {
 }
 
 impl WidePlane {
-    /// The least and greatest distance inwards of a box's points.
+    /// The least and the greatest signed distance of a box's points.
     fn span(&self, centre: DVec3, half: DVec3) -> (f64, f64) {
         let distance = DVec3::from_array(self.normal).dot(centre) + self.offset;
         let reach = DVec3::from_array(self.size).dot(half);
@@ -126,8 +129,8 @@ impl WidePlane {
     }
 }
 
-/// A word a block: the boxes that may be inside. A block whose hull is wholly outside, or inside every plane, is settled
-/// without a look at its boxes; else only the planes that cut the hull are tested.
+/// One word per block: the boxes that may be inside. A block whose hull is wholly outside, or inside every plane, is
+/// decided without a test of its boxes. For other blocks only the planes that cut the hull are tested.
 fn masks(planes: &[WidePlane], blocks: &[Block], hulls: &[Hull], out: &mut [u64]) {
     let mut cutting = Vec::with_capacity(planes.len());
     for ((block, hull), out) in blocks.iter().zip(hulls).zip(out) {
@@ -136,7 +139,7 @@ fn masks(planes: &[WidePlane], blocks: &[Block], hulls: &[Hull], out: &mut [u64]
         for plane in planes {
             let (least, greatest) = plane.span(hull.centre, hull.half);
             outside |= greatest < 0.0;
-            // NaN cuts.
+            // NaN counts as a cut.
             if least < 0.0 || least.is_nan() {
                 cutting.push(*plane);
             }
@@ -149,10 +152,10 @@ fn masks(planes: &[WidePlane], blocks: &[Block], hulls: &[Hull], out: &mut [u64]
     }
 }
 
-/// Lanes that the inner loop keeps in registers.
+/// Boxes that the inner loop keeps in registers.
 const WIDTH: usize = 8;
 
-/// One bit a box of the block that is behind none of the planes. No branch depends on a box.
+/// One bit per box of the block that is behind none of the planes. No branch depends on a box.
 #[multiversion::multiversion(targets(
     "x86_64+avx512f+avx512vl+avx512dq",
     "x86_64+avx2",
@@ -170,7 +173,7 @@ fn block_mask(planes: &[WidePlane], block: &Block) -> u64 {
             for i in 0..WIDTH {
                 let distance = nx * cx[i] + ny * cy[i] + nz * cz[i] + plane.offset;
                 let greatest = distance + (sx * hx[i] + sy * hy[i] + sz * hz[i]);
-                // A comparison with NaN is false: such a box stays inside.
+                // A comparison with NaN is false, so such a box stays inside.
                 least[i] = if greatest < least[i] {
                     greatest
                 } else {

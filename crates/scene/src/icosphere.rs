@@ -1,4 +1,4 @@
-//! Spheres of triangles: an icosahedron that is divided, the usual shape to test and measure with.
+//! Spheres of triangles, made by subdividing an icosahedron. Tests and benchmarks use them.
 
 use std::collections::HashMap;
 
@@ -6,8 +6,8 @@ use glam::Vec3;
 
 use crate::mesh::Geometry;
 
-/// A sphere around the origin: an icosahedron whose triangles are split in four `splits` times (at most 8), its vertices
-/// pushed out to `radius` metres. 20 * 4^splits triangles, counter-clockwise from outside, with normals.
+/// A sphere around the origin, `radius` metres: an icosahedron whose triangles are split in four `splits` times (at
+/// most 8). It has 20 * 4^splits triangles, counter-clockwise from outside, with normals.
 #[must_use]
 pub fn icosphere(splits: u32, radius: f32) -> Geometry {
     let corners = ICOSAHEDRON_VERTICES.into_iter().map(Vec3::from_array);

@@ -1,13 +1,13 @@
-//! The four handles of the arenas. A key is generational: once its entity or asset is gone, the key
-//! answers "unknown" for ever, even when its slot is used again.
+//! The keys of the scene's arenas. A key is generational: after its entity or asset is removed, the key stays
+//! invalid, even when its slot is reused.
 
 slotmap::new_key_type! {
-    /// Names an entity of a [`Scene`](crate::Scene).
+    /// The key of an entity of a [`Scene`](crate::Scene).
     pub struct EntityKey;
-    /// Names a mesh of a [`Scene`](crate::Scene).
+    /// The key of a mesh of a [`Scene`](crate::Scene).
     pub struct MeshKey;
-    /// Names a material of a [`Scene`](crate::Scene).
+    /// The key of a material of a [`Scene`](crate::Scene).
     pub struct MaterialKey;
-    /// Names an image of a [`Scene`](crate::Scene).
+    /// The key of an image of a [`Scene`](crate::Scene).
     pub struct ImageKey;
 }

@@ -1,6 +1,6 @@
-//! Lights, as KHR_lights_punctual has them. A light stands at its entity's origin and shines along the entity's -Z.
+//! Lights after the glTF extension KHR_lights_punctual.
 
-/// A light; its place and direction are its entity's.
+/// A light. It is at its entity's origin and shines along the entity's -Z.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light {
     /// Parallel light along -Z.
@@ -10,13 +10,13 @@ pub enum Light {
         /// Lux.
         illuminance: f32,
     },
-    /// Light from a point in every direction.
+    /// Light from a point in all directions.
     Point {
         /// Linear RGB, 0..1.
         colour: [f32; 3],
         /// Candela.
         intensity: f32,
-        /// Metres after which it counts for nothing; `None` is without end.
+        /// The range in metres beyond which the light has no effect; `None` for unlimited.
         range: Option<f32>,
     },
     /// Light from a point into a cone around -Z.
@@ -25,11 +25,11 @@ pub enum Light {
         colour: [f32; 3],
         /// Candela.
         intensity: f32,
-        /// Metres after which it counts for nothing; `None` is without end.
+        /// The range in metres beyond which the light has no effect; `None` for unlimited.
         range: Option<f32>,
-        /// Angle in radians from the axis up to which the light is full.
+        /// The angle from the axis, in radians, up to which the light has full intensity.
         inner: f32,
-        /// Angle in radians from the axis from which there is no light.
+        /// The angle from the axis, in radians, beyond which there is no light.
         outer: f32,
     },
 }
@@ -45,7 +45,7 @@ impl Light {
         }
     }
 
-    /// What is wrong with the numbers, if anything.
+    /// A description of the first invalid number; `None` if all are valid.
     pub(crate) fn problem(&self) -> Option<String> {
         let bad = |what: &str, value: f32| {
             Some(format!(

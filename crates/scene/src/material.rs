@@ -1,29 +1,29 @@
-//! How a surface looks: one colour, perhaps an image, how it shines, and whether one can see through it.
+//! Materials and images.
 
 use crate::keys::ImageKey;
 
-/// A surface's look. The default is opaque white, dull, single-sided and lit.
+/// The appearance of a surface. The default is opaque white, rough, single-sided and lit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// For people; may be empty.
+    /// A name for messages; may be empty.
     pub name: String,
     /// Linear RGBA, 0..1, multiplied with the image and the vertex colours.
     pub base_colour: [f32; 4],
-    /// sRGB image looked up with the mesh's uvs.
+    /// An sRGB image, sampled with the mesh's texture coordinates.
     pub base_colour_image: Option<ImageKey>,
-    /// Two rows of three: `u' = r0 . (u, v, 1)`, `v' = r1 . (u, v, 1)`.
+    /// The transform of texture coordinates, two rows: `u' = r0 . (u, v, 1)`, `v' = r1 . (u, v, 1)`.
     pub uv_transform: [[f32; 3]; 2],
-    /// From 0, plastic or paint, to 1, bare metal, whose reflections have the base colour. Looked at where the scene has an
-    /// [`Environment`](crate::Environment) to reflect.
+    /// Metalness: 0 is a dielectric such as plastic or paint, 1 is bare metal, whose reflections have the base
+    /// colour. Used only where the scene has an [`Environment`](crate::Environment).
     pub metallic: f32,
-    /// From 0, a mirror, to 1, which reflects from all sides alike. Looked at where the scene has an
+    /// Roughness: 0 is a mirror, 1 reflects equally from all sides. Used only where the scene has an
     /// [`Environment`](crate::Environment).
     pub roughness: f32,
-    /// What alpha means.
+    /// The meaning of alpha.
     pub alpha: AlphaMode,
     /// Whether back faces are drawn.
     pub double_sided: bool,
-    /// Whether lights are ignored.
+    /// Whether the surface ignores lights.
     pub unlit: bool,
 }
 
@@ -43,69 +43,69 @@ impl Default for Material {
     }
 }
 
-/// What a material's alpha means.
+/// The meaning of a material's alpha.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum AlphaMode {
     /// Alpha is ignored.
     #[default]
     Opaque,
-    /// A sample is there when its alpha is at least `cutoff`, else it is not.
+    /// A sample is opaque if its alpha is at least `cutoff`, and absent otherwise.
     Mask {
-        /// 0..1.
+        /// The least alpha of an opaque sample, 0..1.
         cutoff: f32,
     },
-    /// Alpha blends with what is behind: an occludee only, never an occluder.
+    /// Alpha blends with the background: the entity is an occludee only, never an occluder.
     Blend,
 }
 
-/// A picture of 8-bit RGBA samples, sRGB-encoded, first row on top.
+/// An image of 8-bit RGBA samples, sRGB-encoded, top row first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {
-    /// For people; may be empty.
+    /// A name for messages; may be empty.
     pub name: String,
-    /// Pixels a row.
+    /// The width in pixels.
     pub width: u32,
-    /// Rows.
+    /// The height in pixels.
     pub height: u32,
     /// `width * height * 4` bytes.
     pub rgba: Vec<u8>,
-    /// How it is looked up.
+    /// How the image is sampled.
     pub sampler: Sampler,
 }
 
-/// How an image is looked up between and beyond its pixels.
+/// How an image is sampled between and beyond its pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Sampler {
-    /// Beyond the left and right border.
+    /// Wrapping at the left and right border.
     pub wrap_u: Wrap,
-    /// Beyond the upper and lower border.
+    /// Wrapping at the upper and lower border.
     pub wrap_v: Wrap,
-    /// When a pixel of the image covers several of the screen.
+    /// The filter where one pixel of the image covers several pixels of the screen.
     pub magnify: Filter,
-    /// When a pixel of the screen covers several of the image.
+    /// The filter where one pixel of the screen covers several pixels of the image.
     pub minify: Filter,
-    /// Whether smaller copies of the image are used, and how two of them are mixed.
+    /// The filter between two mipmap levels; `None` for no mipmaps.
     pub mipmaps: Option<Filter>,
 }
 
-/// What lies beyond an image's border.
+/// The wrapping of texture coordinates beyond an image's border.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Wrap {
-    /// The image again.
+    /// The image repeats.
     #[default]
     Repeat,
-    /// The image again, mirrored.
+    /// The image repeats, every other copy mirrored.
     Mirror,
-    /// The border's pixels.
+    /// The border's pixels continue.
     Clamp,
 }
 
-/// How values between pixels are found.
+/// A texture filter.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Filter {
-    /// Mixed from the neighbours.
+    /// Interpolation between the neighbouring pixels.
     #[default]
     Linear,
-    /// The nearest one's.
+    /// The value of the nearest pixel.
     Nearest,
 }

@@ -1,34 +1,34 @@
-//! Geometry as plain arrays: what an entity looks like, coarser versions of it, and its proxy.
+//! Meshes: geometry as plain arrays, levels of detail, and a proxy.
 
 use crate::bounds::Aabb;
 use crate::error::SceneError;
 use glam::{DVec3, Vec3};
 
-/// What an entity's geometry is, in metres, in the entity's own frame.
+/// The geometry of an entity, in metres, in the entity's own frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
-    /// For people; may be empty.
+    /// A name for messages; may be empty.
     pub name: String,
-    /// Level 0 is the full geometry, each further one coarser. At least one.
+    /// The levels of detail. Level 0 is the full geometry, each further level is coarser. At least one.
     pub levels: Vec<Geometry>,
-    /// Stand-in for tests; `None` means the full geometry.
+    /// The proxy for visibility tests; `None` means that the full geometry is tested.
     pub proxy: Option<Geometry>,
 }
 
-/// Which primitives the indices form.
+/// The type of the primitives.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Topology {
-    /// Three indices each, counter-clockwise seen from the front.
+    /// Triangles, three indices each, counter-clockwise from the front.
     #[default]
     Triangles,
-    /// Two indices each.
+    /// Lines, two indices each.
     Lines,
-    /// One index each.
+    /// Points, one index each.
     Points,
 }
 
 impl Topology {
-    /// How many indices make a primitive.
+    /// The number of indices per primitive.
     #[must_use]
     pub fn indices_per_primitive(self) -> usize {
         match self {
@@ -39,12 +39,12 @@ impl Topology {
     }
 }
 
-/// Vertices and the primitives between them. Every attribute is empty or as long as `positions`.
+/// Vertices and primitives. Every attribute is either empty or as long as `positions`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Geometry {
-    /// Which primitives the indices form.
+    /// The type of the primitives.
     pub topology: Topology,
-    /// Metres.
+    /// Positions in metres.
     pub positions: Vec<[f32; 3]>,
     /// Unit vectors, or empty.
     pub normals: Vec<[f32; 3]>,
@@ -52,12 +52,12 @@ pub struct Geometry {
     pub uvs: Vec<[f32; 2]>,
     /// Linear RGBA, or empty.
     pub colours: Vec<[u8; 4]>,
-    /// Into the arrays above.
+    /// Indices into the vertex arrays.
     pub indices: Vec<u32>,
 }
 
 impl Mesh {
-    /// A mesh of one level and without a proxy.
+    /// A mesh with one level and no proxy.
     #[must_use]
     pub fn new(name: impl Into<String>, geometry: Geometry) -> Self {
         Self {
@@ -67,19 +67,19 @@ impl Mesh {
         }
     }
 
-    /// The full geometry; `None` only for a mesh that no scene accepted.
+    /// The full geometry, level 0. Every mesh in a scene has one.
     #[must_use]
     pub fn full(&self) -> Option<&Geometry> {
         self.levels.first()
     }
 
-    /// Triangles of the full geometry.
+    /// The number of triangles of the full geometry.
     #[must_use]
     pub fn triangle_count(&self) -> usize {
         self.full().map_or(0, Geometry::triangle_count)
     }
 
-    /// The box around every level and the proxy: whatever is drawn for this mesh lies in it.
+    /// The box around every level and the proxy. It contains everything that is drawn for this mesh.
     #[must_use]
     pub fn bounds(&self) -> Option<Aabb> {
         let parts = self.levels.iter().chain(&self.proxy);
@@ -88,10 +88,10 @@ impl Mesh {
             .reduce(|a, b| a.union(&b))
     }
 
-    /// Refuses what a renderer could stumble over, naming mesh, part and number.
+    /// Refuses a mesh that a renderer cannot draw. The error names mesh, part and number.
     ///
     /// # Errors
-    /// [`SceneError::BadMesh`] without a level, and for whatever [`Geometry::problem`] finds.
+    /// [`SceneError::BadMesh`] for a mesh without a level, and as for [`Geometry::problem`].
     pub fn validate(&self) -> Result<(), SceneError> {
         let bad = |part: String, problem: String| SceneError::BadMesh {
             mesh: self.name.clone(),
@@ -118,7 +118,7 @@ impl Mesh {
 }
 
 impl Geometry {
-    /// How many triangles the indices form; 0 for lines and points.
+    /// The number of triangles; 0 for lines and points.
     #[must_use]
     pub fn triangle_count(&self) -> usize {
         match self.topology {
@@ -127,7 +127,7 @@ impl Geometry {
         }
     }
 
-    /// The triangles' corner indices; empty for lines and points.
+    /// The corner indices of the triangles; empty for lines and points.
     pub fn triangles(&self) -> impl Iterator<Item = [u32; 3]> {
         let of = match self.topology {
             Topology::Triangles => self.indices.as_slice(),
@@ -136,7 +136,7 @@ impl Geometry {
         of.as_chunks::<3>().0.iter().copied()
     }
 
-    /// The box around the positions; `None` without one.
+    /// The box around the positions; `None` if there are none.
     #[must_use]
     pub fn bounds(&self) -> Option<Aabb> {
         let mut low = Vec3::INFINITY;
@@ -151,13 +151,13 @@ impl Geometry {
         })
     }
 
-    /// What is wrong, in words, with what to do; `None` if nothing is.
+    /// A description of the first invalid value and its remedy; `None` if the geometry is valid.
     #[must_use]
     pub fn problem(&self) -> Option<String> {
         let vertices = self.positions.len();
         if u32::try_from(vertices).is_err() {
             return Some(format!(
-                "{vertices} vertices are more than 32-bit indices can name; split the mesh"
+                "{vertices} vertices are more than 32-bit indices can address; split the mesh"
             ));
         }
         let attributes = [
@@ -201,8 +201,8 @@ impl Geometry {
         ))
     }
 
-    /// The same with area-weighted vertex normals computed from the triangles, unless it has normals already.
-    /// Vertices without a triangle of any area get +Z.
+    /// The geometry with area-weighted vertex normals computed from the triangles, unless it already has normals. A
+    /// vertex whose triangles have no area gets +Z.
     #[must_use]
     pub fn with_computed_normals(mut self) -> Self {
         if self.normals.len() == self.positions.len() {
@@ -228,7 +228,7 @@ impl Geometry {
         self
     }
 
-    /// Where the corners of a triangle are; `None` when an index is out of range.
+    /// The positions of a triangle's corners; `None` if an index is out of range.
     #[must_use]
     pub fn corners(&self, triangle: [u32; 3]) -> Option<[DVec3; 3]> {
         let at = |i: u32| {
@@ -239,7 +239,7 @@ impl Geometry {
         Some([at(a)?, at(b)?, at(c)?])
     }
 
-    /// The twelve triangles of a box, corners in [`Aabb::corners`]'s order, rounded outwards to f32.
+    /// The twelve triangles of a box, with corners in the order of [`Aabb::corners`], rounded outwards to f32.
     #[must_use]
     pub fn from_box(bounds: &Aabb) -> Self {
         let (min, max) = (
@@ -260,7 +260,7 @@ impl Geometry {
     }
 }
 
-/// Counter-clockwise from outside; bit 0 of a corner is x, bit 1 y, bit 2 z.
+/// The triangles of a box, counter-clockwise from outside. Bit 0 of a corner's index is x, bit 1 y, bit 2 z.
 const BOX_TRIANGLES: [[u32; 3]; 12] = [
     [0, 4, 6],
     [0, 6, 2],

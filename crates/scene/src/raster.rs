@@ -1,29 +1,31 @@
-//! Rasters: elevations on a regular grid in the plan.
+//! Rasters: elevations on a regular grid.
 
 use glam::{DVec2, DVec3};
 
-/// Metres; farther from zero than this is no place on Earth.
+/// The greatest distance of a coordinate from zero, in metres. It is far beyond any place on Earth.
 const MAX_COORDINATE: f64 = 1e12;
 
-/// Elevations on a regular grid in the plan, which may be turned and of either handedness.
+/// Elevations on a regular grid in the horizontal plane. The grid may be rotated, and its steps may have either
+/// handedness.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Raster {
-    /// Nodes along `step_u`.
+    /// The number of nodes along `step_u`.
     pub columns: u32,
-    /// Nodes along `step_v`.
+    /// The number of nodes along `step_v`.
     pub rows: u32,
-    /// Where node (0, 0) lies, metres east and north.
+    /// The position of node (0, 0), metres east and north.
     pub origin: DVec2,
-    /// The way from a column to the next, metres east and north.
+    /// The step from a column to the next, metres east and north.
     pub step_u: DVec2,
-    /// The way from a row to the next, metres east and north.
+    /// The step from a row to the next, metres east and north.
     pub step_v: DVec2,
-    /// Metres, positive up, `columns * rows` of them, a row after the other. What is not finite (NaN, by custom) or beyond 1e12 is a hole.
+    /// Elevations in metres, positive up: `columns * rows` values, row by row. A value that is not finite (usually
+    /// NaN) or beyond 1e12 is a hole.
     pub elevation: Vec<f32>,
 }
 
 impl Raster {
-    /// The elevation at a node; `None` in a hole and outside.
+    /// The elevation of a node; `None` in a hole and outside the grid.
     #[must_use]
     pub fn elevation_at(&self, column: u32, row: u32) -> Option<f32> {
         if column >= self.columns || row >= self.rows {
@@ -34,7 +36,7 @@ impl Raster {
         height.filter(is_known)
     }
 
-    /// Where a node lies in the world, Y up and Z south; `None` in a hole and outside.
+    /// The position of a node in the world, Y up and Z south; `None` in a hole and outside the grid.
     #[must_use]
     pub fn position(&self, column: u32, row: u32) -> Option<DVec3> {
         let height = self.elevation_at(column, row)?;
@@ -42,13 +44,14 @@ impl Raster {
         Some(DVec3::new(plan.x, f64::from(height), -plan.y))
     }
 
-    /// Where a node lies in the plan, metres east and north.
+    /// The horizontal position of a node, metres east and north.
     #[must_use]
     pub fn plan_position(&self, column: u32, row: u32) -> DVec2 {
         self.origin + self.step_u * f64::from(column) + self.step_v * f64::from(row)
     }
 
-    /// The middle of the grid in the plan and of the known heights, in the world; `None` when there are none.
+    /// The centre of the grid at half the range of its known elevations, in the world; `None` if no elevation is
+    /// known.
     #[must_use]
     pub fn centre(&self) -> Option<DVec3> {
         let known = self.elevation.iter().filter(|height| is_known(height));
@@ -61,7 +64,8 @@ impl Raster {
         (low <= high).then(|| DVec3::new(plan.x, height, -plan.y))
     }
 
-    /// What no surface can be made of, in words; `None` for a raster that one can be made of, holes or not.
+    /// A description of the first value from which no surface can be built; `None` if the raster is valid. Holes are
+    /// valid.
     #[must_use]
     pub fn problem(&self) -> Option<String> {
         let (columns, rows) = (self.columns, self.rows);
@@ -96,7 +100,7 @@ impl Raster {
     }
 }
 
-/// A height that is a place on Earth.
+/// Whether an elevation is a known value.
 fn is_known(height: &f32) -> bool {
     f64::from(height.abs()) <= MAX_COORDINATE
 }

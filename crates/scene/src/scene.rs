@@ -1,17 +1,21 @@
-//! The scene: entities as generational keys into slotmap arenas, their components beside them, and one call a frame,
-//! [`Scene::update`], that says which drawable entities came, went and moved.
+//! The scene: entities as generational keys into slotmap arenas, with their components beside them.
+//!
+//! [`Scene::update`] is called once a frame. It reports which drawable entities were added, removed and moved.
 
 mod assets;
-mod changes;
+mod change_log;
 mod components;
-mod dense;
-mod links;
+mod drawable;
+mod propagate;
 #[cfg(feature = "simplify")]
 mod proxies;
+mod transforms;
+mod tree;
 mod update;
 
-pub use changes::SceneChanges;
+pub use change_log::SceneChanges;
 pub use components::PlacedLight;
+pub use drawable::Drawable;
 
 use crate::bounds::Aabb;
 use crate::camera::Camera;
@@ -21,25 +25,17 @@ use crate::keys::{EntityKey, ImageKey, MaterialKey, MeshKey};
 use crate::light::Light;
 use crate::material::{Image, Material};
 use crate::mesh::Mesh;
-use changes::Ledger;
-use dense::{ATTACH, Dense, MOVE, REFIT, SCENE};
+use change_log::ChangeLog;
 use glam::DAffine3;
-use links::Links;
 use slotmap::{Key as _, SecondaryMap, SlotMap, SparseSecondaryMap};
+use transforms::{NOT_IN_PARENT, SCENE, SUBTREE_DIRTY, TRANSFORM_DIRTY, TransformTable};
+use tree::EntityTree;
 
-/// What an entity looks like.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Drawable {
-    /// Its geometry.
-    pub mesh: MeshKey,
-    /// Its surface.
-    pub material: MaterialKey,
-}
-
-/// A tree of entities with transforms, meshes, lights and cameras. World positions are f64 metres, right-handed, +Y up.
+/// A tree of entities with transforms, meshes, lights and cameras. World positions are f64 metres, right-handed, +Y
+/// up.
 ///
-/// Transforms and boxes in the world are those of the last [`update`](Self::update); [`world`](Self::world) alone is
-/// always exact.
+/// World transforms and boxes are those of the last [`update`](Self::update). Only [`world`](Self::world) includes
+/// later changes.
 ///
 /// ```
 /// use antumbra_scene::{Drawable, Geometry, Material, Mesh, Scene};
@@ -61,21 +57,21 @@ pub struct Drawable {
 #[derive(Clone)]
 pub struct Scene {
     name: String,
-    links: Links,
-    dense: Dense,
+    tree: EntityTree,
+    transforms: TransformTable,
     names: SecondaryMap<EntityKey, String>,
     drawables: SecondaryMap<EntityKey, Drawable>,
     untested: SparseSecondaryMap<EntityKey, ()>,
     lights: SparseSecondaryMap<EntityKey, Light>,
     cameras: SparseSecondaryMap<EntityKey, Camera>,
     meshes: SlotMap<MeshKey, Mesh>,
-    mesh_boxes: update::MeshBoxes,
+    mesh_bounds: propagate::MeshBounds,
     materials: SlotMap<MaterialKey, Material>,
     images: SlotMap<ImageKey, Image>,
     environment: Option<Environment>,
-    /// Entities whose dense state asks for something; may hold keys of entities that are gone.
-    listed: Vec<EntityKey>,
-    ledger: Ledger,
+    /// Entities with dirty flags. It may contain keys of removed entities.
+    queued: Vec<EntityKey>,
+    changes: ChangeLog,
 }
 
 impl Default for Scene {
@@ -98,43 +94,43 @@ impl std::fmt::Debug for Scene {
 }
 
 impl Scene {
-    /// A scene without an entity, named "scene".
+    /// A scene without entities, named "scene".
     #[must_use]
     pub fn new() -> Self {
         Self {
             name: "scene".to_owned(),
-            links: Links::default(),
-            dense: Dense::new(),
+            tree: EntityTree::default(),
+            transforms: TransformTable::new(),
             names: SecondaryMap::new(),
             drawables: SecondaryMap::new(),
             untested: SparseSecondaryMap::new(),
             lights: SparseSecondaryMap::new(),
             cameras: SparseSecondaryMap::new(),
             meshes: SlotMap::with_key(),
-            mesh_boxes: SecondaryMap::new(),
+            mesh_bounds: SecondaryMap::new(),
             materials: SlotMap::with_key(),
             images: SlotMap::with_key(),
             environment: None,
-            listed: Vec::new(),
-            ledger: Ledger::default(),
+            queued: Vec::new(),
+            changes: ChangeLog::default(),
         }
     }
 
-    /// The scene's name, for people and reports.
+    /// The scene's name, for messages and reports.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Names the scene.
+    /// Sets the scene's name.
     pub fn set_name(&mut self, name: impl Into<String>) {
         self.name = name.into();
     }
 
-    /// Adds an entity below `parent`, or a root.
+    /// Adds an entity as a child of `parent`, or as a root. `local` is its transform relative to the parent.
     ///
     /// # Errors
-    /// An unknown parent; a transform that is not finite; 2^32 entities. Zero scales are fine.
+    /// An unknown parent; a transform that is not finite; 2^32 entities. A scale of zero is valid.
     pub fn spawn(
         &mut self,
         parent: Option<EntityKey>,
@@ -148,35 +144,35 @@ impl Scene {
             };
             return Err(not_finite(entity, &local));
         }
-        if self.dense.len() >= Self::LIMIT as usize {
+        if self.transforms.len() >= Self::LIMIT as usize {
             return Err(SceneError::Full { limit: Self::LIMIT });
         }
-        let entity = self.links.entries.insert(links::Entry::default());
-        self.links.attach(entity, parent);
-        let slot = self.dense.push(entity, parent_slot, local);
+        let entity = self.tree.nodes.insert(tree::TreeNode::default());
+        self.tree.attach(entity, parent);
+        let slot = self.transforms.push(entity, parent_slot, local);
         self.set_slot(entity, slot);
-        self.ask(entity, 0);
+        self.mark_dirty(entity, 0);
         Ok(entity)
     }
 
-    /// Removes an entity and everything below it; how many entities that were (0 if it was unknown).
+    /// Removes an entity and all its descendants. Returns the number of removed entities, 0 for an unknown entity.
     pub fn despawn(&mut self, entity: EntityKey) -> usize {
-        let Some(slot) = self.links.get(entity).map(|entry| entry.slot) else {
+        let Some(slot) = self.tree.get(entity).map(|node| node.slot) else {
             return 0;
         };
-        self.leave_parent(slot);
-        let gone = self.links.subtree(entity);
-        self.links.detach(entity);
+        self.remove_from_parent_bounds(slot);
+        let gone = self.tree.subtree(entity);
+        self.tree.detach(entity);
         for &entity in &gone {
-            if let Some(entry) = self.links.entries.remove(entity) {
-                self.dense.remove(entry.slot);
+            if let Some(node) = self.tree.nodes.remove(entity) {
+                self.transforms.remove(node.slot);
             }
             self.names.remove(entity);
             self.drawables.remove(entity);
             self.untested.remove(entity);
             self.lights.remove(entity);
             self.cameras.remove(entity);
-            self.ledger.despawned(entity);
+            self.changes.despawned(entity);
         }
         gone.len()
     }
@@ -184,27 +180,27 @@ impl Scene {
     /// Whether the entity is in the scene.
     #[must_use]
     pub fn contains(&self, entity: EntityKey) -> bool {
-        self.links.entries.contains_key(entity)
+        self.tree.nodes.contains_key(entity)
     }
 
-    /// How many entities there are, drawable or not.
+    /// The number of entities, drawable or not.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.links.entries.len()
+        self.tree.nodes.len()
     }
 
-    /// Whether there is no entity.
+    /// Whether the scene has no entities.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.links.entries.is_empty()
+        self.tree.nodes.is_empty()
     }
 
     /// Every entity, in arena order.
     pub fn entities(&self) -> impl Iterator<Item = EntityKey> + '_ {
-        self.links.entries.keys()
+        self.tree.nodes.keys()
     }
 
-    /// Places an entity relative to its parent.
+    /// Sets an entity's transform relative to its parent.
     ///
     /// # Errors
     /// An unknown entity; a transform that is not finite.
@@ -213,38 +209,39 @@ impl Scene {
         if !local.is_finite() {
             return Err(not_finite(self.describe(entity), &local));
         }
-        self.dense.local[slot as usize] = local;
-        self.ask(entity, MOVE);
+        self.transforms.local[slot as usize] = local;
+        self.mark_dirty(entity, TRANSFORM_DIRTY);
         Ok(())
     }
 
-    /// Where an entity is relative to its parent.
+    /// An entity's transform relative to its parent.
     #[must_use]
     pub fn local(&self, entity: EntityKey) -> Option<DAffine3> {
-        let slot = self.links.get(entity)?.slot;
-        self.dense.local.get(slot as usize).copied()
+        let slot = self.tree.get(entity)?.slot;
+        self.transforms.local.get(slot as usize).copied()
     }
 
-    /// Where an entity is in the world, now: changes since the last update count.
+    /// An entity's transform to the world, including changes since the last update.
     #[must_use]
     pub fn world(&self, entity: EntityKey) -> Option<DAffine3> {
-        let slot = self.links.get(entity)?.slot as usize;
-        if self.listed.is_empty() {
-            return self.dense.world.get(slot).copied();
+        let slot = self.tree.get(entity)?.slot as usize;
+        if self.queued.is_empty() {
+            return self.transforms.world.get(slot).copied();
         }
         let mut chain = Vec::new();
         let mut above = slot;
         while above != SCENE as usize {
-            chain.push(self.dense.local[above]);
-            above = self.dense.parent[above] as usize;
+            chain.push(self.transforms.local[above]);
+            above = self.transforms.parent[above] as usize;
         }
         chain.into_iter().rev().reduce(|world, local| world * local)
     }
 
-    /// Hangs an entity below another parent, or makes it a root. Its local transform stays, so it moves with the parent.
+    /// Moves an entity to another parent, or makes it a root. Its local transform stays, so its place in the world
+    /// changes.
     ///
     /// # Errors
-    /// An unknown entity; a parent that is the entity itself or lies below it.
+    /// An unknown entity; a parent that is the entity itself or one of its descendants.
     pub fn set_parent(
         &mut self,
         entity: EntityKey,
@@ -264,47 +261,45 @@ impl Scene {
             }
             above = self.parent(key);
         }
-        self.leave_parent(slot);
-        self.links.detach(entity);
-        self.links.attach(entity, parent);
-        self.dense.parent[slot as usize] = parent_slot;
-        if parent_slot >= self.dense.run_start(slot) {
-            for moved in self.links.subtree(entity) {
-                let Some(entry) = self.links.get(moved) else {
+        self.remove_from_parent_bounds(slot);
+        self.tree.detach(entity);
+        self.tree.attach(entity, parent);
+        self.transforms.parent[slot as usize] = parent_slot;
+        if parent_slot >= self.transforms.run_start(slot) {
+            for moved in self.tree.subtree(entity) {
+                let Some(node) = self.tree.get(moved) else {
                     continue;
                 };
-                let from = entry.slot;
-                let parent = entry.parent.and_then(|parent| self.links.get(parent));
-                let to = (self.dense).relocate(from, parent.map_or(SCENE, |parent| parent.slot));
+                let from = node.slot;
+                let parent = node.parent.and_then(|parent| self.tree.get(parent));
+                let to =
+                    (self.transforms).relocate(from, parent.map_or(SCENE, |parent| parent.slot));
                 self.set_slot(moved, to);
             }
         }
-        self.ask(entity, MOVE | ATTACH);
-        self.ledger.reparented(entity);
+        self.mark_dirty(entity, TRANSFORM_DIRTY | NOT_IN_PARENT);
+        self.changes.reparented(entity);
         Ok(())
     }
 
-    /// The entity above, if there is one.
+    /// The entity's parent; `None` for a root and for an unknown entity.
     #[must_use]
     pub fn parent(&self, entity: EntityKey) -> Option<EntityKey> {
-        self.links.get(entity)?.parent
+        self.tree.get(entity)?.parent
     }
 
-    /// The entities directly below, in the order in which they were hung there.
+    /// The entity's children, in the order in which they were added.
     pub fn children(&self, entity: EntityKey) -> impl Iterator<Item = EntityKey> + '_ {
-        let first = self
-            .links
-            .get(entity)
-            .and_then(|entry| entry.children.first);
-        self.links.siblings(first)
+        let first = self.tree.get(entity).and_then(|node| node.children.first);
+        self.tree.siblings(first)
     }
 
     /// The entities without a parent.
     pub fn roots(&self) -> impl Iterator<Item = EntityKey> + '_ {
-        self.links.siblings(self.links.roots.first)
+        self.tree.siblings(self.tree.roots.first)
     }
 
-    /// Names an entity; names need not be unique.
+    /// Sets an entity's name. Names need not be unique.
     ///
     /// # Errors
     /// An unknown entity.
@@ -329,25 +324,29 @@ impl Scene {
         self.names.get(entity).map_or("", String::as_str)
     }
 
-    /// The box around a drawable entity in the world as of the last update, widened outwards by rounding. `None` if the
-    /// entity is not drawable, its mesh has no vertex, or its transform left the range of f64.
+    /// The box around a drawable entity in the world at the last update, rounded outwards. `None` if the entity is
+    /// not drawable, its mesh has no vertex, or its transform exceeds the range of f64.
     #[must_use]
     pub fn world_bounds(&self, entity: EntityKey) -> Option<Aabb> {
-        let slot = self.links.get(entity)?.slot as usize;
-        self.dense.own.get(slot).copied().filter(|b| !b.is_empty())
+        let slot = self.tree.get(entity)?.slot as usize;
+        self.transforms
+            .bounds
+            .get(slot)
+            .copied()
+            .filter(|b| !b.is_empty())
     }
 
-    /// The box around everything drawable at and below an entity as of the last update.
+    /// The box around an entity's drawable and those of its descendants, at the last update.
     #[must_use]
     pub fn subtree_bounds(&self, entity: EntityKey) -> Option<Aabb> {
-        let slot = self.links.get(entity)?.slot as usize;
-        (self.dense.subtree.get(slot).copied()).filter(|b| !b.is_empty())
+        let slot = self.tree.get(entity)?.slot as usize;
+        (self.transforms.subtree_bounds.get(slot).copied()).filter(|b| !b.is_empty())
     }
 
-    /// The box around everything drawable as of the last update.
+    /// The box around all drawables at the last update.
     #[must_use]
     pub fn bounds(&self) -> Option<Aabb> {
-        let all = self.dense.subtree.get(SCENE as usize);
+        let all = self.transforms.subtree_bounds.get(SCENE as usize);
         all.copied().filter(|b| !b.is_empty())
     }
 
@@ -363,8 +362,8 @@ impl Scene {
     const LIMIT: u32 = u32::MAX - 1;
 
     fn known(&self, entity: EntityKey) -> Result<u32, SceneError> {
-        match self.links.get(entity) {
-            Some(entry) => Ok(entry.slot),
+        match self.tree.get(entity) {
+            Some(node) => Ok(node.slot),
             None => Err(SceneError::UnknownEntity {
                 entity: self.describe(entity),
                 scene: self.name.clone(),
@@ -377,28 +376,28 @@ impl Scene {
     }
 
     fn set_slot(&mut self, entity: EntityKey, slot: u32) {
-        if let Some(entry) = self.links.entries.get_mut(entity) {
-            entry.slot = slot;
+        if let Some(node) = self.tree.nodes.get_mut(entity) {
+            node.slot = slot;
         }
     }
 
-    /// Marks an entity for the next update.
-    fn ask(&mut self, entity: EntityKey, what: u8) {
-        if let Some(entry) = self.links.get(entity)
-            && update::mark(&mut self.dense, entry.slot, what)
+    /// Sets dirty flags of an entity for the next update.
+    fn mark_dirty(&mut self, entity: EntityKey, what: u8) {
+        if let Some(node) = self.tree.get(entity)
+            && self.transforms.set_flags(node.slot, what)
         {
-            self.listed.push(entity);
+            self.queued.push(entity);
         }
     }
 
-    /// The box of `slot`'s subtree no longer counts in its parent's.
-    fn leave_parent(&mut self, slot: u32) {
-        let part = self.dense.part_in_parent(slot as usize);
-        let parent = self.dense.parent[slot as usize];
-        self.dense
+    /// Removes the box of `slot`'s subtree from its parent's.
+    fn remove_from_parent_bounds(&mut self, slot: u32) {
+        let part = self.transforms.part_in_parent(slot as usize);
+        let parent = self.transforms.parent[slot as usize];
+        self.transforms
             .part_changed(parent as usize, &part, &Aabb::EMPTY);
-        if parent != SCENE && self.dense.state[parent as usize] & REFIT != 0 {
-            self.ask(self.dense.key[parent as usize], REFIT);
+        if parent != SCENE && self.transforms.flags[parent as usize] & SUBTREE_DIRTY != 0 {
+            self.mark_dirty(self.transforms.key[parent as usize], SUBTREE_DIRTY);
         }
     }
 }

@@ -1,22 +1,24 @@
-//! Proxies: stand-ins with few triangles, for tests that need a shape and not its details. The simplifier is meshoptimizer's
-//! (Arseny Kapoulkine; quadrics after Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997).
+//! Proxies by mesh simplification. A visibility test needs a mesh's shape, not its details.
+//!
+//! The simplifier is meshoptimizer's (Arseny Kapoulkine; quadrics after Garland and Heckbert, "Surface Simplification
+//! Using Quadric Error Metrics", 1997).
 
 use crate::mesh::{Geometry, Mesh, Topology};
 use glam::{DVec3, Vec3};
 use meshopt::{SimplifyOptions, VertexDataAdapter};
 use std::collections::{HashMap, HashSet};
 
-/// How far a proxy may be simplified.
+/// How far proxies are simplified.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProxyOptions {
-    /// Triangles to keep, as a fraction of the full geometry's.
+    /// The fraction of the full geometry's triangles to keep.
     pub ratio: f64,
-    /// Never aim at fewer triangles than this.
+    /// The least target, in triangles.
     pub min_triangles: usize,
-    /// Never aim at more triangles than this.
+    /// The greatest target, in triangles.
     pub max_triangles: usize,
-    /// How far the surface may move, as a fraction of the mesh's size. Where the aim cannot be met within it, the
-    /// simplifier that does not keep the topology takes over.
+    /// The greatest error of the surface, as a fraction of the mesh's size. If the target cannot be reached within
+    /// it, the simplifier that does not preserve the topology is used.
     pub max_error: f32,
 }
 
@@ -32,7 +34,7 @@ impl Default for ProxyOptions {
 }
 
 impl ProxyOptions {
-    /// How many triangles to aim at for a geometry of `triangles`.
+    /// The target for a geometry of `triangles` triangles.
     #[must_use]
     pub fn target(&self, triangles: usize) -> usize {
         let wanted = (triangles as f64 * self.ratio.clamp(0.0, 1.0)).ceil() as usize;
@@ -41,8 +43,8 @@ impl ProxyOptions {
 }
 
 impl Mesh {
-    /// Computes the proxy from the full geometry, unless there is one already. Lines and points get none: they
-    /// stand in for themselves. Returns whether there is a proxy now.
+    /// Computes the proxy from the full geometry, unless there is one already. Lines and points get no proxy: they
+    /// are tested themselves. Returns whether there is a proxy now.
     pub fn ensure_proxy(&mut self, options: &ProxyOptions) -> bool {
         if self.proxy.is_none()
             && let Some(full) = self.full()
@@ -56,14 +58,15 @@ impl Mesh {
     }
 }
 
-/// A stand-in for `geometry` with about [`ProxyOptions::target`] triangles and never more than the geometry has; positions
-/// and indices only. It is neither inside nor outside the surface: what is tested with it is tested within
-/// [`ProxyOptions::max_error`]. A closed geometry's closed proxy is grown about its centre, half the way to the volume it lost:
-/// collapsing edges only ever cuts corners off, and what has shrunk hides too little; grown all the way it hides too much. The
-/// same input gives the same proxy.
+/// A proxy for `geometry` with about [`ProxyOptions::target`] triangles, and never more than the geometry has. It has
+/// positions and indices only. The same input gives the same proxy.
 ///
-/// Tried in this order: vertices welded by position and edges collapsed; the simplifier that does not keep the topology;
-/// the bounding box; and the welded geometry itself when even the box has more triangles.
+/// The proxy lies partly inside and partly outside the surface, within [`ProxyOptions::max_error`]. If both geometry
+/// and proxy are closed, the proxy is scaled about its centre by half of the logarithm of the lost volume. Edge
+/// collapses only cut corners off, and a shrunken proxy hides too little. A proxy of the full volume hides too much.
+///
+/// These are tried in order: welding vertices by position and collapsing edges; the simplifier that does not preserve
+/// the topology; the bounding box; and the welded geometry itself if even the box has more triangles.
 #[must_use]
 pub fn proxy(geometry: &Geometry, options: &ProxyOptions) -> Geometry {
     let welded = weld(geometry);
@@ -97,7 +100,7 @@ pub fn proxy(geometry: &Geometry, options: &ProxyOptions) -> Geometry {
     boxed_or(geometry, welded)
 }
 
-/// The bounding box, or `else_this` if a box would be no simplification.
+/// The bounding box, or `else_this` if the box is no simplification.
 fn boxed_or(geometry: &Geometry, else_this: Geometry) -> Geometry {
     match geometry.bounds() {
         Some(bounds) if geometry.triangle_count() >= 12 => Geometry::from_box(&bounds),
@@ -105,7 +108,8 @@ fn boxed_or(geometry: &Geometry, else_this: Geometry) -> Geometry {
     }
 }
 
-/// Vertices of equal position become one, triangles without three corners go. The order of first use is kept.
+/// Welds vertices of equal position and drops triangles with fewer than three distinct corners. Vertices keep the
+/// order of first use.
 fn weld(geometry: &Geometry) -> Geometry {
     let mut first: HashMap<[u32; 3], u32> = HashMap::new();
     let mut positions = Vec::new();
@@ -113,7 +117,7 @@ fn weld(geometry: &Geometry) -> Geometry {
     for triangle in geometry.triangles() {
         let corners = triangle.map(|index| {
             let position = geometry.positions.get(index as usize).copied()?;
-            // Adding zero makes the two zeros one.
+            // Adding zero turns -0 into +0.
             let key = position.map(|v| (v + 0.0).to_bits());
             let next = positions.len() as u32;
             Some(*first.entry(key).or_insert_with(|| {
@@ -136,7 +140,7 @@ fn weld(geometry: &Geometry) -> Geometry {
     }
 }
 
-/// Only the vertices that are used, in the order of first use.
+/// Drops unused vertices. The others keep the order of first use.
 fn compact(positions: &[[f32; 3]], indices: &[u32]) -> Geometry {
     let mut renamed = vec![u32::MAX; positions.len()];
     let mut kept = Geometry::default();
@@ -156,10 +160,11 @@ fn compact(positions: &[[f32; 3]], indices: &[u32]) -> Geometry {
     kept
 }
 
-/// How much a proxy may grow, side by side.
+/// The greatest scale of a proxy, per axis.
 const MAX_GROWTH: f64 = 1.2;
 
-/// The proxy of a closed geometry, grown half the way (in the logarithm) to the same volume; any other as it is.
+/// Scales the proxy of a closed geometry half of the way, in the logarithm, to the same volume. Any other proxy is
+/// unchanged.
 fn filled(full: &Geometry, mut proxy: Geometry) -> Geometry {
     let (Some((volume, _)), Some((left, centre))) = (enclosed(full), enclosed(&proxy)) else {
         return proxy;
@@ -173,20 +178,21 @@ fn filled(full: &Geometry, mut proxy: Geometry) -> Geometry {
             (centre + from_centre * growth).as_vec3().to_array()
         })
         .collect();
-    // At the end of what f32 holds there is no room to grow.
+    // Near the limit of f32 the proxy is not scaled.
     if grown.as_flattened().iter().all(|value| value.is_finite()) {
         proxy.positions = grown;
     }
     proxy
 }
 
-/// The volume that a closed surface encloses and its centre of mass, as sums over tetrahedra from the first vertex; `None` for a surface
-/// with borders, with edges that more than two triangles share, or that encloses nothing.
+/// The volume that a closed surface encloses and its centre of mass, as sums over tetrahedra from the first vertex.
+/// `None` for a surface with borders, with edges that more than two triangles share, or that encloses no volume.
 fn enclosed(geometry: &Geometry) -> Option<(f64, DVec3)> {
     let mut edges: HashSet<(u32, u32)> = HashSet::new();
     for [a, b, c] in geometry.triangles() {
         for edge in [(a, b), (b, c), (c, a)] {
-            // Each edge once in each direction: taken up by its twin, or waiting for it.
+            // A closed surface uses each edge once in each direction. An edge stays in the set until its opposite is
+            // found.
             if !edges.remove(&(edge.1, edge.0)) && !edges.insert(edge) {
                 return None;
             }

@@ -1,51 +1,52 @@
-//! Two eyes for one camera: parallel axes, and windows off the axes that coincide at one distance. Where they do, a thing lies
-//! in the screen's plane; nothing is higher in one eye than in the other, which turned-in ("toed-in") cameras would give.
-//! (The geometry of Paul Bourke, *Calculating Stereo Pairs*, 1999.)
+//! Two eyes for one camera: parallel axes, and off-axis windows that coincide at one distance.
+//!
+//! Things at that distance appear in the screen's plane. There is no vertical parallax, which toed-in cameras would
+//! have. The geometry is that of Paul Bourke, *Calculating Stereo Pairs*, 1999.
 
 use crate::camera::{Camera, CameraError, Projection};
 use glam::DVec2;
 use thiserror::Error;
 
-/// How far apart two eyes are, and where they look at the same window.
+/// The distances of a stereo pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stereo {
-    /// Distance between the eyes in metres, 0 or more.
+    /// The interocular distance in metres, 0 or more.
     pub interocular: f64,
-    /// Distance along the view in metres, above 0, at which both eyes see the same rectangle.
+    /// The convergence distance along the view in metres, above 0: both eyes see the same rectangle there.
     pub convergence: f64,
 }
 
-/// Why there are no two eyes. Each case names the number and its range.
+/// Why a stereo pair is refused. Each case names the number and its range.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum StereoError {
-    /// A distance between the eyes that cannot be.
+    /// The interocular distance is negative or not finite.
     #[error("the interocular distance is {value} m: it must be finite, and 0 or more")]
     Interocular {
         /// Metres.
         value: f64,
     },
-    /// A distance at which no window can stand.
+    /// The convergence distance is not above 0, or not finite.
     #[error("the convergence distance is {value} m: it must be finite and above 0")]
     Convergence {
         /// Metres.
         value: f64,
     },
-    /// Without perspective both eyes see the same.
+    /// An orthographic camera: without perspective both eyes see the same.
     #[error(
-        "an orthographic camera has no eyes: what it sees does not depend on where it stands beside its axis; take a perspective one"
+        "an orthographic camera has no stereo pair: its image does not depend on its position beside its axis; use a perspective camera"
     )]
     Orthographic,
-    /// The camera between the eyes cannot look, or an eye could not.
+    /// The camera, or one of the eyes, is invalid.
     #[error(transparent)]
     Camera(#[from] CameraError),
 }
 
 impl Stereo {
-    /// Two eyes from their distances in metres.
+    /// A stereo pair from its distances in metres.
     ///
     /// # Errors
-    /// Whatever [`Stereo::validate`] finds.
+    /// As for [`Stereo::validate`].
     pub fn new(interocular: f64, convergence: f64) -> Result<Self, StereoError> {
         let stereo = Self {
             interocular,
@@ -55,10 +56,11 @@ impl Stereo {
         Ok(stereo)
     }
 
-    /// Refuses distances that no two eyes can have.
+    /// Refuses invalid distances.
     ///
     /// # Errors
-    /// [`StereoError::Interocular`] below 0, [`StereoError::Convergence`] at 0 or below, and either for NaN and infinity.
+    /// [`StereoError::Interocular`] below 0, [`StereoError::Convergence`] at 0 or below, and either for NaN and
+    /// infinity.
     pub fn validate(&self) -> Result<(), StereoError> {
         let (interocular, convergence) = (self.interocular, self.convergence);
         if !interocular.is_finite() || interocular < 0.0 {
@@ -70,7 +72,7 @@ impl Stereo {
         Ok(())
     }
 
-    /// The left and the right eye of a camera, which stands in the middle between them. They are turned as it is, and keep its
+    /// The left and the right eye of a camera. The camera is halfway between them. Both eyes have its rotation, its
     /// angle of view, its near plane and its own shift. With an interocular distance of 0 both are the camera itself.
     ///
     /// ```
@@ -86,8 +88,8 @@ impl Stereo {
     /// ```
     ///
     /// # Errors
-    /// What [`Stereo::validate`] finds; [`StereoError::Orthographic`]; [`StereoError::Camera`] for a camera that
-    /// [`Camera::validate`] refuses, or distances so extreme that an eye is one.
+    /// As for [`Stereo::validate`]; [`StereoError::Orthographic`]; [`StereoError::Camera`] for a camera that
+    /// [`Camera::validate`] refuses, or distances so extreme that it refuses an eye.
     pub fn eyes(&self, camera: &Camera) -> Result<[Camera; 2], StereoError> {
         self.validate()?;
         camera.validate()?;
@@ -101,7 +103,7 @@ impl Stereo {
         }
         let aside = self.interocular * 0.5;
         let shift = DVec2::X * (aside / self.convergence);
-        // The right eye stands to the right, and its window stays where it was: to the left of it.
+        // The right eye is to the right of the camera. Its window keeps its place, so it is to the left of the eye.
         let eye = |side: f64| {
             Camera::new(
                 Projection::OffAxis {

@@ -1,19 +1,22 @@
-//! Surfaces out of points in the world: the origin near their middle, f32 around it, smooth normals.
+//! Construction of surfaces from points in the world: an origin near their centre, f32 positions around it, and
+//! smooth normals.
 
 use antumbra_scene::Geometry;
 use glam::DVec3;
 
 use crate::surface::{Surface, SurfaceKind};
 
-/// Metres from the world's zero; what lies further out is no place on Earth, and too coarse in f64 to be drawn.
+/// The greatest distance of a coordinate from zero, in metres. It is far beyond any place on Earth, and beyond the
+/// precision of f64 for drawing.
 pub(crate) const MAX_COORDINATE: f64 = 1e12;
 
-/// A point that a surface can have.
+/// Whether a surface can have this point.
 pub(crate) fn is_place(point: DVec3) -> bool {
     point.is_finite() && point.abs().max_element() <= MAX_COORDINATE
 }
 
-/// All points must be places, and all triangles among them. `plan` is empty or as long as the points.
+/// A surface of points and triangles between them. All points must be valid ([`is_place`]), and all triangles must
+/// index them. `plan` is empty or has one entry per point.
 pub(crate) fn surface(
     name: String,
     kind: SurfaceKind,

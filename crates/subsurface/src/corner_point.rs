@@ -1,5 +1,7 @@
-//! Corner-point grids: cells between slanted pillars, each with eight heights of its own, so that a fault is a step between
-//! neighbours. Layers become horizons, and what fills the cells a volume.
+//! Corner-point grids: cells between slanted pillars.
+//!
+//! Each cell has eight corner heights of its own, so a fault is a step between neighbouring cells. Layers become
+//! horizons, and a property of the cells becomes a volume.
 
 mod layers;
 mod resample;
@@ -8,8 +10,8 @@ use glam::DVec3;
 
 pub use resample::{MAX_SAMPLES, PropertyVolume};
 
-/// Cells between pillars. The first index grows along the pillars' first one (east, in a grid that is not turned), the second northwards,
-/// the third upwards.
+/// A corner-point grid. The first index increases along the first pillar direction (east, in a grid without
+/// rotation), the second northwards, the third upwards.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CornerPointGrid {
     size: [u32; 3],
@@ -18,27 +20,28 @@ pub struct CornerPointGrid {
     active: Vec<bool>,
 }
 
-/// The line on which the corners of up to four columns of cells lie.
+/// The line through the corners of up to four columns of cells.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Pillar {
     pub(crate) bottom: DVec3,
     pub(crate) top: DVec3,
 }
 
-/// A value a cell.
+/// A property of the cells: one value per cell.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CellProperty {
-    /// For people; may be empty.
+    /// A name for messages; may be empty.
     pub name: String,
-    /// Cells along each axis.
+    /// The number of cells along each axis.
     pub size: [u32; 3],
-    /// The third index fastest, then the second; NaN where there is none.
+    /// The values, third index fastest, then the second. NaN means that there is no value.
     pub values: Vec<f32>,
 }
 
 impl CornerPointGrid {
-    /// A pillar more than cells along each side, second index fastest; heights a cell, corner bits east, north, top. The lists must fit
-    /// the size.
+    /// A grid of `size` cells. There is one more pillar than cells along each side, second index fastest. `corners`
+    /// has eight heights per cell; the bits of a corner's index are east, north, top. The lengths of the lists must
+    /// match `size`.
     #[cfg(feature = "read")]
     pub(crate) fn new(
         size: [u32; 3],
@@ -54,27 +57,27 @@ impl CornerPointGrid {
         }
     }
 
-    /// Cells along each axis.
+    /// The number of cells along each axis.
     #[must_use]
     pub fn size(&self) -> [u32; 3] {
         self.size
     }
 
-    /// Whether a cell is part of the model. There is none outside.
+    /// Whether a cell is part of the model. Cells outside the grid are not.
     #[must_use]
     pub fn is_active(&self, cell: [u32; 3]) -> bool {
         let index = self.index(cell);
         index.is_some_and(|index| self.active.get(index).copied().unwrap_or_default())
     }
 
-    /// Cells that are part of the model.
+    /// The number of cells that are part of the model.
     #[must_use]
     pub fn active_cells(&self) -> usize {
         self.active.iter().filter(|active| **active).count()
     }
 
-    /// The corners of a cell in the world: bit 0 of a corner's number is east, bit 1 north, bit 2 top. `None` outside the grid, and for a
-    /// cell with a corner at no place on Earth.
+    /// The corners of a cell in the world. Bit 0 of a corner's index is east, bit 1 north, bit 2 top. `None` outside
+    /// the grid, and for a cell with an invalid corner.
     #[must_use]
     pub fn corners(&self, cell: [u32; 3]) -> Option<[DVec3; 8]> {
         let heights = self.corners.get(self.index(cell)?)?;
@@ -98,7 +101,7 @@ impl CornerPointGrid {
 }
 
 impl Pillar {
-    /// Where the pillar, or its straight continuation, has that height. A pillar without length stands upright.
+    /// The point of the pillar, or of its straight continuation, at this height. A pillar without length is vertical.
     fn at(&self, height: f64) -> Option<DVec3> {
         let rise = self.top.y - self.bottom.y;
         let share = if rise == 0.0 {

@@ -1,4 +1,4 @@
-//! What can go wrong with a sub-surface model: what, where, and what to do.
+//! The errors of sub-surface models. Each names the problem, its place and the remedy.
 
 use std::path::PathBuf;
 
@@ -7,119 +7,119 @@ use thiserror::Error;
 
 use crate::volume::Axis;
 
-/// Why a sub-surface model could not be read, prepared or shown.
+/// Why a sub-surface model could not be read, prepared or added to a scene.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum SubsurfaceError {
-    /// A file cannot be opened, read, made or written.
+    /// A file cannot be opened, read, created or written.
     #[error("cannot {action} {}: {source}", path.display())]
     File {
         /// `open`, `read`, `create`, `write`.
         action: &'static str,
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// The error of the operating system.
         source: std::io::Error,
     },
-    /// A file is not what it should be.
-    #[error("{} is no valid {format}: {problem}", path.display())]
+    /// The contents of a file are invalid.
+    #[error("{} is not a valid {format}: {problem}", path.display())]
     Format {
         /// The file.
         path: PathBuf,
-        /// `Irap binary surface`, `ROFF grid`, ...
+        /// The format's name: `Irap binary surface`, `ROFF grid`, ...
         format: &'static str,
-        /// What is wrong and where: byte, line, record.
+        /// The problem and its place: byte, line or record.
         problem: String,
     },
-    /// No surface can be made of what is there.
+    /// The data give no surface.
     #[error("surface `{surface}`: {problem}")]
     BadSurface {
         /// Its name.
         surface: String,
-        /// What is wrong, and what to do.
+        /// The problem, and the remedy.
         problem: String,
     },
-    /// A volume's numbers cannot be.
-    #[error("no volume can be laid out so: {problem}")]
+    /// The layout of a volume is invalid.
+    #[error("invalid volume layout: {problem}")]
     BadLayout {
-        /// What is wrong, and what is possible.
+        /// The problem, and the valid values.
         problem: String,
     },
-    /// A brick beyond a volume's last.
+    /// The volume has no such brick.
     #[error(
         "there is no brick {brick:?}: the volume has {bricks:?} along its axes, counted from 0"
     )]
     NoSuchBrick {
-        /// The brick asked for.
+        /// The requested brick.
         brick: [u32; 3],
-        /// Bricks along each axis.
+        /// The number of bricks along each axis.
         bricks: [u32; 3],
     },
-    /// A buffer for samples of the wrong length.
+    /// The length of a buffer is wrong.
     #[error("a buffer of {actual} bytes cannot take {expected} samples: give one of that length")]
     BufferLength {
-        /// Samples, a byte each.
+        /// The number of samples, one byte each.
         expected: usize,
-        /// Bytes of the buffer.
+        /// The length of the buffer in bytes.
         actual: usize,
     },
-    /// A budget that holds no brick.
+    /// The budget is smaller than one brick.
     #[error(
         "a budget of {budget} bytes holds no brick of {brick}: give more, or write the volume in smaller bricks"
     )]
     SmallBudget {
-        /// Bytes that may be used.
+        /// The budget in bytes.
         budget: usize,
-        /// Bytes of a brick.
+        /// The size of a brick in bytes.
         brick: usize,
     },
-    /// Something that lies, even partly, outside the volume.
-    #[error("{what} lies outside the volume along its {axis} axis: it takes samples {} to {}, but there are 0 to {last}; move it inside", asked[0], asked[1])]
+    /// A part of the volume is, even partly, outside it.
+    #[error("{what} is outside the volume along the {axis} axis: it needs samples {} to {}, but there are 0 to {last}; move it inside", asked[0], asked[1])]
     Outside {
         /// What it is.
         what: String,
-        /// The axis along which it does.
+        /// The axis along which it exceeds the volume.
         axis: Axis,
-        /// Its first and last sample.
+        /// Its first and last sample along the axis.
         asked: [u32; 2],
-        /// The volume's last sample.
+        /// The volume's last sample along the axis.
         last: u32,
     },
-    /// Something without a sample.
+    /// A part of the volume has no samples.
     #[error(
         "{what} is empty along the {axis} axis: it ends with sample {last}, before its first one, {first}"
     )]
     Empty {
         /// What it is.
         what: String,
-        /// The axis along which it is.
+        /// The axis along which it is empty.
         axis: Axis,
         /// Its first sample.
         first: u32,
         /// Its last.
         last: u32,
     },
-    /// Bricks of a volume that something was not made for.
+    /// The bricks belong to another volume.
     #[error(
-        "these bricks are of another volume, of {actual:?} samples or lying elsewhere: give those of the one of {expected:?} samples"
+        "these bricks belong to another volume, with {actual:?} samples or at another position: give the bricks of the volume with {expected:?} samples"
     )]
     OtherVolume {
-        /// The size of the right volume.
+        /// The number of samples of the right volume.
         expected: [u32; 3],
-        /// The size of the bricks' volume.
+        /// The number of samples of the bricks' volume.
         actual: [u32; 3],
     },
-    /// A setting out of its range.
+    /// A setting is out of range.
     #[error("{what} cannot be {value}: {problem}")]
     Setting {
         /// Its name.
         what: &'static str,
-        /// What was asked for.
+        /// The value as given.
         value: String,
-        /// What is possible.
+        /// The valid values.
         problem: String,
     },
-    /// The scene refused something.
+    /// The scene refused a change.
     #[error(transparent)]
     Scene(#[from] SceneError),
 }

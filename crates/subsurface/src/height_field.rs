@@ -1,7 +1,7 @@
-//! Horizons over rasters.
+//! Horizons from rasters.
 //!
-//! A cell is split along that of its diagonals which is shorter in space, so that ridges and valleys are not cut across; a cell of
-//! which three corners are known becomes one triangle, and one with fewer a hole.
+//! A cell is split along the diagonal that is shorter in space, so that ridges and valleys keep their shape. A cell
+//! with three known corners becomes one triangle, and a cell with fewer becomes a hole.
 
 use antumbra_scene::{Geometry, Raster};
 use glam::DVec3;
@@ -10,19 +10,20 @@ use crate::error::SubsurfaceError;
 use crate::surface::{Surface, SurfaceKind};
 
 impl Surface {
-    /// The horizon of all cells of a raster, with smooth normals.
+    /// The horizon over all cells of a raster, with smooth normals.
     ///
     /// # Errors
-    /// [`SubsurfaceError::BadSurface`] for fewer than 2 x 2 nodes, another number of elevations than nodes, steps that are not finite or
-    /// span no area, and when there is not one triangle.
+    /// [`SubsurfaceError::BadSurface`] for fewer than 2 x 2 nodes, a number of elevations that differs from the
+    /// number of nodes, steps that are not finite or span no area, and a raster that gives no triangle.
     pub fn from_raster(raster: &Raster, name: &str) -> Result<Self, SubsurfaceError> {
         Self::from_raster_without_cells(raster, name, |_, _| false)
     }
 
-    /// The same without the cells that are dropped: `dropped(column, row)` is asked for the cell whose lowest node that is.
+    /// The horizon over a raster without some cells. `dropped(column, row)` tells whether the cell with this lowest
+    /// node is left out.
     ///
     /// # Errors
-    /// As [`Surface::from_raster`].
+    /// As for [`Surface::from_raster`].
     pub fn from_raster_without_cells(
         raster: &Raster,
         name: &str,
@@ -61,13 +62,13 @@ impl Surface {
     }
 }
 
-/// Vertices are made as the first triangle asks for them; only two rows of them are looked up at a time.
+/// The mesh under construction. A vertex is made when its first triangle is added. Two rows of vertices are kept.
 struct Builder<'a> {
     field: &'a Raster,
     origin: DVec3,
-    /// The steps turn clockwise seen from above.
+    /// Whether the steps turn clockwise, viewed from above.
     mirrored: bool,
-    /// The vertex of each node of the lower and the upper row of cells, [`UNMADE`] until there is one.
+    /// The vertex of each node of the lower and the upper row of cells, [`UNMADE`] before it is made.
     lower: Vec<u32>,
     upper: Vec<u32>,
     geometry: Geometry,
@@ -96,7 +97,7 @@ impl<'a> Builder<'a> {
     }
 
     fn cell(&mut self, column: u32, row: u32) {
-        // Once around, counter-clockwise where the steps are right-handed.
+        // Around the cell, counter-clockwise where the steps are right-handed.
         let corners = [(0, 0), (1, 0), (1, 1), (0, 1)];
         let [a, b, c, d] = corners.map(|(u, v)| self.field.position(column + u, row + v));
         let long = |from: Option<DVec3>, to: Option<DVec3>| match (from, to) {
@@ -121,8 +122,8 @@ impl<'a> Builder<'a> {
         else {
             return;
         };
-        let turned = if self.mirrored { [a, c, b] } else { [a, b, c] };
-        self.geometry.indices.extend(turned);
+        let corners = if self.mirrored { [a, c, b] } else { [a, b, c] };
+        self.geometry.indices.extend(corners);
     }
 
     fn vertex(&mut self, column: u32, row: u32, upper: u32) -> Option<u32> {

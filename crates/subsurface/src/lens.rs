@@ -1,32 +1,37 @@
-//! Semi-transparent boxes inside a volume, which show its strong reflectors.
+//! Lenses: semi-transparent boxes inside a volume that show its strong reflectors.
 //!
-//! The lenses are those of Plate, Grundhoefer, Schmidt, Froehlich, *Occlusion Culling for Sub-Surface Models in Geo-Scientific Applications*,
-//! 2004: transparent, so they hide nothing, but they may be hidden. They are drawn as stacks of textured sections, back to front: Cabral, Cam,
-//! Foran, *Accelerated Volume Rendering and Tomographic Reconstruction Using Texture Mapping Hardware*, 1994.
+//! The lenses are those of Plate, Grundhoefer, Schmidt, Froehlich, *Occlusion Culling for Sub-Surface Models in
+//! Geo-Scientific Applications*, 2004. They are transparent, so they occlude nothing, but they may be occluded. They
+//! are drawn as stacks of textured sections, back to front: Cabral, Cam, Foran, *Accelerated Volume Rendering and
+//! Tomographic Reconstruction Using Texture Mapping Hardware*, 1994.
 
 mod atlas;
+mod orientation;
 mod stack;
+
+pub use orientation::{AxisEnd, StackOrientation};
 
 use antumbra_scene::{Drawable, EntityKey, Scene, SceneError};
 use glam::{DAffine3, DVec3};
 
 use crate::error::SubsurfaceError;
-use crate::slice::PagingReport;
+use crate::paging::PagingReport;
 use crate::volume::{Axis, BrickCache, ColourMap, SampleBox, VolumeLayout, amplitudes};
-use atlas::Atlas;
+use atlas::{Atlas, BrickSamples};
 use stack::Stack;
 
-/// What a lens lets through.
+/// The transfer function and the resolution of a lens.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LensOptions {
-    /// What samples look like.
+    /// The colours of samples.
     pub colours: ColourMap,
-    /// How much of what is behind a sample of the greatest amplitude covers, 0..1, over the shortest way from sample to sample. Sections that
-    /// lie farther apart cover as much more.
+    /// The opacity of a sample of the greatest amplitude, 0..1, over the shortest distance between two samples. It is
+    /// corrected for the distance between the sections.
     pub opacity: f32,
-    /// The amplitude below which a sample is not seen, 0..1 of the greatest; from there on opacity grows with amplitude.
+    /// The amplitude below which a sample is invisible, as a fraction 0..1 of the greatest. Above it opacity grows
+    /// with amplitude.
     pub threshold: f32,
-    /// The longest side of an image, in pixels; boxes that do not fit lose sections and samples, evenly. 64 to 16384.
+    /// The greatest side of an image in pixels, 64 to 16384. Boxes that do not fit lose sections and samples, evenly.
     pub atlas_side: u32,
 }
 
@@ -41,45 +46,30 @@ impl Default for LensOptions {
     }
 }
 
-/// From which side a stack of sections is looked at.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct StackOrientation {
-    /// The axis along which the sections lie behind each other.
-    pub axis: Axis,
-    /// The end of the axis on whose side the eye is. The section at the other end is the farthest and is drawn first.
-    pub eye_side: AxisEnd,
-}
-
-/// An end of one of a volume's axes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum AxisEnd {
-    /// The end with sample 0.
-    First,
-    /// The end with the last sample.
-    Last,
-}
-
-/// A semi-transparent box of a volume: one entity that blends with what is behind it.
+/// A semi-transparent box of a volume: one entity that blends with the background.
 ///
-/// It has a stack of sections along each of the volume's axes and is drawn with one of them at a time, the one that [`Self::orient_to`] chose.
+/// It has a stack of sections along each of the volume's axes. One stack is drawn at a time, chosen by
+/// [`Self::orient_to`].
 #[derive(Debug)]
 pub struct Lens {
     entity: EntityKey,
     layout: VolumeLayout,
     area: SampleBox,
     stacks: [Stack; 3],
-    facing: StackOrientation,
-    /// The box in the images.
-    shows: Option<SampleBox>,
+    orientation: StackOrientation,
+    /// The box of samples in the images; `None` before the first fill.
+    shown_area: Option<SampleBox>,
 }
 
 impl Lens {
-    /// Puts a lens into a scene. It is empty until [`Self::page`] fills it, and to be looked at from above until [`Self::orient_to`] is told where
-    /// the eye is. `parent` is to be without a transform if the volume is to lie where its layout says.
+    /// Adds a lens to a scene. It is empty until [`Self::page`] fills it, and oriented to an eye above it until
+    /// [`Self::orient_to`] is called. `parent` should have no transform if the volume is to be at the position of its
+    /// layout.
     ///
     /// # Errors
-    /// [`SubsurfaceError::BadLayout`]; [`SubsurfaceError::Outside`] and [`SubsurfaceError::Empty`] for a box that is not within the volume;
-    /// [`SubsurfaceError::Setting`] for options out of their range; [`SubsurfaceError::Scene`] for an unknown parent. No entity is left then.
+    /// [`SubsurfaceError::BadLayout`]; [`SubsurfaceError::Outside`] and [`SubsurfaceError::Empty`] for a box that is
+    /// not within the volume; [`SubsurfaceError::Setting`] for options out of range; [`SubsurfaceError::Scene`] for
+    /// an unknown parent. After an error the scene has no new entity.
     pub fn spawn(
         scene: &mut Scene,
         parent: Option<EntityKey>,
@@ -91,8 +81,8 @@ impl Lens {
         area.check("a lens", layout)?;
         options.check()?;
         let entity = scene.spawn(parent, place(layout, &area))?;
-        let furnished = furnish(scene, entity, layout, &area, options);
-        let stacks = match furnished {
+        let stacks = add_stacks(scene, entity, layout, &area, options);
+        let stacks = match stacks {
             Ok(stacks) => stacks,
             Err(error) => {
                 scene.despawn(entity);
@@ -104,68 +94,83 @@ impl Lens {
             layout: *layout,
             area,
             stacks,
-            facing: FIRST,
-            shows: None,
+            orientation: INITIAL,
+            shown_area: None,
         })
     }
 
-    /// Its entity.
+    /// The lens's entity.
     #[must_use]
     pub fn entity(&self) -> EntityKey {
         self.entity
     }
 
-    /// Its samples.
+    /// The box of samples.
     #[must_use]
     pub fn area(&self) -> SampleBox {
         self.area
     }
 
-    /// The stack that is drawn.
+    /// The stack that is drawn, and its order.
     #[must_use]
     pub fn orientation(&self) -> StackOrientation {
-        self.facing
+        self.orientation
     }
 
-    /// The bricks that hold its samples.
+    /// The bricks that contain the lens's samples.
     pub fn bricks(&self) -> impl Iterator<Item = [u32; 3]> + use<> {
         self.area.bricks(&self.layout)
     }
 
-    /// Draws the stack whose axis is nearest the line from the eye to the lens' middle, back to front as seen from the eye; whether that is
-    /// another than before. A lens that changes counts as a new entity, one that does not is left alone. For an eye between two sections of a
-    /// stack, those on the side of the lens' middle are in order.
+    /// Chooses the stack whose axis is nearest to the line from the eye to the lens's centre, and draws it back to
+    /// front for this eye. Returns whether the stack or its order has changed. A lens that changes counts as a new
+    /// entity. If the eye is between two sections of a stack, the sections on the side of the lens's centre are in
+    /// order.
     ///
     /// # Errors
-    /// [`SubsurfaceError::Scene`] when the lens is no longer in the scene.
+    /// [`SubsurfaceError::Scene`] if the lens is no longer in the scene.
     pub fn orient_to(&mut self, scene: &mut Scene, eye: DVec3) -> Result<bool, SubsurfaceError> {
-        let facing = self.facing_from(scene, eye)?;
-        if facing == self.facing {
+        let orientation = self.orientation_from(scene, eye)?;
+        if orientation == self.orientation {
             return Ok(false);
         }
-        let drawable = facing.axis.of(self.stacks.each_ref()).drawable(facing);
+        let drawable = orientation
+            .axis
+            .of(self.stacks.each_ref())
+            .drawable(orientation);
         scene.set_drawable(self.entity, drawable)?;
-        self.facing = facing;
+        self.orientation = orientation;
         Ok(true)
     }
 
-    fn facing_from(&self, scene: &Scene, eye: DVec3) -> Result<StackOrientation, SubsurfaceError> {
+    fn orientation_from(
+        &self,
+        scene: &Scene,
+        eye: DVec3,
+    ) -> Result<StackOrientation, SubsurfaceError> {
         let world = scene.world(self.entity).ok_or_else(|| {
             let (entity, scene) = (scene.describe(self.entity), scene.name().to_owned());
             SceneError::UnknownEntity { entity, scene }
         })?;
         let eye = world.inverse().transform_point3(eye);
         let away = |axis| eye.normalize_or_zero().dot(normal(&self.layout, axis));
-        // The axis stays unless another is clearly nearer: at a tie, rounding would otherwise choose anew every frame.
-        let bonus = |axis| if axis == self.facing.axis { 1e-3 } else { 0.0 };
+        // The axis changes only if another is clearly nearer. At a tie, rounding would otherwise change it every
+        // frame.
+        let bonus = |axis| {
+            if axis == self.orientation.axis {
+                1e-3
+            } else {
+                0.0
+            }
+        };
         let nearness = |axis: &Axis| away(*axis).abs() + bonus(*axis);
         let nearest = Axis::ALL
             .into_iter()
             .max_by(|a, b| nearness(a).total_cmp(&nearness(b)));
-        let axis = nearest.unwrap_or(self.facing.axis);
+        let axis = nearest.unwrap_or(self.orientation.axis);
         let side = away(axis);
         if side == 0.0 || side.is_nan() {
-            return Ok(self.facing);
+            return Ok(self.orientation);
         }
         Ok(StackOrientation {
             axis,
@@ -177,12 +182,12 @@ impl Lens {
         })
     }
 
-    /// Gives the lens its samples unless it is hidden or shows them already. The bricks of a hidden lens are not read, those of a shown one
-    /// each once. [`PagingReport`] counts its images, one for each axis.
+    /// Fills the lens's images with its samples, unless the lens is hidden or up to date. The bricks of a hidden lens
+    /// are not read. Those of a visible one are read once each. [`PagingReport`] counts images, one per axis.
     ///
     /// # Errors
-    /// [`SubsurfaceError::OtherVolume`] for bricks of another volume; what their source says; [`SubsurfaceError::Scene`] when the lens is no
-    /// longer in the scene.
+    /// [`SubsurfaceError::OtherVolume`] for bricks of another volume; the errors of their source;
+    /// [`SubsurfaceError::Scene`] if the lens is no longer in the scene.
     pub fn page(
         &mut self,
         scene: &mut Scene,
@@ -191,7 +196,7 @@ impl Lens {
     ) -> Result<PagingReport, SubsurfaceError> {
         self.layout.same_as(bricks.layout())?;
         let mut paged = PagingReport::default();
-        if self.shows == Some(self.area) {
+        if self.shown_area == Some(self.area) {
             return Ok(paged);
         }
         if is_hidden(self.entity) {
@@ -203,23 +208,30 @@ impl Lens {
         let mut pixels = (self.stacks.each_ref()).map(|stack| stack.atlas.blank());
         let (stacks, area, edge) = (&self.stacks, self.area, self.layout.brick);
         bricks.visit(&wanted, |brick, samples| {
+            let brick = BrickSamples {
+                brick,
+                edge,
+                samples,
+            };
             for (stack, pixels) in stacks.iter().zip(&mut pixels) {
-                (stack.atlas).fill(pixels, &stack.colours, area.min, (brick, edge, samples));
+                (stack.atlas).fill(pixels, &stack.colours, area.min, &brick);
             }
         })?;
         for (stack, pixels) in self.stacks.iter().zip(pixels) {
             scene.set_image(stack.image, stack.atlas.image(pixels))?;
             paged.updated += 1;
         }
-        self.shows = Some(self.area);
+        self.shown_area = Some(self.area);
         paged.bricks_read = bricks.stats().read - before;
         Ok(paged)
     }
 
-    /// Moves the lens, as large as it is, so that `min` is its first sample. It shows what it did until [`Self::page`] fills it again.
+    /// Moves the lens so that `min` is its first sample. Its size stays. It shows the old samples until
+    /// [`Self::page`] fills it again.
     ///
     /// # Errors
-    /// [`SubsurfaceError::Outside`]; [`SubsurfaceError::Scene`] when the lens is no longer in the scene. Nothing moves then.
+    /// [`SubsurfaceError::Outside`]; [`SubsurfaceError::Scene`] if the lens is no longer in the scene. After an error
+    /// the lens has not moved.
     pub fn move_to(&mut self, scene: &mut Scene, min: [u32; 3]) -> Result<(), SubsurfaceError> {
         let from = self.area;
         let area = SampleBox {
@@ -232,19 +244,19 @@ impl Lens {
         Ok(())
     }
 
-    /// Takes the lens out of the scene. Its meshes, materials and images, which others might use, stay.
+    /// Removes the lens from the scene. Its meshes, materials and images stay, since other entities may use them.
     pub fn remove(self, scene: &mut Scene) {
         scene.despawn(self.entity);
     }
 }
 
-/// What a new lens is drawn with.
-const FIRST: StackOrientation = StackOrientation {
+/// The orientation of a new lens.
+const INITIAL: StackOrientation = StackOrientation {
     axis: Axis::Time,
     eye_side: AxisEnd::First,
 };
 
-fn furnish(
+fn add_stacks(
     scene: &mut Scene,
     entity: EntityKey,
     layout: &VolumeLayout,
@@ -262,7 +274,7 @@ fn furnish(
         stack(Axis::Crossline)?,
         stack(Axis::Time)?,
     ];
-    let first: Drawable = FIRST.axis.of(stacks.each_ref()).drawable(FIRST);
+    let first: Drawable = INITIAL.axis.of(stacks.each_ref()).drawable(INITIAL);
     scene.set_drawable(entity, first)?;
     Ok(stacks)
 }
@@ -291,13 +303,13 @@ impl LensOptions {
             return refuse("a lens' threshold", threshold.to_string(), problem);
         }
         if !(64..=16384).contains(&atlas_side) {
-            let problem = "64 to 16384 is possible, and 4096 what any graphics card takes";
+            let problem = "64 to 16384 is possible; any graphics card supports 4096";
             return refuse("a lens' atlas_side", atlas_side.to_string(), problem);
         }
         Ok(())
     }
 
-    /// The colour and opacity of every sample in a stack with sections every `spacing` samples.
+    /// The RGBA colour of every sample in a stack with sections every `spacing` samples.
     fn table(&self, layout: &VolumeLayout, axis: Axis, spacing: f64) -> [[u8; 4]; 256] {
         let lengths = layout.steps.map(DVec3::length);
         let shortest = lengths.into_iter().fold(f64::INFINITY, f64::min);
@@ -314,14 +326,14 @@ impl LensOptions {
     }
 }
 
-/// The direction in which the sections along an axis follow each other, perpendicular to them.
+/// The unit normal of the sections along an axis, in the direction of increasing index.
 fn normal(layout: &VolumeLayout, axis: Axis) -> DVec3 {
     let [right, down] = axis.plane().map(|along| along.of(layout.steps));
     let normal = right.normalize_or_zero().cross(down.normalize_or_zero());
     (normal * normal.dot(axis.of(layout.steps)).signum()).normalize_or_zero()
 }
 
-/// Where the middle of a box lies.
+/// The transform to the centre of a box.
 fn place(layout: &VolumeLayout, area: &SampleBox) -> DAffine3 {
     let [min, max] = [area.min, area.max].map(|end| DVec3::from(end.map(f64::from)));
     DAffine3::from_translation(layout.position(min.midpoint(max)))

@@ -1,14 +1,15 @@
-//! Preparation: a horizon cut into tiles, a fault kept whole, each with coarser levels of detail and a low-resolution stand-in for tests.
+//! Preparation of surfaces: a horizon is cut into tiles, a fault stays whole. Each part gets coarser levels of detail
+//! and a low-resolution proxy for visibility tests.
 //!
-//! After section 3.1 of Plate et al. 2004: the low- and the high-resolution version of a horizon are made of the whole horizon and then
-//! cut, so that neither has cracks between its tiles. The high one is cut along its own edges, the low one, whose triangles are large,
-//! exactly along the tiles' borders. What is between the two in detail is made of each tile alone, its border locked, so that a coarser
-//! tile beside a finer one leaves no crack either.
+//! After section 3.1 of Plate et al. 2004. The low- and the high-resolution version are made of the whole horizon and
+//! then cut, so neither has cracks between its tiles. The high-resolution version is cut along its own edges. The
+//! low-resolution version has large triangles and is cut exactly along the tiles' borders. Intermediate levels are
+//! made of each tile alone with a locked border, so a coarser tile beside a finer one leaves no crack either.
 
 mod clip;
-mod cut;
-mod order;
-mod reduce;
+mod simplify;
+mod split;
+mod vertex_cache;
 
 use antumbra_scene::{Geometry, Mesh};
 use glam::DVec3;
@@ -17,16 +18,19 @@ use rayon::prelude::*;
 use crate::error::SubsurfaceError;
 use crate::surface::{Surface, SurfaceKind};
 
-/// How surfaces are prepared.
+/// The options of preparation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PrepareOptions {
-    /// Tiles along each side of a horizon, 1 to 64. More cull finer, and cost more to test; about 10 was best in the paper and here.
+    /// Tiles along each side of a horizon, 1 to 64. More tiles cull more precisely and cost more to test. About 10
+    /// was best in the paper and here.
     pub tiles: u32,
-    /// Triangles of a surface for each triangle of its low-resolution version, at least 1.
+    /// Triangles of a surface per triangle of its low-resolution version, at least 1.
     pub decimation: f64,
-    /// Triangles of the source for each triangle of the high-resolution version: 1 keeps every detail, 2 to 3 is slightly simplified.
+    /// Triangles of the source per triangle of the high-resolution version: 1 keeps every detail, 2 to 3 simplifies
+    /// slightly.
     pub thinning: f64,
-    /// Coarser levels of detail between the high- and the low-resolution version, each with an eighth of the triangles before; 0 to 4.
+    /// Levels of detail between the high- and the low-resolution version, each with an eighth of the triangles of the
+    /// one before; 0 to 4.
     pub levels: u32,
 }
 
@@ -42,7 +46,7 @@ impl Default for PrepareOptions {
 }
 
 impl PrepareOptions {
-    /// Refuses what is out of range.
+    /// Refuses values out of range.
     ///
     /// # Errors
     /// [`SubsurfaceError::Setting`], which names the option and its range.
@@ -56,24 +60,28 @@ impl PrepareOptions {
             })
         };
         if !(1..=64).contains(&self.tiles) {
-            refuse("tiles a side", self.tiles.to_string(), "it takes 1 to 64")
+            refuse(
+                "tiles a side",
+                self.tiles.to_string(),
+                "1 to 64 is possible",
+            )
         } else if !ratio(self.decimation) {
             refuse(
                 "decimation",
                 self.decimation.to_string(),
-                "it takes 1 to 1000000",
+                "1 to 1000000 is possible",
             )
         } else if !ratio(self.thinning) {
             refuse(
                 "thinning",
                 self.thinning.to_string(),
-                "it takes 1 to 1000000",
+                "1 to 1000000 is possible",
             )
         } else if self.levels > 4 {
             refuse(
                 "levels of detail",
                 self.levels.to_string(),
-                "it takes 0 to 4",
+                "0 to 4 is possible",
             )
         } else {
             Ok(())
@@ -81,33 +89,34 @@ impl PrepareOptions {
     }
 }
 
-/// A surface ready to be drawn and culled.
+/// A surface that is ready to be drawn and culled.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PreparedSurface {
     /// The surface's name.
     pub name: String,
-    /// What it is.
+    /// Whether it is a horizon or a fault.
     pub kind: SurfaceKind,
-    /// Where the meshes' zero lies in the world. All tiles share it: borders that are the same in the meshes are the same on the screen.
+    /// The position of the meshes' zero in the world. All tiles share it, so equal borders in the meshes are equal on
+    /// the screen.
     pub origin: DVec3,
-    /// The tiles of a horizon that hold anything, row by row; one for a fault.
+    /// The non-empty tiles of a horizon, row by row; one tile for a fault.
     pub tiles: Vec<SurfaceTile>,
-    /// Triangles of the low-resolution version that lie upside down in plan, which edge collapses may bring about; 0 but for very rugged
-    /// horizons.
+    /// Triangles of the low-resolution version that are upside down in the plan, as edge collapses may leave them. It
+    /// is 0 except for very rugged horizons.
     pub flipped: usize,
 }
 
-/// One tile of a horizon, or a fault.
+/// A tile of a horizon, or a fault.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceTile {
-    /// Column and row.
+    /// Column and row of the tile.
     pub cell: [u32; 2],
-    /// Levels of detail, and the stand-in for tests.
+    /// The levels of detail, and the proxy for visibility tests.
     pub mesh: Mesh,
 }
 
 impl PreparedSurface {
-    /// Triangles of the high-resolution version.
+    /// The number of triangles of the high-resolution version.
     #[must_use]
     pub fn triangles(&self) -> usize {
         self.tiles
@@ -116,7 +125,7 @@ impl PreparedSurface {
             .sum()
     }
 
-    /// Triangles of the low-resolution version.
+    /// The number of triangles of the low-resolution version.
     #[must_use]
     pub fn proxy_triangles(&self) -> usize {
         let proxies = self
@@ -127,10 +136,11 @@ impl PreparedSurface {
     }
 }
 
-/// Prepares surfaces, several at a time; `done` is called with the number of each as it is finished.
+/// Prepares surfaces in parallel. `done` is called with the index of each finished surface.
 ///
 /// # Errors
-/// [`SubsurfaceError::Setting`] for an option out of range, [`SubsurfaceError::BadSurface`] for a surface that does not fit together.
+/// [`SubsurfaceError::Setting`] for an option out of range, [`SubsurfaceError::BadSurface`] for an inconsistent
+/// surface.
 pub fn prepare_surfaces(
     surfaces: &[Surface],
     options: &PrepareOptions,
@@ -158,7 +168,8 @@ pub fn prepare_surface(
     surface.check()?;
     let thinned;
     let high = if options.thinning > 1.0 {
-        let indices = reduce::to_ratio(&surface.geometry, options.thinning, &surface.plan).indices;
+        let indices =
+            simplify::to_ratio(&surface.geometry, options.thinning, &surface.plan).indices;
         thinned = Surface {
             geometry: Geometry {
                 indices,
@@ -170,7 +181,7 @@ pub fn prepare_surface(
     } else {
         surface
     };
-    let low = reduce::to_ratio(&surface.geometry, options.decimation, &surface.plan);
+    let low = simplify::to_ratio(&surface.geometry, options.decimation, &surface.plan);
     let tiles = match surface.kind {
         SurfaceKind::Horizon => horizon(high, &low.indices, options),
         SurfaceKind::Fault => fault(high, &low.indices, options),
@@ -186,22 +197,22 @@ pub fn prepare_surface(
 
 fn horizon(high: &Surface, low: &[u32], options: &PrepareOptions) -> Vec<SurfaceTile> {
     let n = options.tiles;
-    let pieces = cut::by_centroid(&high.geometry, &high.plan, n);
-    let stand_ins = clip::to_tiles(&high.geometry.positions, &high.plan, low, n);
+    let pieces = split::by_centroid(&high.geometry, &high.plan, n);
+    let proxies = clip::to_tiles(&high.geometry.positions, &high.plan, low, n);
     let tiles: Vec<(u32, Geometry, Geometry)> = (0..n * n)
         .zip(pieces)
-        .zip(stand_ins)
+        .zip(proxies)
         .filter(|((_, piece), _)| !piece.indices.is_empty())
-        .map(|((number, piece), stand_in)| (number, piece, stand_in))
+        .map(|((number, piece), proxy)| (number, piece, proxy))
         .collect();
     tiles
         .into_par_iter()
-        .map(|(number, piece, stand_in)| {
+        .map(|(number, piece, proxy)| {
             let cell = [number % n, number / n];
             let name = format!("{} {},{}", high.name, cell[0], cell[1]);
-            // The low-resolution version may have drawn back from a sliver at the border: there the tile stands for itself.
-            let proxy = Some(stand_in).filter(|stand_in| !stand_in.indices.is_empty());
-            let levels = reduce::levels(piece, options.levels, true);
+            // The low-resolution version may not reach a sliver at the border. Such a tile has no proxy.
+            let proxy = Some(proxy).filter(|proxy| !proxy.indices.is_empty());
+            let levels = simplify::levels(piece, options.levels, simplify::Border::Locked);
             SurfaceTile {
                 cell,
                 mesh: mesh(name, levels, proxy),
@@ -211,7 +222,7 @@ fn horizon(high: &Surface, low: &[u32], options: &PrepareOptions) -> Vec<Surface
 }
 
 fn fault(high: &Surface, low: &[u32], options: &PrepareOptions) -> Vec<SurfaceTile> {
-    let whole = cut::compact(&high.geometry, &high.geometry.indices);
+    let whole = split::compact(&high.geometry, &high.geometry.indices);
     if whole.indices.is_empty() {
         return Vec::new();
     }
@@ -219,8 +230,8 @@ fn fault(high: &Surface, low: &[u32], options: &PrepareOptions) -> Vec<SurfaceTi
         positions: high.geometry.positions.clone(),
         ..Geometry::default()
     };
-    let proxy = cut::compact(&bare, low);
-    let levels = reduce::levels(whole, options.levels, false);
+    let proxy = split::compact(&bare, low);
+    let levels = simplify::levels(whole, options.levels, simplify::Border::Free);
     vec![SurfaceTile {
         cell: [0, 0],
         mesh: mesh(high.name.clone(), levels, Some(proxy)),
@@ -230,7 +241,7 @@ fn fault(high: &Surface, low: &[u32], options: &PrepareOptions) -> Vec<SurfaceTi
 fn mesh(name: String, levels: Vec<Geometry>, proxy: Option<Geometry>) -> Mesh {
     Mesh {
         name,
-        levels: levels.into_iter().map(order::for_drawing).collect(),
-        proxy: proxy.map(order::for_drawing),
+        levels: levels.into_iter().map(vertex_cache::optimised).collect(),
+        proxy: proxy.map(vertex_cache::optimised),
     }
 }

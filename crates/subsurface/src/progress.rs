@@ -1,4 +1,4 @@
 //! Progress of long work.
 
-/// Called with the number of parts that are done, and the number of all parts.
-pub type Progress<'a> = &'a mut dyn FnMut(u64, u64);
+/// A callback that receives the number of finished parts and the number of all parts.
+pub type ProgressFn<'a> = &'a mut dyn FnMut(u64, u64);

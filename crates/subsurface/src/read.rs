@@ -1,23 +1,25 @@
-//! Sub-surface models out of files: surfaces, corner-point grids and what fills their cells.
+//! Reading of sub-surface models from files: surfaces, corner-point grids and properties of their cells.
 //!
-//! | file | what it is told by | becomes |
+//! | file | recognised by | becomes |
 //! |---|---|---|
 //! | Irap binary (`.gri`, `.irapbin`), Irap ASCII (`.irap`) | its first record, `-996` | a horizon |
-//! | ROFF grid (`.roff`), binary or ASCII | `roff-bin`, `roff-asc` | a horizon for the top of each layer and one for the last's base |
+//! | ROFF grid (`.roff`), binary or ASCII | `roff-bin`, `roff-asc` | a horizon for the top of each layer and one for the last layer's base |
 //! | GOCAD TSurf (`.ts`) | `GOCAD TSurf` | a fault for each object |
 //! | faultroom (`.json`) | `{` | a fault for each `FaultID` |
 //! | Esri ASCII raster (`.asc`), GeoTIFF (`.tif`) | `ncols`, `II` or `MM` | a horizon |
-//! | picks (`.csv`, `.txt`, `.tsv`, `.dat`) | its ending | a horizon for each surface named |
+//! | picks (`.csv`, `.txt`, `.tsv`, `.dat`) | its extension | a horizon for each surface named |
 //!
-//! Lengths are metres in a projected system; x is east, y north. Files are hostile until read: what they declare is held against how
-//! long they are before any memory is asked for, and none above [`MAX_FILE_BYTES`] is read.
+//! Lengths are metres in a projected coordinate system; x is east, y north. Files are treated as hostile: sizes that
+//! a file declares are checked against its length before memory is allocated, and no file above [`MAX_FILE_BYTES`] is
+//! read.
 
-mod bytes;
-mod drape;
+mod byte_reader;
+mod delaunay;
 mod faultroom;
 mod gocad;
 mod irap;
 mod irap_ascii;
+mod options;
 mod picks;
 mod roff;
 mod roff_grid;
@@ -29,77 +31,46 @@ use std::path::Path;
 use antumbra_formats::{RasterError, RasterFormat, load_raster_slice, read_whole_file};
 use antumbra_scene::Raster;
 
-pub use crate::progress::Progress;
-
 use crate::corner_point::{CellProperty, CornerPointGrid};
 use crate::error::SubsurfaceError;
+use crate::progress::ProgressFn;
 use crate::surface::{Surface, SurfaceKind};
 
-/// Bytes; no larger file is read.
+pub use options::{ReadOptions, ZPositive};
+
+/// The greatest size of a file in bytes.
 pub const MAX_FILE_BYTES: u64 = 4 << 30;
 
-/// Which way a file's third coordinate grows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum ZPositive {
-    /// Depths.
-    Down,
-    /// Elevations.
-    Up,
-}
-
-impl ZPositive {
-    /// Metres upwards, of what is written in the file.
-    pub(crate) fn up(self, z: f64) -> f64 {
-        match self {
-            Self::Up => z,
-            Self::Down => -z,
-        }
-    }
-}
-
-/// What a file does not say itself.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct ReadOptions {
-    /// Which way z grows. `None` is the format's custom: down in Irap, ROFF and faultroom files and in picks whose column is called a
-    /// depth; what the file says in GOCAD; up in rasters and other picks.
-    pub z_positive: Option<ZPositive>,
-    /// What the surfaces of a triangle file (GOCAD, faultroom) are. `None` is a fault; as horizons they must be height fields.
-    pub kind: Option<SurfaceKind>,
-    /// Metres; triangles between picks with a longer edge are left out, so that holes and a concave outline stay. `None` is four times
-    /// the median, over all triangles, of a triangle's longest edge.
-    pub longest_edge: Option<f64>,
-    /// The column that names a pick's surface. `None` finds it: see [`surfaces`].
-    pub surface_column: Option<String>,
-}
-
-/// Every surface of a file, in its order; layers of a grid from the top down.
+/// Reads every surface of a file, in the file's order. Layers of a grid go from the top down.
 ///
-/// Undefined nodes, inactive cells and cells at places that are not finite are holes. Layers without an active cell are left out.
+/// Undefined nodes, inactive cells, and cells at positions that are not finite are holes. Layers without an active
+/// cell are left out.
 ///
-/// Of picks, the columns `x`, `y`, `z` (or easting, northing, elevation, depth) are found by their names whatever their case; the
-/// surface's name is made of all columns called `surface`, `horizon`, `formation`, `feature_name`, `name` or `val`, and a row that leaves
-/// one of those empty is no pick. Surfaces whose picks span no triangle are left out. Without such a column the picks make one surface. Picks at the same place become their mean.
+/// In a table of picks the columns `x`, `y`, `z` (or easting, northing, elevation, depth) are found by name, without
+/// regard to case. The surface's name is made of all columns called `surface`, `horizon`, `formation`,
+/// `feature_name`, `name` or `val`, and a row with one of them empty is skipped. Without such a column all picks make
+/// one surface. Picks at the same place are averaged. Surfaces whose picks span no triangle are left out.
 ///
 /// # Errors
-/// [`SubsurfaceError::File`] when it cannot be read, [`SubsurfaceError::Format`] when it is none of the formats above, truncated, lies
-/// about its size, or holds nothing but undefined nodes.
+/// [`SubsurfaceError::File`] if the file cannot be read, [`SubsurfaceError::Format`] if it is in none of the formats
+/// above, is truncated, declares a wrong size, or has only undefined nodes.
 pub fn surfaces(
     path: &Path,
     options: &ReadOptions,
-    progress: Progress<'_>,
+    progress: ProgressFn<'_>,
 ) -> Result<Vec<Surface>, SubsurfaceError> {
     surfaces_from_bytes(path, &contents(path)?, options, progress)
 }
 
-/// The same of a file's contents; the path gives names, and the format where the contents do not.
+/// Reads surfaces from the contents of a file. The path gives names, and the format where the contents do not.
 ///
 /// # Errors
-/// As [`surfaces`].
+/// As for [`surfaces`].
 pub fn surfaces_from_bytes(
     path: &Path,
     bytes: &[u8],
     options: &ReadOptions,
-    progress: Progress<'_>,
+    progress: ProgressFn<'_>,
 ) -> Result<Vec<Surface>, SubsurfaceError> {
     let format = Format::of(path, bytes).ok_or_else(|| unknown(path))?;
     let stem = stem(path);
@@ -142,28 +113,28 @@ pub fn surfaces_from_bytes(
     Ok(surfaces)
 }
 
-/// The corner-point grid of a ROFF file, to be filled with what [`property`] reads.
+/// Reads the corner-point grid of a ROFF file. [`property`] reads values for its cells.
 ///
 /// # Errors
-/// As [`surfaces`].
+/// As for [`surfaces`].
 pub fn grid(path: &Path, options: &ReadOptions) -> Result<CornerPointGrid, SubsurfaceError> {
     let positive = options.z_positive.unwrap_or(ZPositive::Down);
     let bytes = contents(path)?;
     roff_grid::grid(&bytes, positive).map_err(|problem| Format::Roff.error(path, problem))
 }
 
-/// The first parameter of a ROFF file: a value a cell. Codes, such as facies, are read as numbers.
+/// Reads the first parameter of a ROFF file: one value per cell. Codes, such as facies, are read as numbers.
 ///
 /// # Errors
-/// As [`surfaces`].
+/// As for [`surfaces`].
 pub fn property(path: &Path) -> Result<CellProperty, SubsurfaceError> {
     property_from_bytes(path, &contents(path)?)
 }
 
-/// The same of a file's contents.
+/// Reads a parameter from the contents of a ROFF file.
 ///
 /// # Errors
-/// As [`surfaces`].
+/// As for [`surfaces`].
 pub fn property_from_bytes(path: &Path, bytes: &[u8]) -> Result<CellProperty, SubsurfaceError> {
     let error = |problem| SubsurfaceError::Format {
         path: path.into(),
@@ -207,7 +178,7 @@ impl Format {
         }
     }
 
-    /// By what it holds; where that says nothing, by its ending, so that the reader can say what is wrong.
+    /// Recognises the format by the contents, or else by the extension, so that the reader can report what is wrong.
     fn of(path: &Path, bytes: &[u8]) -> Option<Self> {
         let begin = bytes.trim_ascii_start();
         let begins = |with: &[u8]| {
@@ -262,7 +233,7 @@ fn stem(path: &Path) -> String {
     stem.map_or_else(|| "surface".into(), |stem| stem.into_owned())
 }
 
-/// A whole file, unless it is too large or may have no end.
+/// The contents of a file, unless it is too large or not a regular file.
 fn contents(path: &Path) -> Result<Vec<u8>, SubsurfaceError> {
     let failed = |action| {
         move |source| SubsurfaceError::File {

@@ -7,7 +7,8 @@ use glam::DVec3;
 
 use crate::error::SubsurfaceError;
 use crate::lens::{Lens, LensOptions};
-use crate::slice::{PagingReport, Slice, SliceOptions};
+use crate::paging::PagingReport;
+use crate::slice::{Slice, SliceOptions};
 use crate::volume::{Axis, BrickCache, BrickSource, SampleBox};
 
 /// The slices and lenses of one volume in a scene.
@@ -16,16 +17,16 @@ pub struct VolumeSections {
     pub slices: Vec<Slice>,
     /// The lenses.
     pub lenses: Vec<Lens>,
-    /// The volume's bricks in memory.
+    /// The cache of the volume's bricks.
     pub bricks: BrickCache,
 }
 
-/// Which slices and lenses to show.
+/// The positions of slices and lenses.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SectionPositions {
     /// The position of each slice.
     pub slices: Vec<SlicePosition>,
-    /// The box of each lens.
+    /// The box of samples of each lens.
     pub lenses: Vec<SampleBox>,
 }
 
@@ -39,7 +40,7 @@ pub struct SlicePosition {
 }
 
 impl SectionPositions {
-    /// Three slices across the middle of a volume, one along each axis, and no lens.
+    /// Three slices through the centre of a volume, one along each axis, and no lens.
     #[must_use]
     pub fn middle(source: &dyn BrickSource) -> Self {
         let size = source.layout().size;
@@ -57,10 +58,11 @@ impl SectionPositions {
 }
 
 impl VolumeSections {
-    /// Puts slices and lenses into a scene; they are empty until they are [paged](Self::page). At most `budget` bytes of bricks are kept.
+    /// Adds slices and lenses to a scene. They are empty until they are [paged](Self::page). At most `budget` bytes
+    /// of bricks are kept in memory.
     ///
     /// # Errors
-    /// Whatever [`BrickCache::new`], [`Slice::spawn`] and [`Lens::spawn`] refuse.
+    /// As for [`BrickCache::new`], [`Slice::spawn`] and [`Lens::spawn`].
     pub fn spawn(
         scene: &mut Scene,
         source: Arc<dyn BrickSource>,
@@ -86,8 +88,8 @@ impl VolumeSections {
         Ok(sections)
     }
 
-    /// Gives all that is not hidden and out of date its samples; the bricks of what is hidden are not read. What is hidden, last frame's
-    /// verdicts know.
+    /// Fills every tile and lens that is neither hidden nor up to date. The bricks of hidden ones are not read.
+    /// `is_hidden` is typically answered by the verdicts of the previous frame.
     ///
     /// # Errors
     /// As for [`Slice::page`] and [`Lens::page`].
@@ -111,7 +113,7 @@ impl VolumeSections {
         Ok(sum)
     }
 
-    /// Turns the lenses' stacks towards an eye; whether any of them changed.
+    /// Orients the lenses' stacks to an eye. Returns whether any of them has changed.
     ///
     /// # Errors
     /// As for [`Lens::orient_to`].

@@ -1,28 +1,30 @@
-//! Opaque sections through a volume, cut into tiles that get their samples only when somebody sees them.
+//! Slices: opaque sections through a volume, cut into tiles that are filled only when they are visible.
 //!
-//! The slices are those of Plate, Grundhoefer, Schmidt, Froehlich, *Occlusion Culling for Sub-Surface Models in Geo-Scientific Applications*,
-//! 2004: few polygons, so they hide what is behind them and are drawn without a test. That the bricks of hidden parts are not read is what the
-//! paper plans as its next step.
+//! The slices are those of Plate, Grundhoefer, Schmidt, Froehlich, *Occlusion Culling for Sub-Surface Models in
+//! Geo-Scientific Applications*, 2004. They have few polygons, so they serve as occluders and are drawn without a
+//! test. The paper plans as its next step that the bricks of hidden parts are not read.
 
 mod tile;
 
 pub use tile::SliceTile;
 
-use antumbra_scene::{EntityKey, Image, Sampler, Scene, Wrap};
+use antumbra_scene::{EntityKey, Scene};
 use glam::{DAffine3, DVec3};
 
 use crate::error::SubsurfaceError;
+use crate::image::clamped_image;
+use crate::paging::PagingReport;
 use crate::volume::{Axis, BrickCache, ColourMap, SampleBox, VolumeLayout};
 
-/// The longest side of a tile's image, in pixels: more than any graphics card must take.
+/// The greatest side of a tile's image in pixels. It is within what any graphics card supports.
 const MAX_TILE_SIDE: u32 = 4096;
 
-/// How a slice is cut and what its samples look like.
+/// The tiles and the colours of a slice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SliceOptions {
     /// Bricks along a side of a tile.
     pub tile_bricks: u32,
-    /// What samples look like.
+    /// The colours of samples.
     pub colours: ColourMap,
 }
 
@@ -35,20 +37,9 @@ impl Default for SliceOptions {
     }
 }
 
-/// What a call to page did.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct PagingReport {
-    /// Images that got their samples.
-    pub updated: usize,
-    /// Images that are out of date and stay so, since nobody sees them.
-    pub skipped: usize,
-    /// Bricks that had to be read for it; others were in memory.
-    pub bricks_read: u64,
-}
-
-/// An opaque section through a volume: an entity with a tile below it for every few bricks.
+/// An opaque section through a volume: an entity with a child tile for every few bricks.
 ///
-/// The tiles hide what is behind them and are not tested for visibility ([`Scene::set_tested`]).
+/// The tiles occlude, and are not tested for visibility ([`Scene::set_tested`]).
 #[derive(Debug)]
 pub struct Slice {
     entity: EntityKey,
@@ -60,12 +51,13 @@ pub struct Slice {
 }
 
 impl Slice {
-    /// Puts a slice into a scene, at `index` along `axis`. Its tiles show one plain colour until [`Self::page`] fills them. `parent` is to be
-    /// without a transform if the volume is to lie where its layout says.
+    /// Adds a slice to a scene, at `index` along `axis`. Its tiles have one plain colour until [`Self::page`] fills
+    /// them. `parent` should have no transform if the volume is to be at the position of its layout.
     ///
     /// # Errors
-    /// [`SubsurfaceError::BadLayout`]; [`SubsurfaceError::Outside`] for a section that the volume does not have; [`SubsurfaceError::Setting`]
-    /// for tiles of no brick or more than 4096 samples a side; [`SubsurfaceError::Scene`] for an unknown parent. The scene is as before then.
+    /// [`SubsurfaceError::BadLayout`]; [`SubsurfaceError::Outside`] for a section outside the volume;
+    /// [`SubsurfaceError::Setting`] for tiles of no brick or more than 4096 samples a side;
+    /// [`SubsurfaceError::Scene`] for an unknown parent. After an error the scene has no new entity.
     pub fn spawn(
         scene: &mut Scene,
         parent: Option<EntityKey>,
@@ -97,7 +89,7 @@ impl Slice {
             colours: options.colours.table(layout),
             tiles: Vec::new(),
         };
-        match slice.furnish(scene, side) {
+        match slice.add_tiles(scene, side) {
             Ok(()) => Ok(slice),
             Err(error) => {
                 scene.despawn(entity);
@@ -106,7 +98,7 @@ impl Slice {
         }
     }
 
-    fn furnish(&mut self, scene: &mut Scene, side: u32) -> Result<(), SubsurfaceError> {
+    fn add_tiles(&mut self, scene: &mut Scene, side: u32) -> Result<(), SubsurfaceError> {
         scene.set_entity_name(self.entity, self.name())?;
         let [right, down] = self.axis.plane().map(|along| {
             let size = along.of(self.layout.size);
@@ -123,31 +115,31 @@ impl Slice {
         Ok(())
     }
 
-    /// The entity above the tiles.
+    /// The parent entity of the tiles.
     #[must_use]
     pub fn entity(&self) -> EntityKey {
         self.entity
     }
 
-    /// The axis along which the slice has a fixed place.
+    /// The axis that the slice is perpendicular to.
     #[must_use]
     pub fn axis(&self) -> Axis {
         self.axis
     }
 
-    /// Its place along that axis.
+    /// The slice's sample index along the axis.
     #[must_use]
     pub fn index(&self) -> u32 {
         self.index
     }
 
-    /// Its tiles, row after row.
+    /// The tiles, row by row.
     #[must_use]
     pub fn tiles(&self) -> &[SliceTile] {
         &self.tiles
     }
 
-    /// The bricks that hold a tile's samples.
+    /// The bricks that contain a tile's samples.
     pub fn bricks(&self, tile: &SliceTile) -> impl Iterator<Item = [u32; 3]> + use<> {
         let [right, down] = &tile.area;
         let area = SampleBox {
@@ -157,10 +149,11 @@ impl Slice {
         area.bricks(&self.layout)
     }
 
-    /// Moves the slice along its axis. Its tiles show what they did until [`Self::page`] fills them again.
+    /// Moves the slice along its axis. Its tiles show the old samples until [`Self::page`] fills them again.
     ///
     /// # Errors
-    /// [`SubsurfaceError::Outside`]; [`SubsurfaceError::Scene`] when it is no longer in the scene. Nothing moves then.
+    /// [`SubsurfaceError::Outside`]; [`SubsurfaceError::Scene`] if the slice is no longer in the scene. After an
+    /// error the slice has not moved.
     pub fn move_to(&mut self, scene: &mut Scene, index: u32) -> Result<(), SubsurfaceError> {
         check(&self.layout, self.axis, index)?;
         scene.set_local(self.entity, place(&self.layout, self.axis, index))?;
@@ -169,11 +162,11 @@ impl Slice {
         Ok(())
     }
 
-    /// Gives the tiles that are not hidden their samples, unless they show them already. The bricks of hidden tiles are not read.
+    /// Fills the tiles that are neither hidden nor up to date. The bricks of hidden tiles are not read.
     ///
     /// # Errors
-    /// [`SubsurfaceError::OtherVolume`] for bricks of another volume; what their source says; [`SubsurfaceError::Scene`] when the slice is no
-    /// longer in the scene. Tiles before the one that failed are filled.
+    /// [`SubsurfaceError::OtherVolume`] for bricks of another volume; the errors of their source;
+    /// [`SubsurfaceError::Scene`] if the slice is no longer in the scene. Tiles before the failed one are filled.
     pub fn page(
         &mut self,
         scene: &mut Scene,
@@ -185,7 +178,7 @@ impl Slice {
         let mut paged = PagingReport::default();
         let (axis, index) = (self.axis, self.index);
         for tile in &mut self.tiles {
-            if tile.shows == Some(index) {
+            if tile.shown == Some(index) {
                 continue;
             }
             if is_hidden(tile.entity) {
@@ -200,37 +193,22 @@ impl Slice {
                 [red, green, blue, u8::MAX]
             });
             let size = [right.len() as u32, down.len() as u32];
-            let image = picture(size, pixels.collect::<Vec<_>>().into_flattened());
+            let image = clamped_image(size, pixels.collect::<Vec<_>>().into_flattened());
             scene.set_image(tile.image, image)?;
-            tile.shows = Some(index);
+            tile.shown = Some(index);
             paged.updated += 1;
         }
         paged.bricks_read = bricks.stats().read - before;
         Ok(paged)
     }
 
-    /// Takes the slice out of the scene. Its meshes, materials and images, which others might use, stay.
+    /// Removes the slice from the scene. Its meshes, materials and images stay, since other entities may use them.
     pub fn remove(self, scene: &mut Scene) {
         scene.despawn(self.entity);
     }
 
     fn name(&self) -> String {
         format!("{} slice {}", self.axis, self.index)
-    }
-}
-
-/// Pixels as an image that does not go on beyond its border.
-pub(crate) fn picture([width, height]: [u32; 2], rgba: Vec<u8>) -> Image {
-    Image {
-        name: String::new(),
-        width,
-        height,
-        rgba,
-        sampler: Sampler {
-            wrap_u: Wrap::Clamp,
-            wrap_v: Wrap::Clamp,
-            ..Sampler::default()
-        },
     }
 }
 
@@ -242,7 +220,7 @@ fn check(layout: &VolumeLayout, axis: Axis, index: u32) -> Result<(), Subsurface
     section.check(&format!("{axis} slice {index}"), layout)
 }
 
-/// Where the first sample of a section lies.
+/// The transform to the first sample of a section.
 fn place(layout: &VolumeLayout, axis: Axis, index: u32) -> DAffine3 {
     let first = DVec3::from(axis.place(f64::from(index), [0.0; 2]));
     DAffine3::from_translation(layout.position(first))

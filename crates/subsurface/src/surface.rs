@@ -1,4 +1,4 @@
-//! A horizon or a fault at full resolution, wherever it came from.
+//! A horizon or a fault at full resolution, from any source.
 
 use antumbra_scene::Geometry;
 use glam::DVec3;
@@ -10,25 +10,26 @@ use crate::error::SubsurfaceError;
 /// The world is the scene's: metres, right-handed, +X east, +Y up, +Z south.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
-    /// For people, and the name of its entity.
+    /// A name for messages, and for the surface's entity.
     pub name: String,
-    /// What it is.
+    /// Whether it is a horizon or a fault.
     pub kind: SurfaceKind,
-    /// Where the geometry's zero lies in the world. Near its middle, so that f32 is fine enough for what is around it.
+    /// The position of the geometry's zero in the world. It is near the centre, so that f32 positions around it are
+    /// precise.
     pub origin: DVec3,
-    /// Triangles around `origin`, counter-clockwise seen from above for a horizon. Holes are triangles that are not there.
+    /// Triangles relative to `origin`, counter-clockwise from above for a horizon. Holes are missing triangles.
     pub geometry: Geometry,
-    /// Where each vertex lies in the plan of a horizon, 0..1 along its two sides: a horizon is a height field, so no two of
-    /// its triangles overlap there. Empty for a fault.
+    /// The position of each vertex in the plan of a horizon, 0..1 along its two sides. A horizon is a height field,
+    /// so its triangles do not overlap there. Empty for a fault.
     pub plan: Vec<[f32; 2]>,
 }
 
 impl Surface {
-    /// Refuses a surface whose parts do not fit together.
+    /// Refuses an inconsistent surface.
     ///
     /// # Errors
-    /// [`SubsurfaceError::BadSurface`]: an origin that is not finite, geometry that no scene would take, a horizon without a place in plan,
-    /// 0..1, for each vertex.
+    /// [`SubsurfaceError::BadSurface`]: an origin that is not finite, invalid geometry, or a horizon without a
+    /// position in the plan, 0..1, for each vertex.
     pub fn check(&self) -> Result<(), SubsurfaceError> {
         let bad = |problem: String| {
             Err(SubsurfaceError::BadSurface {
@@ -56,11 +57,11 @@ impl Surface {
     }
 }
 
-/// What a surface is.
+/// The kind of a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SurfaceKind {
-    /// The border between two layers of rock, a height field: it is cut into tiles.
+    /// The boundary between two layers of rock, a height field. It is cut into tiles.
     Horizon,
-    /// A break in the rocks: it stays whole.
+    /// A break in the rocks. It stays whole.
     Fault,
 }

@@ -1,44 +1,46 @@
-//! Projections: how depth and size on the screen are related, and the matrices that say so. Depth is reversed: 1 at the near
-//! plane, 0 at infinity or the far plane.
+//! Projections and their matrices. Depth is reversed: 1 at the near plane, 0 at infinity or at the far plane.
 
-use super::{CameraError, finite};
+use super::error::{CameraError, finite};
 use glam::camera::rh::proj::directx;
 use glam::{DVec2, Mat4};
 
-/// How depth and size on the screen are related.
+/// A projection from view to clip coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Projection {
-    /// Far things look small; no far plane.
+    /// Perspective, without a far plane.
     Perspective {
-        /// Full vertical angle of view in radians, between 0 and pi.
+        /// The full vertical angle of view in radians, between 0 and pi.
         fov_y: f64,
-        /// Distance of the near plane in metres, above 0.
+        /// The distance of the near plane in metres, above 0.
         near: f64,
     },
-    /// Perspective through a window whose middle does not lie on the line of view: an eye beside the middle of a screen. At
-    /// distance `d` along the view the window spans `d * (shift.x - t * aspect)` to `d * (shift.x + t * aspect)` rightwards
-    /// and `d * (shift.y - t)` to `d * (shift.y + t)` upwards, where `t` is `tan(fov_y / 2)`. No far plane.
+    /// Perspective through a window whose centre is off the view axis, as for an eye beside the centre of a screen.
+    /// No far plane.
+    ///
+    /// At distance `d` along the view direction the window spans `d * (shift.x - t * aspect)` to `d * (shift.x + t *
+    /// aspect)` rightwards and `d * (shift.y - t)` to `d * (shift.y + t)` upwards, where `t` is `tan(fov_y / 2)`.
     OffAxis {
-        /// Full vertical angle in radians that the window would have on the axis, between 0 and pi.
+        /// The full vertical angle of the window in radians if it were on the axis, between 0 and pi.
         fov_y: f64,
-        /// Distance of the near plane in metres, above 0.
+        /// The distance of the near plane in metres, above 0.
         near: f64,
-        /// Tangents (right, up) of the angles between the line of view and the window's middle; 0 is `Perspective`.
+        /// Tangents (right, up) of the angles between the view axis and the window's centre. Zero gives
+        /// `Perspective`.
         shift: DVec2,
     },
-    /// Everything keeps its size.
+    /// Parallel projection.
     Orthographic {
-        /// Full height of what is seen, in metres.
+        /// The full height of the view volume in metres.
         height: f64,
-        /// Distance of the near plane along the view in metres; may be negative.
+        /// The distance of the near plane along the view direction in metres. It may be negative.
         near: f64,
-        /// Distance of the far plane along the view in metres, beyond `near`.
+        /// The distance of the far plane along the view direction in metres, beyond `near`.
         far: f64,
     },
 }
 
 impl Projection {
-    /// Refuses numbers that no picture can come of.
+    /// Refuses numbers that give no image.
     pub(super) fn validate(&self) -> Result<(), CameraError> {
         match *self {
             Self::Perspective { fov_y, near } => perspective(fov_y, near),
@@ -61,7 +63,7 @@ impl Projection {
         }
     }
 
-    /// View to clip coordinates.
+    /// The projection from view to clip coordinates.
     pub(super) fn matrix(&self, aspect: f64) -> Mat4 {
         let perspective = |fov_y: f64, near: f64| {
             directx::perspective_infinite_reverse(fov_y as f32, aspect as f32, near as f32)
@@ -70,7 +72,8 @@ impl Projection {
             Self::Perspective { fov_y, near } => perspective(fov_y, near),
             Self::OffAxis { fov_y, near, shift } => {
                 let mut matrix = perspective(fov_y, near);
-                // What lies on the window's middle, shift times the depth off the axis, lands on 0; depth is -z here.
+                // A point on the line through the window's centre is off the axis by shift times its depth, and must
+                // project to 0. The depth is -z here.
                 matrix.z_axis.x = matrix.x_axis.x * shift.x as f32;
                 matrix.z_axis.y = matrix.y_axis.y * shift.y as f32;
                 matrix

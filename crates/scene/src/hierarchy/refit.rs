@@ -1,15 +1,19 @@
-//! A tree kept in step with what moves, comes and goes: boxes are fitted anew from the leaves up; who comes hangs loose; and when too much
-//! has changed it says so, for whoever owns it to make it anew.
+//! Updating a hierarchy after changes.
+//!
+//! Boxes are refitted from the leaves up. An added leaf has no parent. When too much has changed,
+//! [`Hierarchy::needs_rebuild`] reports it, and the owner builds a new tree.
 
-use super::{Hierarchy, HierarchyNode, NONE};
+use super::input::NONE;
+use super::tree::{Hierarchy, HierarchyNode};
 use crate::bounds::Aabb;
 
-/// Where more than this part of the nodes are dirty, looking at all of them in order costs less than keeping the dirty ones sorted.
+/// The divisor of the node count. Above `nodes / SWEEPS` dirty nodes, a sweep over all nodes costs less than a sorted
+/// queue.
 const SWEEPS: usize = 32;
 
 impl Hierarchy {
-    /// Gives some leaves their boxes of now, and fits every box above them. A leaf that is not in the tree comes in, loose; one whose box is
-    /// empty is taken out.
+    /// Sets the boxes of some leaves and refits every box above them. A leaf that is not in the tree is added without
+    /// a parent. A leaf whose box is empty is removed.
     pub fn refit(&mut self, leaves: impl IntoIterator<Item = (u32, Aabb)>) {
         for (leaf, bounds) in leaves {
             match (self.node_of(leaf), bounds.is_empty()) {
@@ -22,9 +26,9 @@ impl Hierarchy {
                     place.bounds = bounds;
                     if taken_out {
                         place.bounds = Aabb::EMPTY;
-                        self.order[first_leaf] = NONE;
-                        self.place(leaf, NONE);
-                        self.gone += 1;
+                        self.leaf_order[first_leaf] = NONE;
+                        self.set_node(leaf, NONE);
+                        self.removed += 1;
                     }
                     self.dirty.push(parent);
                 }
@@ -33,12 +37,12 @@ impl Hierarchy {
         self.fit();
     }
 
-    /// Whether so much came, went or moved that a tree made anew would be a better one.
+    /// Whether so many leaves were added, removed or moved that a rebuilt tree would be better.
     #[must_use]
     pub fn needs_rebuild(&self) -> bool {
-        let loose = self.nodes.len() as u32 - self.loose_from;
-        let changed = loose + self.gone;
-        (changed > 64 && changed > self.loose_from / 8) || self.area > self.area_when_made * 2.0
+        let unattached = self.nodes.len() as u32 - self.unattached_from;
+        let changed = unattached + self.removed;
+        (changed > 64 && changed > self.unattached_from / 8) || self.area > self.built_area * 2.0
     }
 
     fn insert(&mut self, leaf: u32, bounds: Aabb) {
@@ -48,25 +52,25 @@ impl Hierarchy {
             parent: NONE,
             first_child: 0,
             children: 0,
-            first_leaf: self.order.len() as u32,
+            first_leaf: self.leaf_order.len() as u32,
             leaves: 1,
         });
-        self.order.push(leaf);
-        self.place(leaf, number);
+        self.leaf_order.push(leaf);
+        self.set_node(leaf, number);
     }
 
-    pub(super) fn place(&mut self, leaf: u32, node: u32) {
+    pub(super) fn set_node(&mut self, leaf: u32, node: u32) {
         if self.node_of.len() <= leaf as usize {
             self.node_of.resize(leaf as usize + 1, NONE);
         }
         self.node_of[leaf as usize] = node;
     }
 
-    /// Fits the dirty boxes and those above them, the last ones first: no node comes before its parent.
+    /// Refits the dirty boxes and those above them, in descending order of number. Every node follows its parent.
     fn fit(&mut self) {
         if self.dirty.len() > self.nodes.len() / SWEEPS {
             self.dirty.clear();
-            for number in (0..self.loose_from).rev() {
+            for number in (0..self.unattached_from).rev() {
                 if !self.nodes[number as usize].is_leaf() {
                     self.fit_node(number);
                 }
@@ -86,7 +90,7 @@ impl Hierarchy {
         }
     }
 
-    /// Fits an inner node's box around its children's; whether it is another one now.
+    /// Refits an inner node's box around its children. Returns whether the box has changed.
     fn fit_node(&mut self, number: u32) -> bool {
         let node = self.nodes[number as usize];
         let children = &self.nodes[node.first_child as usize..][..node.children as usize];
@@ -96,14 +100,14 @@ impl Hierarchy {
         if around == node.bounds {
             return false;
         }
-        self.area += area(&around) - area(&node.bounds);
+        self.area += half_area(&around) - half_area(&node.bounds);
         self.nodes[number as usize].bounds = around;
         true
     }
 }
 
-/// Half the surface of a box in square metres; 0 of an empty one.
-pub(super) fn area(bounds: &Aabb) -> f64 {
+/// Half the surface area of a box in square metres; 0 for an empty box.
+pub(super) fn half_area(bounds: &Aabb) -> f64 {
     if bounds.is_empty() {
         return 0.0;
     }

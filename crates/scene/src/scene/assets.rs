@@ -1,4 +1,4 @@
-//! The assets that entities share: meshes, materials, images, and the image around them all.
+//! The assets that entities share: meshes, materials and images; and the environment.
 
 use super::Scene;
 use crate::environment::Environment;
@@ -9,22 +9,22 @@ use crate::mesh::Mesh;
 use slotmap::Key;
 
 impl Scene {
-    /// Adds a mesh for entities to share.
+    /// Adds a mesh.
     ///
     /// # Errors
-    /// [`SceneError::BadMesh`]: no level, a position that is not finite, an index out of range, attributes of another
-    /// length than the positions.
+    /// [`SceneError::BadMesh`]: no level, a position that is not finite, an index out of range, or attributes of
+    /// another length than the positions.
     pub fn add_mesh(&mut self, mesh: Mesh) -> Result<MeshKey, SceneError> {
         mesh.validate()?;
         let bounds = mesh.bounds();
         let key = self.meshes.insert(mesh);
         if let Some(bounds) = bounds {
-            self.mesh_boxes.insert(key, bounds);
+            self.mesh_bounds.insert(key, bounds);
         }
         Ok(key)
     }
 
-    /// A mesh.
+    /// The mesh with this key.
     #[must_use]
     pub fn mesh(&self, mesh: MeshKey) -> Option<&Mesh> {
         self.meshes.get(mesh)
@@ -35,18 +35,18 @@ impl Scene {
         self.meshes.iter()
     }
 
-    /// How many meshes there are, placed or not.
+    /// The number of meshes, used or not.
     #[must_use]
     pub fn mesh_count(&self) -> usize {
         self.meshes.len()
     }
 
-    /// Adds a material for entities to share.
+    /// Adds a material.
     pub fn add_material(&mut self, material: Material) -> MaterialKey {
         self.materials.insert(material)
     }
 
-    /// A material.
+    /// The material with this key.
     #[must_use]
     pub fn material(&self, material: MaterialKey) -> Option<&Material> {
         self.materials.get(material)
@@ -57,16 +57,16 @@ impl Scene {
         self.materials.iter()
     }
 
-    /// Adds an image for materials to share.
+    /// Adds an image.
     ///
     /// # Errors
-    /// [`SceneError::BadImage`] if there are not four bytes a pixel.
+    /// [`SceneError::BadImage`] unless there are four bytes per pixel.
     pub fn add_image(&mut self, image: Image) -> Result<ImageKey, SceneError> {
         check(&image)?;
         Ok(self.images.insert(image))
     }
 
-    /// Puts other pixels into an image, for every material that shows it.
+    /// Replaces an image for every material that uses it.
     ///
     /// # Errors
     /// As for [`Self::add_image`]; an unknown image.
@@ -76,11 +76,11 @@ impl Scene {
             return Err(self.unknown_asset("image", &key, "a change of pixels".into()));
         };
         *place = image;
-        self.ledger.repainted(key);
+        self.changes.image_changed(key);
         Ok(())
     }
 
-    /// An image.
+    /// The image with this key.
     #[must_use]
     pub fn image(&self, image: ImageKey) -> Option<&Image> {
         self.images.get(image)
@@ -91,7 +91,7 @@ impl Scene {
         self.images.iter()
     }
 
-    /// Surrounds the scene with an image, or with nothing.
+    /// Sets or removes the environment.
     ///
     /// # Errors
     /// An unknown image; [`SceneError::BadEnvironment`] for an intensity that is below 0 or not finite.
@@ -109,12 +109,12 @@ impl Scene {
         }
         if self.environment != environment {
             self.environment = environment;
-            self.ledger.surrounded();
+            self.changes.environment_changed();
         }
         Ok(())
     }
 
-    /// What surrounds the scene.
+    /// The environment.
     #[must_use]
     pub fn environment(&self) -> Option<Environment> {
         self.environment
@@ -135,7 +135,7 @@ impl Scene {
     }
 }
 
-/// Refuses an image without four bytes a pixel.
+/// Refuses an image without four bytes per pixel.
 fn check(image: &Image) -> Result<(), SceneError> {
     let expected = u64::from(image.width) * u64::from(image.height) * 4;
     if image.rgba.len() as u64 != expected {

@@ -1,7 +1,8 @@
-//! What an entity may carry: a mesh with a material, a light, a camera.
+//! The components of an entity: mesh with material, light, camera, and its role in tests.
 
-use super::dense::OWN_BOX;
-use super::{Drawable, Scene};
+use super::Scene;
+use super::drawable::Drawable;
+use super::transforms::BOUNDS_DIRTY;
 use crate::camera::Camera;
 use crate::error::SceneError;
 use crate::keys::{EntityKey, MeshKey};
@@ -21,7 +22,7 @@ pub struct PlacedLight {
 }
 
 impl Scene {
-    /// Gives an entity a mesh and a material, or others.
+    /// Sets an entity's mesh and material.
     ///
     /// # Errors
     /// An unknown entity, mesh or material.
@@ -38,26 +39,26 @@ impl Scene {
             return Err(self.unknown_asset("material", &drawable.material, self.describe(entity)));
         }
         self.drawables.insert(entity, drawable);
-        self.ledger.touched(entity);
-        if self.dense.mesh[slot] != drawable.mesh {
-            self.dense.mesh[slot] = drawable.mesh;
-            self.ask(entity, OWN_BOX);
+        self.changes.touched(entity);
+        if self.transforms.mesh[slot] != drawable.mesh {
+            self.transforms.mesh[slot] = drawable.mesh;
+            self.mark_dirty(entity, BOUNDS_DIRTY);
         }
         Ok(())
     }
 
-    /// Takes mesh and material from an entity; what it had.
+    /// Removes an entity's mesh and material, and returns them.
     pub fn clear_drawable(&mut self, entity: EntityKey) -> Option<Drawable> {
         let had = self.drawables.remove(entity)?;
-        let slot = self.links.get(entity)?.slot as usize;
-        self.ledger.touched(entity);
-        self.dense.mesh[slot] = MeshKey::null();
-        self.ask(entity, OWN_BOX);
+        let slot = self.tree.get(entity)?.slot as usize;
+        self.changes.touched(entity);
+        self.transforms.mesh[slot] = MeshKey::null();
+        self.mark_dirty(entity, BOUNDS_DIRTY);
         Some(had)
     }
 
-    /// Says whether an entity may be culled by a test of its visibility; every entity may until told otherwise. One that is not tested is
-    /// drawn wherever it touches the frustum, and hides what is behind it like any other.
+    /// Sets whether a visibility test may cull an entity. The default is true. An entity that is not tested is drawn
+    /// wherever it touches the frustum, and occludes like any other.
     ///
     /// # Errors
     /// An unknown entity.
@@ -68,11 +69,11 @@ impl Scene {
         } else {
             self.untested.insert(entity, ());
         }
-        self.ledger.touched(entity);
+        self.changes.touched(entity);
         Ok(())
     }
 
-    /// Whether the entity may be culled by a test of its visibility.
+    /// Whether a visibility test may cull the entity.
     #[must_use]
     pub fn is_tested(&self, entity: EntityKey) -> bool {
         !self.untested.contains_key(entity)
@@ -91,13 +92,13 @@ impl Scene {
             .map(|(entity, drawable)| (entity, *drawable))
     }
 
-    /// How many entities are drawable.
+    /// The number of drawable entities.
     #[must_use]
     pub fn drawable_count(&self) -> usize {
         self.drawables.len()
     }
 
-    /// Triangles of every drawable's full geometry, a mesh counted as often as it is placed.
+    /// The number of triangles of all drawables' full geometry. A shared mesh counts once per entity.
     #[must_use]
     pub fn triangle_count(&self) -> u64 {
         let meshes = self
@@ -107,10 +108,10 @@ impl Scene {
         meshes.map(|mesh| mesh.triangle_count() as u64).sum()
     }
 
-    /// Makes an entity shine along its -Z.
+    /// Sets an entity's light. It shines along the entity's -Z.
     ///
     /// # Errors
-    /// An unknown entity; a light with a number that is not finite or negative.
+    /// An unknown entity; a light with a number that is negative or not finite.
     pub fn set_light(&mut self, entity: EntityKey, light: Light) -> Result<(), SceneError> {
         self.known(entity)?;
         if let Some(problem) = light.problem() {
@@ -121,12 +122,12 @@ impl Scene {
         Ok(())
     }
 
-    /// Takes the light from an entity; what it had.
+    /// Removes an entity's light, and returns it.
     pub fn clear_light(&mut self, entity: EntityKey) -> Option<Light> {
         self.lights.remove(entity)
     }
 
-    /// Every light with its entity's place in the world, in arena order.
+    /// Every light with its entity's world transform, in arena order.
     pub fn lights(&self) -> impl Iterator<Item = PlacedLight> + '_ {
         let mut lights: Vec<_> = self.lights.iter().collect();
         lights.sort_unstable_by_key(|(entity, _)| *entity);
@@ -139,10 +140,10 @@ impl Scene {
         })
     }
 
-    /// Gives an entity a camera whose pose is relative to the entity.
+    /// Sets an entity's camera. Its pose is relative to the entity.
     ///
     /// # Errors
-    /// An unknown entity; whatever [`Camera::validate`] finds.
+    /// An unknown entity; as for [`Camera::validate`].
     pub fn set_camera(&mut self, entity: EntityKey, camera: Camera) -> Result<(), SceneError> {
         self.known(entity)?;
         if let Err(source) = camera.validate() {
@@ -153,18 +154,19 @@ impl Scene {
         Ok(())
     }
 
-    /// Takes the camera from an entity; what it had.
+    /// Removes an entity's camera, and returns it.
     pub fn clear_camera(&mut self, entity: EntityKey) -> Option<Camera> {
         self.cameras.remove(entity)
     }
 
-    /// The entity's camera, its pose relative to the entity, if it has one.
+    /// The entity's camera; its pose is relative to the entity.
     #[must_use]
     pub fn camera(&self, entity: EntityKey) -> Option<Camera> {
         self.cameras.get(entity).copied()
     }
 
-    /// Every camera with its pose in the world, in arena order. Scales above it move it but do not scale what it sees.
+    /// Every camera with its pose in the world, in arena order. Scales of the entity and its ancestors move the
+    /// camera, but do not scale what it sees.
     pub fn cameras(&self) -> impl Iterator<Item = (EntityKey, Camera)> + '_ {
         let mut cameras: Vec<_> = self.cameras.iter().collect();
         cameras.sort_unstable_by_key(|(entity, _)| *entity);
@@ -181,7 +183,7 @@ impl Scene {
     }
 }
 
-/// The rotation in a transform whose axes may be scaled, sheared or flat.
+/// The rotation of a transform whose axes may be scaled, sheared or flat.
 fn unscaled_rotation(world: &DAffine3) -> DQuat {
     let z = world.matrix3.z_axis.normalize_or(DVec3::Z);
     let y = world.matrix3.y_axis;

@@ -1,17 +1,17 @@
-//! Proxies for all meshes of a scene at once.
+//! Proxies for all meshes of a scene.
 
 use rayon::prelude::*;
 use slotmap::SecondaryMap;
 
 use super::Scene;
-use super::dense::OWN_BOX;
+use super::transforms::BOUNDS_DIRTY;
 use crate::keys::EntityKey;
 use crate::mesh::Mesh;
 use crate::simplify::ProxyOptions;
 
 impl Scene {
-    /// Gives every mesh that has none a proxy, in parallel. Meshes keep their keys; boxes grow where a proxy reaches out of its mesh, for an eye
-    /// inside of a proxy must count as inside of the box.
+    /// Computes a proxy for every mesh without one, in parallel. Meshes keep their keys. A box grows where a proxy
+    /// reaches beyond its mesh, since an eye inside a proxy must count as inside the box.
     pub fn ensure_proxies(&mut self, options: &ProxyOptions) {
         let mut meshes: Vec<&mut Mesh> = self.meshes.values_mut().collect();
         meshes.par_iter_mut().for_each(|mesh| {
@@ -20,9 +20,9 @@ impl Scene {
         let mut grown = SecondaryMap::new();
         for (key, mesh) in &self.meshes {
             if let Some(bounds) = mesh.bounds()
-                && self.mesh_boxes.get(key) != Some(&bounds)
+                && self.mesh_bounds.get(key) != Some(&bounds)
             {
-                self.mesh_boxes.insert(key, bounds);
+                self.mesh_bounds.insert(key, bounds);
                 grown.insert(key, ());
             }
         }
@@ -30,7 +30,7 @@ impl Scene {
         let placed = placed.filter(|(_, drawable)| grown.contains_key(drawable.mesh));
         let placed: Vec<EntityKey> = placed.map(|(entity, _)| entity).collect();
         for entity in placed {
-            self.ask(entity, OWN_BOX);
+            self.mark_dirty(entity, BOUNDS_DIRTY);
         }
     }
 }

@@ -1,37 +1,44 @@
-//! The borders between a grid's layers, as horizons.
+//! The boundaries between a grid's layers, as horizons.
 //!
-//! Corners on one pillar are one vertex only where their heights agree: along a fault they do not, and its throw is a gap.
+//! Corners on a pillar share a vertex only where their heights agree. Along a fault they do not agree, and its throw
+//! becomes a gap.
 
 use glam::DVec3;
 
 use super::CornerPointGrid;
 use crate::assemble;
 use crate::error::SubsurfaceError;
-use crate::progress::Progress;
+use crate::progress::ProgressFn;
 use crate::surface::{Surface, SurfaceKind};
 
-/// Metres; heights on a pillar that differ by less are one corner.
+/// Heights on a pillar that differ by less, in metres, are one vertex.
 const AGREE: f64 = 1e-3;
 
 impl CornerPointGrid {
-    /// The top of every layer and the base of the lowest, from the top down; those without an active cell are left out. A cell's top is
-    /// there where the cell is active, or else the base of the cell above it where that one is.
+    /// The top of every layer and the base of the lowest, from the top down. Boundaries without an active cell are
+    /// left out. A cell's top is present where the cell is active; otherwise the base of the cell above is used where
+    /// that cell is active.
     ///
-    /// Cells are split along the diagonal that is shorter in space. The plan is the pillar's index by their count.
+    /// Quads are split along the diagonal that is shorter in space. The plan is the pillar's index divided by their
+    /// number.
     ///
     /// # Errors
-    /// [`SubsurfaceError::BadSurface`] when no cell is active and has all its corners.
+    /// [`SubsurfaceError::BadSurface`] if no cell is active and has all its corners.
     pub fn surfaces(
         &self,
         name: &str,
-        progress: Progress<'_>,
+        progress: ProgressFn<'_>,
     ) -> Result<Vec<Surface>, SubsurfaceError> {
         let layers = self.size[2];
         let mut surfaces = Vec::new();
         for from_top in 0..=layers {
             progress(u64::from(from_top), u64::from(layers) + 1);
             let border = Border::new(self, layers - from_top);
-            let (points, triangles, plan) = border.build();
+            let BorderMesh {
+                points,
+                triangles,
+                plan,
+            } = border.build();
             if triangles.is_empty() {
                 continue;
             }
@@ -53,7 +60,7 @@ impl CornerPointGrid {
         Ok(surfaces)
     }
 
-    /// Whether the first index turns clockwise into the second, seen from above.
+    /// Whether the direction of the first index turns clockwise into that of the second, viewed from above.
     pub(super) fn is_mirrored(&self) -> bool {
         let rows = self.size[1] as usize + 1;
         let at = |index: usize| self.pillars.get(index).map(|pillar| pillar.top);
@@ -68,17 +75,22 @@ impl CornerPointGrid {
     }
 }
 
-type Parts = (Vec<DVec3>, Vec<[u32; 3]>, Vec<[f32; 2]>);
+/// The mesh of a border.
+struct BorderMesh {
+    points: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+    plan: Vec<[f32; 2]>,
+}
 
 struct Border<'a> {
     grid: &'a CornerPointGrid,
-    /// The border is the base of this layer and the top of the one before it.
+    /// The layer above the boundary; the layer below has the preceding index.
     above: u32,
     is_mirrored: bool,
     points: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     plan: Vec<[f32; 2]>,
-    /// The vertices of each pillar; a border cuts it at most four times.
+    /// The vertices of each pillar. A boundary crosses a pillar at most four times.
     made: Vec<[u32; 4]>,
 }
 
@@ -97,7 +109,7 @@ impl<'a> Border<'a> {
         }
     }
 
-    fn build(mut self) -> Parts {
+    fn build(mut self) -> BorderMesh {
         for i in 0..self.grid.size[0] {
             for j in 0..self.grid.size[1] {
                 if let Some(quad) = self.quad(i, j) {
@@ -105,10 +117,14 @@ impl<'a> Border<'a> {
                 }
             }
         }
-        (self.points, self.triangles, self.plan)
+        BorderMesh {
+            points: self.points,
+            triangles: self.triangles,
+            plan: self.plan,
+        }
     }
 
-    /// South-west, south-east, north-west, north-east.
+    /// The corners of the boundary in a column of cells: south-west, south-east, north-west, north-east.
     fn quad(&self, i: u32, j: u32) -> Option<[DVec3; 4]> {
         let below = self.above.checked_sub(1).map(|k| ([i, j, k], 4));
         let above = (self.above < self.grid.size[2]).then_some(([i, j, self.above], 0));

@@ -1,25 +1,27 @@
-//! What fills a grid's cells, on a regular grid of samples.
+//! A cell property resampled to a regular grid.
 //!
-//! A cell is seen in the plan as the quad half way between its base and its top, split in two triangles; over each, base and top are
-//! planes. A sample takes the value of the cell it lies in; cells thinner than a sample's step may be missed.
+//! In the horizontal plane a cell is the quad halfway between its base and its top, split into two triangles. Over
+//! each triangle, base and top are planes. A sample gets the value of the cell that contains it. Cells thinner than a
+//! sample's step may be missed.
 
 use glam::{DVec2, DVec3};
 
 use super::{CellProperty, CornerPointGrid};
 use crate::error::SubsurfaceError;
-use crate::progress::Progress;
+use crate::progress::ProgressFn;
 use crate::volume::{BrickSource, VolumeLayout};
 
-/// Samples, and bytes, that a [`PropertyVolume`] may have: it is held in memory as a whole.
+/// The greatest number of samples, and bytes, of a [`PropertyVolume`]. The volume is held in memory.
 pub const MAX_SAMPLES: u64 = 1 << 31;
 
 /// Samples along an edge of a brick.
 const BRICK: u32 = 32;
 
-/// How many times over the cells may cover the plan, layer for layer, before they are taken to be no grid.
+/// The greatest number of times that the cells may cover the horizontal plane, per layer. Cells that overlap more are
+/// no grid.
 const MAX_COVER: u64 = 64;
 
-/// A cell property on a regular grid, in memory: a byte a sample, [`MAX_SAMPLES`] at most.
+/// A cell property on a regular grid, in memory: one byte per sample, at most [`MAX_SAMPLES`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct PropertyVolume {
     name: String,
@@ -34,7 +36,7 @@ impl PropertyVolume {
         &self.name
     }
 
-    /// A sample; `None` outside.
+    /// A sample; `None` outside the volume.
     #[must_use]
     pub fn sample(&self, at: [u32; 3]) -> Option<u8> {
         let inside = at.iter().zip(&self.layout.size).all(|(at, of)| at < of);
@@ -69,24 +71,25 @@ impl BrickSource for PropertyVolume {
 }
 
 impl CornerPointGrid {
-    /// A property on `size` samples: the inline axis east, the crossline axis north, the third down, over the box around the active
-    /// cells, each sample in the middle of its share. The range is that of the active cells' values.
+    /// Resamples a property to `size` samples. The inline axis points east, the crossline axis north, the third axis
+    /// down. The samples span the box around the active cells, each in the centre of its share. The range is that of
+    /// the active cells' values.
     ///
-    /// Memory: a byte a sample, [`MAX_SAMPLES`] at most.
+    /// Memory: one byte per sample, at most [`MAX_SAMPLES`].
     ///
     /// # Errors
-    /// [`SubsurfaceError::BadLayout`] for a property of another grid, a size of zero or above the most, a grid without an active cell that
-    /// has a value, and cells that overlap wildly.
+    /// [`SubsurfaceError::BadLayout`] for a property of another grid, a size of zero or above the maximum, a grid
+    /// without an active cell that has a value, and cells with excessive overlap.
     pub fn volume(
         &self,
         property: &CellProperty,
         size: [u32; 3],
-        progress: Progress<'_>,
+        progress: ProgressFn<'_>,
     ) -> Result<PropertyVolume, SubsurfaceError> {
         let bad = |problem: String| SubsurfaceError::BadLayout { problem };
         if property.size != self.size || property.values.len() != self.corners.len() {
             return Err(bad(format!(
-                "property `{}` has {:?} cells, but the grid {:?}; give one written for this grid",
+                "property `{}` has {:?} cells, but the grid has {:?}; give a property of this grid",
                 property.name, property.size, self.size
             )));
         }
@@ -114,7 +117,7 @@ impl CornerPointGrid {
         room.map_err(|error| bad(format!("{samples} samples: {error}")))?;
         volume.samples.resize(samples as usize, 0);
         let plan = u64::from(size[0]) * u64::from(size[1]);
-        // A cell's box in the plan is larger than the cell, by a sample at each side at least.
+        // A cell's box in the plane is larger than the cell, by at least one sample on each side.
         let cover = plan * u64::from(self.size[2]) + 16 * filled + samples;
         let mut budget = cover.saturating_mul(MAX_COVER);
         for i in 0..self.size[0] {
@@ -126,7 +129,7 @@ impl CornerPointGrid {
                 });
                 let Some(spent) = spent else {
                     return Err(bad(format!(
-                        "the cells cover the plan more than {MAX_COVER} times a layer; they are no grid"
+                        "the cells cover the plan more than {MAX_COVER} times per layer; they do not form a grid"
                     )));
                 };
                 budget -= spent;
@@ -136,7 +139,7 @@ impl CornerPointGrid {
         Ok(volume)
     }
 
-    /// Active cells with a value and all corners, in a row of columns.
+    /// The active cells with a value in one row of columns, and their values.
     fn filled<'a>(
         &'a self,
         property: &'a CellProperty,
@@ -163,11 +166,11 @@ impl CornerPointGrid {
         if !low.is_finite() || !high.is_finite() {
             return None;
         }
-        // A range must rise, also where all values are one: then by so much that f32 knows it.
+        // A range must not be empty. If all values are equal, it is extended by an amount that f32 can represent.
         if least == most {
             most += most.abs().max(1.0);
         }
-        // A flat box still has samples of some height.
+        // A flat box gets a small height.
         let extent = (high - low).max(DVec3::splat(1e-3));
         let [east, north, down] = size.map(f64::from);
         let step = DVec3::new(extent.x / east, extent.y / down, extent.z / north);
@@ -187,7 +190,7 @@ impl CornerPointGrid {
 }
 
 impl PropertyVolume {
-    /// What stands for a value within the range.
+    /// The byte for a value within the range.
     fn byte(&self, value: f32) -> u8 {
         let [low, high] = self.layout.range.map(f64::from);
         let share = (f64::from(value) - low) / (high - low);
@@ -205,17 +208,17 @@ impl PropertyVolume {
     }
 }
 
-/// A cell, measured in samples: its corners in the plan, and how deep its top and its base lie there.
+/// A cell in units of samples: its corners in the horizontal plane, and the depths of its top and its base there.
 struct Prism {
     plan: [DVec2; 4],
     top: [f64; 4],
     base: [f64; 4],
 }
 
-/// Of the corners south-west, south-east, north-west, north-east.
+/// The two triangles of a quad with corners south-west, south-east, north-west, north-east.
 const TRIANGLES: [[usize; 3]; 2] = [[0, 1, 3], [0, 3, 2]];
 
-/// A share of a step by which samples on a border belong to both sides.
+/// The fraction of a step within which a sample on a border belongs to both sides.
 const SLACK: f64 = 1e-9;
 
 impl Prism {
@@ -235,7 +238,8 @@ impl Prism {
         }
     }
 
-    /// Fills the samples inside; says how many it looked at, or nothing when they are more than it may.
+    /// Fills the samples inside the cell. Returns the number of samples visited, or `None` if they are more than
+    /// `budget`.
     fn fill(&self, byte: u8, volume: &mut PropertyVolume, budget: u64) -> Option<u64> {
         let [east, north, deep] = volume.layout.size;
         let mut spent = 0;
@@ -276,7 +280,7 @@ impl Prism {
     }
 }
 
-/// The samples from one place to another, those at both included: the first and the one behind the last.
+/// The half-open range of samples between two positions, both included.
 fn range(low: f64, high: f64, samples: u32) -> [u32; 2] {
     let most = f64::from(samples);
     let start = (low - SLACK).ceil().clamp(0.0, most) as u32;

@@ -1,33 +1,42 @@
-//! The sections of a stack, packed side by side into one image.
+//! A texture atlas of the sections of a stack.
 
 use std::ops::Range;
 
 use antumbra_scene::Image;
 
-use crate::slice::picture;
+use crate::image::clamped_image;
 use crate::volume::Axis;
 
-/// How much thinner than the samples of a section its stack may be: a box that needs more loses samples as well.
+/// A stack may have this many times fewer sections than its box has samples. A box that needs still fewer loses
+/// samples in the plane as well.
 const UNEVEN: u32 = 4;
 
-/// Which samples of a box are in an image, and where.
+/// The samples of a box that are in an image, and their places.
 #[derive(Debug)]
 pub(super) struct Atlas {
     axis: Axis,
-    /// Samples kept along each of the box' axes, counted from its first.
+    /// The kept samples along each of the box's axes, counted from its first.
     kept: [Vec<u32>; 3],
-    /// Sections side by side.
+    /// The number of sections side by side.
     columns: u32,
-    /// Pixels along both sides of the image.
+    /// The width and height of the image in pixels.
     size: [u32; 2],
 }
 
+/// The samples of a brick.
+pub(super) struct BrickSamples<'a> {
+    pub(super) brick: [u32; 3],
+    /// Samples along an edge.
+    pub(super) edge: u32,
+    pub(super) samples: &'a [u8],
+}
+
 impl Atlas {
-    /// Room for the sections along `axis` of a box of so many samples, in an image no longer than `side`.
+    /// An atlas for the sections along `axis` of a box with this many samples, in an image no longer than `side`.
     pub(super) fn new(axis: Axis, samples: [u32; 3], side: u32) -> Self {
         let count = axis.of(samples);
         let plane = axis.plane().map(|along| along.of(samples));
-        // Every so manieth sample: the first that fits.
+        // Every n-th sample in the plane is kept, with the first n that fits.
         let mut every = 1;
         let ([right, down], room) = loop {
             let [right, down] = plane.map(|samples| samples.div_ceil(every));
@@ -53,12 +62,12 @@ impl Atlas {
         }
     }
 
-    /// The axis along which the sections lie behind each other.
+    /// The axis along which the sections follow each other.
     pub(super) fn axis(&self) -> Axis {
         self.axis
     }
 
-    /// The sections in the image, counted in samples from the box' first.
+    /// The sections in the image, as sample indices from the box's first.
     pub(super) fn sections(&self) -> &[u32] {
         self.kept_along(self.axis)
     }
@@ -67,7 +76,7 @@ impl Atlas {
         axis.of(self.kept.each_ref()).as_slice()
     }
 
-    /// Samples from one section to the next.
+    /// The mean number of samples between two sections.
     pub(super) fn spacing(&self) -> f64 {
         let sections = self.sections();
         let (last, steps) = (sections.last().copied(), sections.len() - 1);
@@ -75,7 +84,7 @@ impl Atlas {
             .map_or(1.0, |last| f64::from(last) / steps as f64)
     }
 
-    /// The corners of a section's first and last sample in the image, in parts of it.
+    /// The texture coordinates of a section's first and last sample.
     pub(super) fn corners(&self, section: usize) -> [[f32; 2]; 2] {
         let corner = self.corner(section as u32);
         let cell = self.cell();
@@ -87,28 +96,34 @@ impl Atlas {
         })
     }
 
-    /// An image's pixels where nothing can be seen.
+    /// Transparent pixels for the whole image.
     pub(super) fn blank(&self) -> Vec<[u8; 4]> {
         let [width, height] = self.size.map(|side| side as usize);
         vec![[0; 4]; width * height]
     }
 
-    /// Pixels as an image.
+    /// An image with these pixels.
     pub(super) fn image(&self, pixels: Vec<[u8; 4]>) -> Image {
-        picture(self.size, pixels.into_flattened())
+        clamped_image(self.size, pixels.into_flattened())
     }
 
-    /// Puts those samples of a brick into the image that are in the box, whose first sample is `min`.
+    /// Writes the samples of a brick that are in the box into the image. `min` is the box's first sample.
     pub(super) fn fill(
         &self,
         pixels: &mut [[u8; 4]],
         colours: &[[u8; 4]; 256],
         min: [u32; 3],
-        (brick, edge, samples): ([u32; 3], u32, &[u8]),
+        brick: &BrickSamples<'_>,
     ) {
+        let BrickSamples {
+            brick,
+            edge,
+            samples,
+        } = *brick;
         let [right, down] = self.axis.plane();
         let strides = [1, edge as usize, (edge as usize).pow(2)];
-        // The samples kept along an axis that this brick holds, by their number among those, and their offsets in the brick.
+        // The kept samples along an axis that are in this brick: their numbers among the kept ones, and their offsets
+        // in the brick.
         let held = |axis: Axis| -> (Range<usize>, Vec<usize>) {
             let kept = self.kept_along(axis);
             let (min, start) = (axis.of(min), axis.of(brick) * edge);
@@ -134,7 +149,7 @@ impl Atlas {
         }
     }
 
-    /// Pixels along both sides of a section.
+    /// The width and height of a section in pixels.
     fn cell(&self) -> [u32; 2] {
         // No longer than the image.
         (self.axis.plane()).map(|along| self.kept_along(along).len() as u32)
@@ -148,7 +163,7 @@ impl Atlas {
     }
 }
 
-/// The `i`th of `kept` samples out of `count`, the first and the last among them and the others evenly between.
+/// The `i`-th of `kept` samples out of `count`: the first and the last, and others evenly between.
 fn spread(i: u32, kept: u32, count: u32) -> u32 {
     let (i, steps, last) = (u64::from(i), u64::from(kept - 1), u64::from(count - 1));
     if steps == 0 {
@@ -175,7 +190,7 @@ mod tests {
                         prop_assert_eq!([kept[0], kept[kept.len() - 1]], [0, samples - 1]);
                     }
                 }
-                // Every section lies in the image, its last one's lower right pixel too.
+                // Every section is within the image, including the lower right pixel of the last one.
                 let last = atlas.sections().len() as u32 - 1;
                 let ([left, top], [width, height]) = (atlas.corner(last), atlas.cell());
                 prop_assert!(left + width <= atlas.size[0] && top + height <= atlas.size[1]);

@@ -1,4 +1,4 @@
-//! A lens' sections along one axis as meshes, one for each order in which they can be drawn.
+//! A lens's sections along one axis as meshes, one per drawing order.
 
 use antumbra_scene::{
     AlphaMode, Drawable, Geometry, ImageKey, Material, MaterialKey, Mesh, MeshKey, Scene,
@@ -6,27 +6,27 @@ use antumbra_scene::{
 use glam::{DMat3, DVec3};
 
 use super::atlas::Atlas;
-use super::{AxisEnd, StackOrientation};
+use super::orientation::{AxisEnd, StackOrientation};
 use crate::error::SubsurfaceError;
-use crate::slice::picture;
+use crate::image::clamped_image;
 use crate::volume::{SampleBox, VolumeLayout};
 
 /// A stack of sections that share an image.
 #[derive(Debug)]
 pub(super) struct Stack {
     pub(super) atlas: Atlas,
-    /// Of every sample.
+    /// The RGBA colour of every sample.
     pub(super) colours: [[u8; 4]; 256],
     pub(super) image: ImageKey,
     material: MaterialKey,
-    /// Drawn from the first section to the last.
+    /// The sections from the first to the last.
     upwards: MeshKey,
-    /// Drawn from the last to the first.
+    /// The sections from the last to the first.
     downwards: MeshKey,
 }
 
 impl Stack {
-    /// Adds the stack's meshes around the box' middle, and an image in which nothing can be seen.
+    /// Adds the stack's meshes, relative to the box's centre, and a transparent image.
     pub(super) fn add(
         scene: &mut Scene,
         layout: &VolumeLayout,
@@ -35,7 +35,7 @@ impl Stack {
         colours: [[u8; 4]; 256],
     ) -> Result<Self, SubsurfaceError> {
         let name = format!("lens along the {} axis", atlas.axis());
-        let image = scene.add_image(picture([1, 1], vec![0; 4]))?;
+        let image = scene.add_image(clamped_image([1, 1], vec![0; 4]))?;
         let material = scene.add_material(Material {
             name: name.clone(),
             base_colour_image: Some(image),
@@ -53,7 +53,7 @@ impl Stack {
             scene.add_mesh(Mesh {
                 name: format!("{name}, {order}"),
                 levels: vec![geometry],
-                proxy: Some(surrounding(layout, area)),
+                proxy: Some(bounding_box(layout, area)),
             })
         };
         Ok(Self {
@@ -66,9 +66,9 @@ impl Stack {
         })
     }
 
-    /// What to draw when the stack is looked at from one side.
-    pub(super) fn drawable(&self, facing: StackOrientation) -> Drawable {
-        let mesh = match facing.eye_side {
+    /// The drawable for an orientation.
+    pub(super) fn drawable(&self, orientation: StackOrientation) -> Drawable {
+        let mesh = match orientation.eye_side {
             AxisEnd::First => self.downwards,
             AxisEnd::Last => self.upwards,
         };
@@ -77,23 +77,23 @@ impl Stack {
     }
 }
 
-/// From a place in the box, in samples from its first, to metres from its middle.
-fn from_middle(layout: &VolumeLayout, area: &SampleBox) -> impl Fn(DVec3) -> [f32; 3] {
+/// A function from positions in the box, in samples from its first, to metres from its centre.
+fn from_centre(layout: &VolumeLayout, area: &SampleBox) -> impl Fn(DVec3) -> [f32; 3] {
     let [x, y, z] = layout.steps;
     let steps = DMat3::from_cols(x, y, z);
     let middle = last(area) / 2.0;
     move |place| (steps * (place - middle)).as_vec3().to_array()
 }
 
-/// The box' last sample, from its first.
+/// The box's last sample, counted from its first.
 fn last(area: &SampleBox) -> DVec3 {
     DVec3::from(area.samples().map(|count| f64::from(count) - 1.0))
 }
 
-/// Two triangles a section, from the first section to the last.
+/// Two triangles per section, from the first section to the last.
 fn sections(layout: &VolumeLayout, area: &SampleBox, atlas: &Atlas) -> Geometry {
     let axis = atlas.axis();
-    let metres = from_middle(layout, area);
+    let metres = from_centre(layout, area);
     let ends = axis.plane().map(|along| along.of(last(area).to_array()));
     let mut geometry = Geometry::default();
     for (number, at) in atlas.sections().iter().enumerate() {
@@ -110,9 +110,9 @@ fn sections(layout: &VolumeLayout, area: &SampleBox, atlas: &Atlas) -> Geometry 
     geometry
 }
 
-/// The twelve triangles of the lens' box, which need not be upright.
-fn surrounding(layout: &VolumeLayout, area: &SampleBox) -> Geometry {
-    let metres = from_middle(layout, area);
+/// The twelve triangles of the lens's box, which need not be axis-aligned.
+fn bounding_box(layout: &VolumeLayout, area: &SampleBox) -> Geometry {
+    let metres = from_centre(layout, area);
     let last = last(area);
     let unit = Geometry::from_box(&antumbra_scene::Aabb {
         min: DVec3::ZERO,
@@ -121,7 +121,7 @@ fn surrounding(layout: &VolumeLayout, area: &SampleBox) -> Geometry {
     let mut indices = unit.indices;
     let [x, y, z] = layout.steps;
     if x.cross(y).dot(z) < 0.0 {
-        // The volume's axes turn the other way: so must the triangles, to look outwards.
+        // The volume's axes are left-handed. The triangles are reversed, so that they face outwards.
         indices
             .as_chunks_mut::<3>()
             .0

@@ -1,14 +1,14 @@
-//! Cutting exactly along the tiles' borders: triangles are clipped in plan, first into columns, then into rows (Sutherland and Hodgman,
-//! *Reentrant Polygon Clipping*, 1974).
+//! Clipping of triangles at the tiles' borders in the plan, first into columns, then into rows (Sutherland and
+//! Hodgman, *Reentrant Polygon Clipping*, 1974).
 //!
-//! A place where an edge meets a border is computed from the edge's ends in an order that does not depend on who asks, so that the pieces
-//! on both sides, and those of the triangle across the edge, get the same bits: no cracks.
+//! The intersection of an edge with a border is computed from the edge's ends in a fixed order. The pieces on both
+//! sides, and those of the triangle across the edge, therefore get the same bits, and there are no cracks.
 
 use antumbra_scene::Geometry;
 use std::cmp::Ordering;
 use std::collections::HashMap;
 
-/// A corner: its place in plan, then its position.
+/// A corner: its position in the plan, then its position in space.
 type Corner = [f64; 5];
 
 /// The parts of a mesh in each of `n` x `n` tiles, row by row.
@@ -39,9 +39,9 @@ pub(super) fn to_tiles(
     tiles.into_iter().map(|tile| tile.geometry).collect()
 }
 
-/// Cuts a polygon at every border it crosses along an axis and hands out the part in each tile. Borders are taken in ascending order, each
-/// cut made of what the last one left: that way two polygons with an edge in common cut it at the same places. The outermost tiles reach
-/// beyond the plan.
+/// Cuts a polygon at every border it crosses along an axis, and passes the part in each tile to `part`. Borders are
+/// taken in ascending order, and each cut is made in the remainder of the previous one. Two polygons with a common
+/// edge are thus cut at the same points. The outermost tiles extend beyond the plan.
 fn slice(polygon: Vec<Corner>, axis: usize, n: u32, mut part: impl FnMut(u32, Vec<Corner>)) {
     let ends = polygon.iter().map(|corner| corner[axis]);
     let (least, most) = ends.fold((f64::MAX, f64::MIN), |(least, most), end| {

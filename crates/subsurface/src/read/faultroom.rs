@@ -1,11 +1,12 @@
-//! The fault surfaces that RMS's FaultRoom writes: GeoJSON with a polygon for each triangle, x, y and depth at each corner.
+//! Fault surfaces of RMS's FaultRoom: GeoJSON with a polygon per triangle and x, y and depth at each corner.
 
 use std::collections::HashMap;
 
 use glam::DVec3;
 use serde::Deserialize;
 
-use super::{ZPositive, triangles};
+use super::options::ZPositive;
+use super::triangles;
 use crate::surface::{Surface, SurfaceKind};
 
 #[derive(Deserialize)]
@@ -30,7 +31,7 @@ struct Shape {
     coordinates: Vec<Vec<[f64; 3]>>,
 }
 
-/// A surface for each fault, in the order in which the file first names them.
+/// Reads a surface per fault, in the order in which the file first names them.
 pub(super) fn read(
     bytes: &[u8],
     positive: ZPositive,
@@ -76,7 +77,7 @@ pub(super) fn read(
 struct Fault {
     name: String,
     points: Vec<DVec3>,
-    /// Points by the bits of their coordinates: corners of neighbours are the same.
+    /// Points by the bits of their coordinates. Corners of neighbouring triangles are equal.
     known: HashMap<[u64; 3], u32>,
     named: Vec<[u32; 3]>,
 }

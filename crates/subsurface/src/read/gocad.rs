@@ -1,11 +1,11 @@
-//! GOCAD TSurf: triangulated surfaces as lines of text, several to a file.
+//! GOCAD TSurf: triangulated surfaces as lines of text, several per file.
 
 use std::collections::HashMap;
 
 use antumbra_formats::raster::text::{decode, parse_number};
 use glam::DVec3;
 
-use super::ZPositive;
+use super::options::ZPositive;
 use super::triangles;
 use crate::surface::{Surface, SurfaceKind};
 
@@ -23,7 +23,7 @@ pub(super) fn read(
         let words = words.trim();
         let mut begin = words.split_whitespace();
         if (begin.next()).is_some_and(|word| word.eq_ignore_ascii_case("GOCAD")) {
-            // Writers may leave out the last object's END.
+            // Some writers leave out the last object's END.
             surfaces.extend(open.take().map(|it| it.finish(stem, kind)).transpose()?);
             let is_surface = (begin.next()).is_some_and(|word| word.eq_ignore_ascii_case("TSurf"));
             if !is_surface {
@@ -49,12 +49,12 @@ pub(super) fn read(
 
 struct Object {
     name: Option<String>,
-    /// What the reader is told overrules what the file says.
+    /// The direction of z in the read options, which overrides the file's.
     told: Option<ZPositive>,
     said: ZPositive,
-    /// As the file has them.
+    /// The points with the file's coordinates.
     points: Vec<DVec3>,
-    /// A vertex's number in the file, and its place among the points.
+    /// The index of each vertex's point, by the vertex's number in the file.
     numbers: HashMap<u64, u32>,
     triangles: Vec<[u32; 3]>,
 }
@@ -141,7 +141,7 @@ fn id(word: Option<&str>) -> Result<u64, String> {
         .map_err(|_| format!("`{word}` is no vertex's number"))
 }
 
-/// `name:F5`, on a line of its own or within `HEADER { name:F5 }`.
+/// The name in `name:F5`, on a line of its own or within `HEADER { name:F5 }`.
 fn name_in(line: &str) -> Option<String> {
     let line = line
         .rsplit('{')

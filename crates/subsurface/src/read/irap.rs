@@ -1,31 +1,31 @@
-//! Irap binary surfaces: Fortran records of big-endian numbers, a length before and after each.
+//! Irap binary surfaces: Fortran records of big-endian numbers, each with its length before and after.
 //!
-//! Three records of header (-996, rows, box, steps; columns, rotation and its centre; seven integers), then the values, columns
-//! fastest, in as many records as the writer liked.
+//! The header has three records (-996, rows, box, steps; columns, rotation and its centre; seven integers). The
+//! values follow, columns fastest, in any number of records.
 
 use antumbra_formats::raster::text::node_count;
 use antumbra_scene::Raster;
 use glam::DVec2;
 
-use super::ZPositive;
-use super::bytes::Bytes;
+use super::byte_reader::ByteReader;
+use super::options::ZPositive;
 
 /// The first record's length and the format's number.
 pub(super) const MAGIC: [u8; 8] = [0, 0, 0, 32, 0xff, 0xff, 0xfc, 0x1c];
 
-/// From here on a value means that there is none.
+/// Values from here on are undefined.
 pub(super) const UNDEFINED: f64 = 9_999_900.0;
 
 pub(super) fn read(bytes: &[u8], positive: ZPositive) -> Result<Raster, String> {
     if !bytes.starts_with(&MAGIC) {
         return Err("it does not begin with a record of 32 bytes and -996".into());
     }
-    let mut file = Bytes::new(bytes);
-    let mut box_record = Bytes::new(record(&mut file, Some(32), "the first record")?);
+    let mut file = ByteReader::new(bytes);
+    let mut box_record = ByteReader::new(record(&mut file, Some(32), "the first record")?);
     box_record.take(4, "the format's number")?;
     let rows = box_record.i32_big("rows")?;
     let [west, _, south, _, step_u, step_v] = numbers(&mut box_record)?;
-    let mut turn_record = Bytes::new(record(&mut file, Some(16), "the second record")?);
+    let mut turn_record = ByteReader::new(record(&mut file, Some(16), "the second record")?);
     let columns = turn_record.i32_big("columns")?;
     let [degrees, centre_x, centre_y] = numbers(&mut turn_record)?;
     record(&mut file, Some(28), "the third record")?;
@@ -49,28 +49,28 @@ pub(super) fn read(bytes: &[u8], positive: ZPositive) -> Result<Raster, String> 
             elevation.len()
         ));
     }
-    let placed = Placed {
+    let placement = GridPlacement {
         corner: DVec2::new(west, south),
         steps: DVec2::new(step_u, step_v),
         degrees,
         centre: DVec2::new(centre_x, centre_y),
     };
-    Ok(placed.field(columns, rows, elevation))
+    Ok(placement.raster(columns, rows, elevation))
 }
 
-/// Where an Irap surface lies: its grid turned around a point.
-pub(super) struct Placed {
+/// The position of an Irap surface: its grid rotated about a point.
+pub(super) struct GridPlacement {
     pub(super) corner: DVec2,
     pub(super) steps: DVec2,
-    /// Counter-clockwise from east.
+    /// The rotation, counter-clockwise from east.
     pub(super) degrees: f64,
     pub(super) centre: DVec2,
 }
 
-impl Placed {
-    pub(super) fn field(&self, columns: u32, rows: u32, elevation: Vec<f32>) -> Raster {
+impl GridPlacement {
+    pub(super) fn raster(&self, columns: u32, rows: u32, elevation: Vec<f32>) -> Raster {
         let turn = DVec2::from_angle(self.degrees.to_radians());
-        // Some writers turn about the first node and leave the centre at zero.
+        // Some writers rotate about the first node and leave the centre at zero.
         let centre = match self.centre {
             DVec2::ZERO => self.corner,
             centre => centre,
@@ -87,7 +87,7 @@ impl Placed {
     }
 }
 
-/// The elevation of a value; NaN for an undefined one.
+/// The elevation for a value; NaN for an undefined one.
 pub(super) fn height(value: f64, positive: ZPositive) -> f32 {
     if value >= UNDEFINED {
         f32::NAN
@@ -96,7 +96,7 @@ pub(super) fn height(value: f64, positive: ZPositive) -> f32 {
     }
 }
 
-fn numbers<const N: usize>(record: &mut Bytes<'_>) -> Result<[f64; N], String> {
+fn numbers<const N: usize>(record: &mut ByteReader<'_>) -> Result<[f64; N], String> {
     let mut numbers = [0.0; N];
     for number in &mut numbers {
         *number = f64::from(record.f32_big("a number")?);
@@ -104,7 +104,11 @@ fn numbers<const N: usize>(record: &mut Bytes<'_>) -> Result<[f64; N], String> {
     Ok(numbers)
 }
 
-fn record<'a>(file: &mut Bytes<'a>, length: Option<usize>, what: &str) -> Result<&'a [u8], String> {
+fn record<'a>(
+    file: &mut ByteReader<'a>,
+    length: Option<usize>,
+    what: &str,
+) -> Result<&'a [u8], String> {
     let at = file.at();
     let before = file.i32_big(what)?;
     let wanted = usize::try_from(before).unwrap_or(usize::MAX);

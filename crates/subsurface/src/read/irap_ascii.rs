@@ -1,11 +1,12 @@
-//! Irap ASCII surfaces: 19 numbers of header (`-996 rows step step`, the box, `columns rotation centre`, seven integers), then the values.
+//! Irap ASCII surfaces: a header of 19 numbers (`-996 rows step step`, the box, `columns rotation centre`, seven
+//! integers), then the values.
 
 use antumbra_formats::raster::text::{Tokens, decode};
 use antumbra_scene::Raster;
 use glam::DVec2;
 
-use super::ZPositive;
-use super::irap::{Placed, height};
+use super::irap::{GridPlacement, height};
+use super::options::ZPositive;
 
 pub(super) fn read(bytes: &[u8], positive: ZPositive) -> Result<Raster, String> {
     let text = decode(bytes);
@@ -24,14 +25,14 @@ pub(super) fn read(bytes: &[u8], positive: ZPositive) -> Result<Raster, String> 
         words.number("one of seven integers")?;
     }
     let values = words.grid(columns, rows, text.len(), |_| false)?;
-    let placed = Placed {
+    let placement = GridPlacement {
         corner: DVec2::new(west, south),
         steps,
         degrees,
         centre,
     };
     let heights = values.into_iter().map(|value| height(value, positive));
-    Ok(placed.field(columns, rows, heights.collect()))
+    Ok(placement.raster(columns, rows, heights.collect()))
 }
 
 fn pair(words: &mut Tokens<'_>, what: &str) -> Result<DVec2, String> {

@@ -1,12 +1,14 @@
-//! Picks: a table of points that an interpreter set on horizons, separated by commas, semicolons or tabs.
+//! Picks: a table of points on horizons, as set by an interpreter, separated by commas, semicolons or tabs.
 
 use std::collections::HashMap;
 
 use antumbra_formats::raster::text::{decode, parse_number};
 use glam::DVec3;
 
-use super::{Progress, ReadOptions, ZPositive, drape};
+use super::delaunay;
+use super::options::{ReadOptions, ZPositive};
 use crate::assemble;
+use crate::progress::ProgressFn;
 use crate::surface::Surface;
 
 const EAST: [&str; 6] = ["x", "easting", "east", "x_utme", "utm_x", "x_coord"];
@@ -26,7 +28,7 @@ pub(super) fn read(
     bytes: &[u8],
     stem: &str,
     options: &ReadOptions,
-    progress: Progress<'_>,
+    progress: ProgressFn<'_>,
 ) -> Result<Vec<Surface>, String> {
     if let Some(longest) = options.longest_edge
         && (longest <= 0.0 || longest.is_nan())
@@ -50,10 +52,10 @@ pub(super) fn read(
         .read_record(&mut row)
         .map_err(|error| error.to_string())?
     {
-        let Some((name, point)) = columns.pick(&row)? else {
+        let Some(Pick { surface, point }) = columns.pick(&row)? else {
             continue;
         };
-        let at = *named.entry(name).or_insert_with_key(|name| {
+        let at = *named.entry(surface).or_insert_with_key(|name| {
             picks.push((name.clone(), Vec::new()));
             picks.len() - 1
         });
@@ -70,7 +72,7 @@ pub(super) fn read(
     for (name, points) in picks {
         progress(done, count);
         let name = if name.is_empty() { stem.into() } else { name };
-        match drape::surface(name, points, options.longest_edge) {
+        match delaunay::surface(name, points, options.longest_edge) {
             Ok(surface) => surfaces.push(surface),
             Err(problem) => {
                 tracing::warn!("{problem}; it is left out");
@@ -85,12 +87,18 @@ pub(super) fn read(
     Ok(surfaces)
 }
 
-/// The one of the three that the first line has most of.
+/// The separator that occurs most often in the first line.
 fn separator(text: &str) -> u8 {
     let first = text.lines().next().unwrap_or_default();
     let count = |of: &u8| first.bytes().filter(|byte| byte == of).count();
-    // Of equals the last wins: a comma then.
+    // Of equal counts the last wins: the comma.
     b"\t;,".iter().copied().max_by_key(count).unwrap_or(b',')
+}
+
+/// A point on a surface.
+struct Pick {
+    surface: String,
+    point: DVec3,
 }
 
 struct Columns {
@@ -134,8 +142,8 @@ impl Columns {
         })
     }
 
-    /// `None` for a row that names no surface, as rows of other things do.
-    fn pick(&self, row: &csv::StringRecord) -> Result<Option<(String, DVec3)>, String> {
+    /// The pick of a row; `None` for a row without a surface's name, since a table may have rows of other things.
+    fn pick(&self, row: &csv::StringRecord) -> Result<Option<Pick>, String> {
         let names = self.surface.iter().map(|&at| row.get(at).unwrap_or(""));
         let names: Vec<_> = names.collect();
         if row.iter().all(str::is_empty) || names.iter().any(|name| name.is_empty()) {
@@ -152,6 +160,9 @@ impl Columns {
         if !assemble::is_place(point) {
             return Err(format!("line {line}: ({x}, {y}, {z}) is no place on Earth"));
         }
-        Ok(Some((names.join(" "), point)))
+        Ok(Some(Pick {
+            surface: names.join(" "),
+            point,
+        }))
     }
 }

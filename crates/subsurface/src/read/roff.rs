@@ -1,13 +1,13 @@
 //! ROFF, the format of Roxar's reservoir grids: tags of typed keys, in binary or in ASCII.
 //!
-//! A value here is still the file's own bytes (or, in ASCII, its words), so that what is declared has been held against what is there
-//! before memory is asked for.
+//! A value is kept as the file's bytes (in ASCII, as its words). Declared lengths are thus checked against the file
+//! before memory is allocated.
 
 use antumbra_formats::raster::text::{decode, parse_number};
 
-use super::bytes::Bytes;
+use super::byte_reader::ByteReader;
 
-/// Keys in all tags together; real files have some dozens.
+/// The greatest number of keys in all tags. Real files have a few dozen.
 const MAX_KEYS: usize = 1 << 16;
 
 /// A file's tags, in its order.
@@ -32,7 +32,7 @@ pub(super) enum Value<'a> {
         values: Vec<f32>,
     },
     Text(String),
-    /// Names of codes and the like; nothing here needs them.
+    /// Several texts, such as names of codes. They are not used.
     Texts,
 }
 
@@ -69,7 +69,7 @@ impl Kind {
 }
 
 impl Value<'_> {
-    /// How many there are.
+    /// The number of values.
     pub(super) fn len(&self) -> usize {
         match self {
             Self::Binary { kind, bytes, .. } => bytes.len() / kind.width(),
@@ -78,7 +78,7 @@ impl Value<'_> {
         }
     }
 
-    /// All as numbers; f32 is what the format's grids are written in, and exact for codes.
+    /// All values as numbers. The format's grids are written in f32, which is exact for codes.
     pub(super) fn numbers(&self) -> Vec<f32> {
         let Self::Binary {
             kind,
@@ -123,7 +123,7 @@ impl<'a> Roff<'a> {
         Err("it begins neither with `roff-bin` nor with `roff-asc`".into())
     }
 
-    /// A key of the first tag of that name which has it.
+    /// The value of a key in the first tag of this name that has the key.
     pub(super) fn find(&self, tag: &str, key: &str) -> Option<&Value<'a>> {
         let tags = self.tags.iter().filter(|found| found.name == tag);
         let mut keys = tags.flat_map(|tag| &tag.keys);
@@ -135,7 +135,7 @@ impl<'a> Roff<'a> {
         found.ok_or_else(|| format!("tag `{tag}` with key `{key}` is missing"))
     }
 
-    /// A single number; `None` where there is none.
+    /// A single number; `None` if there is none.
     pub(super) fn number(&self, tag: &str, key: &str) -> Option<f64> {
         let value = self.find(tag, key)?.numbers();
         value.first().map(|&value| f64::from(value))
@@ -169,7 +169,7 @@ impl<'a> Roff<'a> {
 }
 
 fn binary(bytes: &[u8]) -> Result<Roff<'_>, String> {
-    let mut file = Bytes::new(bytes);
+    let mut file = ByteReader::new(bytes);
     let mut roff = Roff { tags: Vec::new() };
     let (mut is_big, mut keys) = (false, 0);
     file.until_zero("the format's name")?;
@@ -245,9 +245,9 @@ fn binary(bytes: &[u8]) -> Result<Roff<'_>, String> {
     }
 }
 
-fn word(file: &mut Bytes<'_>, what: &str) -> Result<String, String> {
+fn word(file: &mut ByteReader<'_>, what: &str) -> Result<String, String> {
     let word = file.until_zero(what)?;
-    // No name is long; a damaged file's may be all of the rest.
+    // Names are short. In a damaged file the rest of the file may be one name.
     let short = word.get(..256).unwrap_or(word);
     Ok(String::from_utf8_lossy(short).into_owned())
 }
@@ -316,7 +316,7 @@ fn ascii(text: &str) -> Result<Roff<'static>, String> {
     }
 }
 
-/// Words parted by spaces, strings in quotes, comments between two `#`.
+/// Words separated by spaces, strings in quotes, comments between two `#`.
 struct AsciiWords<'a> {
     rest: &'a str,
 }

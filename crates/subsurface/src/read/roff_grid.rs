@@ -1,17 +1,18 @@
-//! Corner-point grids and cell parameters out of ROFF files.
+//! Corner-point grids and cell parameters from ROFF files.
 //!
-//! Nodes and cells are ordered with the third index fastest, which grows upwards; the second grows northwards, the first eastwards. At
-//! a node the eight cells around it may each have a height of their own: `splitEnz` says how many are written (1: one for all; 2: one
-//! for the cells below and one for those above; 4: one each for those south-west, south-east, north-west and north-east of it; 8: four
-//! below, then four above).
+//! Nodes and cells are ordered with the third index fastest, which grows upwards. The second grows northwards, the
+//! first eastwards. At a node each of the eight cells around it may have a height of its own. `splitEnz` gives the
+//! number of heights at a node: 1 is one for all cells; 2 is one for the cells below and one for those above; 4 is
+//! one each for the cells south-west, south-east, north-west and north-east of the node; 8 is four below, then four
+//! above.
 
 use glam::DVec3;
 
-use super::ZPositive;
+use super::options::ZPositive;
 use super::roff::{Roff, Value};
 use crate::corner_point::{CellProperty, CornerPointGrid, Pillar};
 
-/// Parameters write -999, 255 in bytes, or one of two huge numbers where they have no value.
+/// The values for "no value" in parameters: -999, 255 in bytes, or one of two huge numbers.
 const NO_VALUE: f32 = -999.0;
 const NO_CODE: f32 = 2e9;
 const NO_BYTE: f32 = 255.0;
@@ -23,7 +24,7 @@ pub(super) fn grid(bytes: &[u8], positive: ZPositive) -> Result<CornerPointGrid,
     }
     let size = size(&roff)?;
     let [nx, ny, nz] = size.map(|cells| cells as usize);
-    let placed = Placed::of(&roff, positive);
+    let units = UnitConversion::of(&roff, positive);
     let lines = roff.get("cornerLines", "data")?;
     let pillars = (nx + 1).saturating_mul(ny + 1);
     expect(lines, pillars.saturating_mul(6), "cornerLines")?;
@@ -35,13 +36,14 @@ pub(super) fn grid(bytes: &[u8], positive: ZPositive) -> Result<CornerPointGrid,
     } else {
         expect(heights, nodes, "zvalues without splitEnz")?;
     }
-    // Without a `splitEnz` each node has one height, and the file at least that many numbers: so many cells are its length's right.
+    // Without `splitEnz` each node has one height, and the file has at least that many numbers. The number of cells
+    // is thus bounded by the file's length.
     let cells = nx.saturating_mul(ny).saturating_mul(nz);
     let active = roff.find("active", "data");
     if let Some(active) = active {
         expect(active, cells, "active")?;
     }
-    let pillars = pillars_of(lines, &placed);
+    let pillars = pillars_of(lines, &units);
     let offsets = offsets(splits, nodes, heights.len())?;
     let heights = heights.numbers();
     let height = |node: usize, of_eight: usize| {
@@ -54,14 +56,14 @@ pub(super) fn grid(bytes: &[u8], positive: ZPositive) -> Result<CornerPointGrid,
             _ => of_eight,
         };
         let z = heights.get(start as usize + at).copied();
-        z.map_or(f32::NAN, |z| placed.height(z))
+        z.map_or(f32::NAN, |z| units.height(z))
     };
     let mut corners = Vec::with_capacity(cells);
     for (i, j, k) in each(nx, ny, nz) {
         corners.push(std::array::from_fn(|corner| {
             let (east, north, top) = (corner & 1, corner >> 1 & 1, corner >> 2);
             let node = ((i + east) * (ny + 1) + j + north) * (nz + 1) + k + top;
-            // Seen from the node, the cell lies on the other side.
+            // The cell is on the opposite side of the node.
             height(node, 7 - corner)
         }));
     }
@@ -107,7 +109,7 @@ fn size(roff: &Roff<'_>) -> Result<[u32; 3], String> {
         let cells = roff
             .number("dimensions", key)
             .ok_or_else(|| format!("tag `dimensions` with key `{key}` is missing"))?;
-        // f32 is exact this far, and no grid goes further.
+        // f32 is exact up to this number, and no grid is larger.
         if !(1.0..=16_000_000.0).contains(&cells) {
             return Err(format!("{key} is {cells}; a grid has at least one cell"));
         }
@@ -126,7 +128,7 @@ fn expect(value: &Value<'_>, count: usize, what: &str) -> Result<(), String> {
     ))
 }
 
-/// Where each node's heights begin, and the last's end.
+/// The index of each node's first height, and the end of the last node's.
 fn offsets(splits: Option<&Value<'_>>, nodes: usize, heights: usize) -> Result<Vec<u32>, String> {
     let ones = || vec![1.0; nodes];
     let splits = splits.map_or_else(ones, Value::numbers);
@@ -152,14 +154,14 @@ fn offsets(splits: Option<&Value<'_>>, nodes: usize, heights: usize) -> Result<V
     Ok(offsets)
 }
 
-/// How the file's numbers become metres: `(number + offset) * scale`.
-struct Placed {
+/// The conversion of the file's numbers to metres: `(number + offset) * scale`.
+struct UnitConversion {
     offset: DVec3,
     scale: DVec3,
     positive: ZPositive,
 }
 
-impl Placed {
+impl UnitConversion {
     fn of(roff: &Roff<'_>, positive: ZPositive) -> Self {
         let three = |tag: &str, keys: [&str; 3], or: DVec3| {
             let [x, y, z] = keys.map(|key| roff.number(tag, key));
@@ -183,18 +185,18 @@ impl Placed {
 
     fn point(&self, [x, y, z]: [f32; 3]) -> DVec3 {
         let file = DVec3::new(f64::from(x), f64::from(y), f64::from(z));
-        let placed = (file + self.offset) * self.scale;
-        DVec3::new(placed.x, self.positive.up(placed.z), -placed.y)
+        let metres = (file + self.offset) * self.scale;
+        DVec3::new(metres.x, self.positive.up(metres.z), -metres.y)
     }
 }
 
-fn pillars_of(lines: &Value<'_>, placed: &Placed) -> Vec<Pillar> {
+fn pillars_of(lines: &Value<'_>, units: &UnitConversion) -> Vec<Pillar> {
     let numbers = lines.numbers();
     let ends = numbers.as_chunks::<3>().0.as_chunks::<2>().0;
     ends.iter()
         .map(|&[bottom, top]| Pillar {
-            bottom: placed.point(bottom),
-            top: placed.point(top),
+            bottom: units.point(bottom),
+            top: units.point(top),
         })
         .collect()
 }

@@ -1,14 +1,16 @@
-//! Surfaces out of triangles that a file lists: faults wound alike, horizons held to be height fields.
+//! Surfaces from the triangles of a file. Faults get a consistent winding, and horizons are checked to be height
+//! fields.
 
 use glam::{DVec2, DVec3};
 
 use crate::assemble;
 use crate::surface::{Surface, SurfaceKind};
 
-/// Pairs of triangles that are looked at, at most, to see that none lies above another.
+/// The greatest number of pairs of triangles that are tested for overlap.
 const MAX_PAIRS: usize = 50_000_000;
 
-/// Points in the world and triangles between them. Triangles that name a point twice and points that no triangle names are dropped.
+/// The surface of points in the world and triangles between them. Triangles with a repeated point, and points without
+/// a triangle, are dropped.
 pub(super) fn surface(
     name: String,
     kind: SurfaceKind,
@@ -37,7 +39,7 @@ pub(super) fn surface(
     Ok(assemble::surface(name, kind, &points, &triangles, plan))
 }
 
-/// Where each point lies between the least and the greatest, east and north.
+/// The position of each point in the plan, from 0 at the least to 1 at the greatest, east and north.
 pub(super) fn normalised(points: &[DVec3]) -> Vec<[f32; 2]> {
     let plan = || points.iter().map(|point| flat(*point));
     let low = plan().reduce(DVec2::min).unwrap_or_default();
@@ -46,7 +48,7 @@ pub(super) fn normalised(points: &[DVec3]) -> Vec<[f32; 2]> {
     plan().map(|at| share(at).to_array()).collect()
 }
 
-/// East and north.
+/// The position of a point in the plan, metres east and north.
 fn flat(point: DVec3) -> DVec2 {
     DVec2::new(point.x, -point.z)
 }
@@ -73,7 +75,7 @@ fn corners(points: &[DVec3], triangle: [u32; 3]) -> [DVec3; 3] {
     triangle.map(|index| points.get(index as usize).copied().unwrap_or_default())
 }
 
-/// The normal, as long as twice the triangle's area.
+/// The normal; its length is twice the triangle's area.
 fn normal(points: &[DVec3], triangle: [u32; 3]) -> DVec3 {
     let [a, b, c] = corners(points, triangle);
     (b - a).cross(c - a)
@@ -87,37 +89,37 @@ fn wind_upwards(points: &[DVec3], triangles: &mut [[u32; 3]]) {
     }
 }
 
-/// Turns triangles so that neighbours agree and each connected piece looks up on the whole.
+/// Flips triangles so that neighbours have the same winding, and the mean normal of each connected piece points up.
 fn wind_alike(points: &[DVec3], triangles: &mut [[u32; 3]]) {
     let neighbours = neighbours(triangles);
-    // Whether each triangle is turned, once that is known.
-    let mut turned: Vec<Option<bool>> = vec![None; triangles.len()];
+    // Whether each triangle is flipped, once that is known.
+    let mut flipped: Vec<Option<bool>> = vec![None; triangles.len()];
     for first in 0..triangles.len() {
-        if turned.get(first) != Some(&None) {
+        if flipped.get(first) != Some(&None) {
             continue;
         }
         let mut piece = vec![(first, false)];
         let mut next = 0;
-        while let Some(&(at, is_turned)) = piece.get(next) {
+        while let Some(&(at, is_flipped)) = piece.get(next) {
             next += 1;
-            if let Some(state) = turned.get_mut(at).filter(|state| state.is_none()) {
-                *state = Some(is_turned);
+            if let Some(state) = flipped.get_mut(at).filter(|state| state.is_none()) {
+                *state = Some(is_flipped);
                 let around = neighbours.get(at).into_iter().flatten().flatten();
-                piece.extend(around.map(|(to, agrees)| (*to, is_turned == *agrees)));
+                piece.extend(around.map(|to| (to.triangle, is_flipped == to.agrees)));
             }
         }
-        // Some were found from two sides.
+        // Some triangles were reached from two sides.
         piece.sort_unstable();
         piece.dedup_by_key(|(index, _)| *index);
         let up = |index: usize| triangles.get(index).map_or(0.0, |t| normal(points, *t).y);
-        let state = |index: usize| turned.get(index).copied().flatten().unwrap_or_default();
+        let state = |index: usize| flipped.get(index).copied().flatten().unwrap_or_default();
         let signed = |&(index, _): &(usize, bool)| match state(index) {
             true => -up(index),
             false => up(index),
         };
-        let looks_down = piece.iter().map(signed).sum::<f64>() < 0.0;
+        let faces_down = piece.iter().map(signed).sum::<f64>() < 0.0;
         for (index, _) in piece {
-            if state(index) != looks_down
+            if state(index) != faces_down
                 && let Some(triangle) = triangles.get_mut(index)
             {
                 triangle.swap(1, 2);
@@ -126,8 +128,15 @@ fn wind_alike(points: &[DVec3], triangles: &mut [[u32; 3]]) {
     }
 }
 
-/// Across each of a triangle's edges the other triangle there, and whether both are wound alike. Where three or more meet, none.
-type Neighbours = [Option<(usize, bool)>; 3];
+/// The neighbour across each of a triangle's edges; `None` at a border, and where three or more triangles meet.
+type Neighbours = [Option<Neighbour>; 3];
+
+#[derive(Clone, Copy)]
+struct Neighbour {
+    triangle: usize,
+    /// Whether both triangles are wound alike.
+    agrees: bool,
+}
 
 fn neighbours(triangles: &[[u32; 3]]) -> Vec<Neighbours> {
     let mut edges = Vec::with_capacity(triangles.len() * 3);
@@ -146,14 +155,17 @@ fn neighbours(triangles: &[[u32; 3]]) -> Vec<Neighbours> {
         for (at, side, to) in [(one, side_one, two), (two, side_two, one)] {
             let slot = neighbours.get_mut(at).and_then(|sides| sides.get_mut(side));
             if let Some(slot) = slot {
-                *slot = Some((to, agrees));
+                *slot = Some(Neighbour {
+                    triangle: to,
+                    agrees,
+                });
             }
         }
     }
     neighbours
 }
 
-/// Says where a triangle stands upright or lies above another; all must be wound upwards.
+/// Refuses a vertical triangle and two triangles above each other. All must be wound upwards.
 fn overlap(points: &[DVec3], triangles: &[[u32; 3]]) -> Result<(), String> {
     let plan: Vec<_> = triangles
         .iter()
@@ -170,11 +182,11 @@ fn overlap(points: &[DVec3], triangles: &[[u32; 3]]) -> Result<(), String> {
             return Err(format!("a triangle at {a} stands upright"));
         }
     }
-    // Along east, each against those that begin before it ends.
+    // Sorted along east; each triangle is tested against those that begin before it ends.
     let mut order: Vec<_> = (0..plan.len()).collect();
     let start = |index: usize| boxes.get(index).map_or(0.0, |[low, _]| low.x);
     order.sort_by(|&a, &b| start(a).total_cmp(&start(b)));
-    let mut looked = 0;
+    let mut tested = 0;
     for (at, &one) in order.iter().enumerate() {
         let Some((first, [low, high])) = plan.get(one).zip(boxes.get(one)) else {
             continue;
@@ -186,8 +198,8 @@ fn overlap(points: &[DVec3], triangles: &[[u32; 3]]) -> Result<(), String> {
             if least.x >= high.x {
                 break;
             }
-            looked += 1;
-            if looked > MAX_PAIRS {
+            tested += 1;
+            if tested > MAX_PAIRS {
                 return Err("its triangles are too long and thin to be checked".into());
             }
             if least.y < high.y && low.y < most.y && !is_apart(first, second) {
@@ -201,7 +213,8 @@ fn overlap(points: &[DVec3], triangles: &[[u32; 3]]) -> Result<(), String> {
     Ok(())
 }
 
-/// Whether an edge of one parts the two; both wound counter-clockwise. What only touches is apart.
+/// Whether an edge of one triangle separates the two. Both are wound counter-clockwise. Triangles that only touch are
+/// separate.
 fn is_apart(one: &[DVec2; 3], two: &[DVec2; 3]) -> bool {
     let parts = |inside: &[DVec2; 3], outside: &[DVec2; 3]| {
         let &[a, b, c] = inside;

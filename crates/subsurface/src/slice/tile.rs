@@ -1,27 +1,27 @@
-//! One tile of a slice: a quad with an image of its own.
+//! A tile of a slice: a quad with an image.
 
 use std::ops::Range;
 
 use antumbra_scene::{Drawable, EntityKey, Geometry, ImageKey, Material, Mesh, Scene};
 use glam::{DAffine3, DVec3};
 
-use super::picture;
 use crate::error::SubsurfaceError;
+use crate::image::clamped_image;
 use crate::volume::{Axis, UNKNOWN, VolumeLayout};
 
-/// A piece of a slice: an entity with two triangles and an image. It takes up half a sample more than its samples to every side, so that no gap
-/// is left to its neighbours, but ends with the volume's last sample.
+/// A tile of a slice: an entity with two triangles and an image. It extends half a sample beyond its samples on every
+/// side, so that there is no gap to its neighbours, but ends at the volume's last sample.
 #[derive(Debug)]
 pub struct SliceTile {
     pub(super) entity: EntityKey,
     pub(super) image: ImageKey,
     pub(super) area: [Range<u32>; 2],
-    /// The section in the image.
-    pub(super) shows: Option<u32>,
+    /// The index of the section in the image; `None` before the first fill.
+    pub(super) shown: Option<u32>,
 }
 
 impl SliceTile {
-    /// Puts a tile below a slice's entity, which stands at the section's first sample.
+    /// Adds a tile as a child of a slice's entity, which is at the section's first sample.
     pub(super) fn spawn(
         scene: &mut Scene,
         slice: EntityKey,
@@ -49,7 +49,7 @@ impl SliceTile {
         };
         let name = format!("{axis} slice tile {},{}", area[0].start, area[1].start);
         let [red, green, blue] = UNKNOWN;
-        let image = scene.add_image(picture([1, 1], vec![red, green, blue, u8::MAX]))?;
+        let image = scene.add_image(clamped_image([1, 1], vec![red, green, blue, u8::MAX]))?;
         let material = scene.add_material(Material {
             name: name.clone(),
             base_colour_image: Some(image),
@@ -66,40 +66,40 @@ impl SliceTile {
             entity,
             image,
             area,
-            shows: None,
+            shown: None,
         })
     }
 
-    /// Its entity.
+    /// The tile's entity.
     #[must_use]
     pub fn entity(&self) -> EntityKey {
         self.entity
     }
 
-    /// Its image.
+    /// The tile's image.
     #[must_use]
     pub fn image(&self) -> ImageKey {
         self.image
     }
 
-    /// Its samples to the right and down, along the axes of [`Axis::plane`].
+    /// The tile's samples to the right and down, along the axes of [`Axis::plane`].
     #[must_use]
     pub fn area(&self) -> [Range<u32>; 2] {
         self.area.clone()
     }
 
-    /// The section that its image shows; `None` before it was filled.
+    /// The index of the section in the tile's image; `None` before the first fill.
     #[must_use]
     pub fn shown_section(&self) -> Option<u32> {
-        self.shows
+        self.shown
     }
 }
 
-/// Where a tile begins and ends along an axis.
+/// The ends of a tile along an axis.
 struct Ends {
-    /// In samples.
+    /// Positions in samples.
     place: [f64; 2],
-    /// In parts of the image, whose pixels' middles are the samples.
+    /// Texture coordinates. The centres of the image's pixels are the samples.
     in_image: [f32; 2],
 }
 

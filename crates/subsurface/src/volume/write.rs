@@ -1,4 +1,4 @@
-//! Writes a volume file in bounded memory. [`format`](super::format) describes its bytes.
+//! Writing of volume files in bounded memory. [`file_format`](super::file_format) describes their bytes.
 
 use std::fs::File;
 use std::io::Write;
@@ -6,28 +6,32 @@ use std::path::Path;
 
 use rayon::prelude::*;
 
-use super::{BrickSource, format};
+use super::file_format;
+use super::source::BrickSource;
 use crate::error::SubsurfaceError;
+use crate::progress::ProgressFn;
 
-/// How many bytes of bricks are made at a time; a brick at least.
+/// The number of bytes of bricks that are made at a time, at least one brick.
 const BATCH: usize = 32 << 20;
 
-/// Writes all bricks of a volume to a file: to a new one beside it first, which takes its place when it is complete. Bricks are made in parallel,
-/// some 32 MiB at a time. `progress` hears of bricks written and of all there are.
+/// Writes all bricks of a volume to a temporary file beside `path`, and renames it to `path` when it is complete.
+/// Bricks are made in parallel, some 32 MiB at a time. `progress` receives the number of written bricks and of all
+/// bricks.
 ///
 /// # Errors
-/// [`SubsurfaceError::BadLayout`] for a layout that cannot be and a name above 1024 bytes; [`SubsurfaceError::File`] when the system
-/// refuses; what the source says. Nothing of the file is left then, and what stood there before still does.
+/// [`SubsurfaceError::BadLayout`] for an invalid layout and for a name above 1024 bytes; [`SubsurfaceError::File`]
+/// for an error of the system; the errors of the source. After an error the temporary file is removed, and a previous
+/// file at `path` is unchanged.
 pub fn write_volume(
     path: &Path,
     name: &str,
     source: &dyn BrickSource,
-    progress: &mut dyn FnMut(u64, u64),
+    progress: ProgressFn<'_>,
 ) -> Result<(), SubsurfaceError> {
     let layout = source.layout();
     layout.validate()?;
-    let header =
-        format::encode(layout, name).map_err(|problem| SubsurfaceError::BadLayout { problem })?;
+    let header = file_format::encode(layout, name)
+        .map_err(|problem| SubsurfaceError::BadLayout { problem })?;
     let failed = |action| {
         move |source| SubsurfaceError::File {
             action,
@@ -64,7 +68,7 @@ pub fn write_volume(
     Ok(())
 }
 
-/// A new file that goes away unless it is renamed, with the rights of any other new file.
+/// A temporary file that is removed unless it is renamed, with the permissions of an ordinary new file.
 fn beside(folder: &Path) -> std::io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".volume-").suffix(".partial");

@@ -1,24 +1,24 @@
-//! What samples look like.
+//! Colour maps and amplitudes of samples.
 
-use super::VolumeLayout;
+use super::layout::VolumeLayout;
 
-/// Colours for samples: from the greatest value below zero to the greatest above, the same way to both sides, where a volume's values lie on
-/// both; else over its whole range.
+/// A colour map for samples. If the range of values includes zero, the map is symmetric around zero; otherwise it
+/// spans the range.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ColourMap {
-    /// Blue below zero, white at zero, red above, the strongest values darker again.
+    /// Blue below zero, white at zero, red above; the strongest values are darker.
     #[default]
     Seismic,
     /// Black to white.
     Grey,
 }
 
-/// What is shown where nothing is known: sRGB.
+/// The colour of samples without a value, sRGB.
 pub(crate) const UNKNOWN: [u8; 3] = [118, 116, 110];
 
 impl ColourMap {
-    /// The sRGB colour of every sample of a volume, index 0 where nothing is known.
+    /// The sRGB colour of every sample value of a volume. Index 0 is for samples without a value.
     #[must_use]
     pub fn table(self, layout: &VolumeLayout) -> [[u8; 3]; 256] {
         let [low, high] = ends(layout.range);
@@ -31,7 +31,7 @@ impl ColourMap {
         colours
     }
 
-    /// The colour at a part, 0..1, of the way.
+    /// The colour at a fraction 0..1 of the map.
     fn colour(self, part: f64) -> [u8; 3] {
         let stops: &[[f64; 3]] = match self {
             Self::Seismic => &[
@@ -52,7 +52,7 @@ impl ColourMap {
     }
 }
 
-/// The values at the ends of the colours: as far from zero on both sides if the range has values on both.
+/// The values at the ends of the colour map. They are symmetric around zero if the range includes it.
 fn ends([low, high]: [f32; 2]) -> [f64; 2] {
     let [low, high] = [low, high].map(f64::from);
     if low < 0.0 && high > 0.0 {
@@ -62,7 +62,8 @@ fn ends([low, high]: [f32; 2]) -> [f64; 2] {
     [low, high]
 }
 
-/// How far each sample of a volume is from zero: 0..=1, 1 the farthest; 0 where nothing is known.
+/// The amplitude of each sample value of a volume: its distance from zero, 0..=1, where 1 is the greatest; 0 for
+/// samples without a value.
 pub(crate) fn amplitudes(layout: &VolumeLayout) -> [f64; 256] {
     let [low, high] = layout.range.map(|end| f64::from(end).abs());
     let reach = low.max(high);

@@ -1,12 +1,12 @@
-//! Numbers out of bytes that may end too early.
+//! A reader of numbers from bytes that may end early.
 
-/// Walks through a file's bytes; every step says where the file ended and what it was to hold there.
-pub(super) struct Bytes<'a> {
+/// A position in a file's bytes. Every error names the end of the file and the value that should be there.
+pub(super) struct ByteReader<'a> {
     bytes: &'a [u8],
     at: usize,
 }
 
-impl<'a> Bytes<'a> {
+impl<'a> ByteReader<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Self {
         Self { bytes, at: 0 }
     }
@@ -33,7 +33,7 @@ impl<'a> Bytes<'a> {
         Ok(taken)
     }
 
-    /// What is there up to a zero byte, which is skipped.
+    /// The bytes up to a zero byte, which is skipped.
     pub(super) fn until_zero(&mut self, what: &str) -> Result<&'a [u8], String> {
         let rest = self.bytes.get(self.at..).unwrap_or_default();
         let length = rest.iter().position(|&byte| byte == 0).ok_or_else(|| {

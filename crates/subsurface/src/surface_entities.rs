@@ -3,36 +3,36 @@
 use antumbra_scene::{Drawable, EntityKey, Light, Material, MaterialKey, Scene};
 use glam::{DAffine3, DVec3};
 
-use crate::colour::colour;
 use crate::error::SubsurfaceError;
+use crate::palette::colour;
 use crate::prepare::PreparedSurface;
 use crate::surface::SurfaceKind;
 
-/// A surface in a scene. Moving or removing `root` moves or removes the whole of it, at any time.
+/// A surface in a scene. Moving or removing `root` moves or removes the whole surface, at any time.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SurfaceEntities {
     /// The surface's name.
     pub name: String,
-    /// What it is.
+    /// Whether it is a horizon or a fault.
     pub kind: SurfaceKind,
-    /// The entity that all tiles hang below; named as the surface.
+    /// The parent entity of all tiles. It has the surface's name.
     pub root: EntityKey,
     /// The tiles, in the order of [`PreparedSurface::tiles`].
     pub tiles: Vec<EntityKey>,
 }
 
 impl PreparedSurface {
-    /// Puts the surface into a scene, below `parent` or as a root.
+    /// Adds the surface to a scene, below `parent` or as a root.
     ///
     /// # Errors
-    /// [`SubsurfaceError::Scene`] for an unknown parent or material, or a mesh that no scene takes.
+    /// [`SubsurfaceError::Scene`] for an unknown parent or material, or an invalid mesh.
     pub fn spawn(
         self,
         scene: &mut Scene,
         parent: Option<EntityKey>,
         material: MaterialKey,
     ) -> Result<SurfaceEntities, SubsurfaceError> {
-        // One transform for all tiles: what meets in the meshes meets on the screen.
+        // All tiles have one transform, so what meets in the meshes meets on the screen.
         let root = scene.spawn(parent, DAffine3::from_translation(self.origin))?;
         scene.set_entity_name(root, self.name.as_str())?;
         let mut tiles = Vec::with_capacity(self.tiles.len());
@@ -52,7 +52,8 @@ impl PreparedSurface {
     }
 }
 
-/// The look of a surface: one colour from both sides, lit. Horizons go through the spectrum from the top down, faults through reds.
+/// The material of a surface: one colour, lit, visible from both sides. Horizons use the spectrum from the top down,
+/// faults use reds.
 #[must_use]
 pub fn surface_material(name: &str, kind: SurfaceKind, index: usize) -> Material {
     Material {
@@ -63,11 +64,11 @@ pub fn surface_material(name: &str, kind: SurfaceKind, index: usize) -> Material
     }
 }
 
-/// Hangs two lamps over all that is in a scene, one from the south-east and a weaker one from the north-west: the two positional lights of
-/// Plate et al. A scene without anything to see gets none.
+/// Adds two point lights above all drawables of a scene, one in the south-east and a weaker one in the north-west:
+/// the two positional lights of Plate et al. A scene without drawables gets none.
 ///
 /// # Errors
-/// [`SubsurfaceError::Scene`] when the scene is full.
+/// [`SubsurfaceError::Scene`] if the scene is full.
 pub fn add_default_lights(scene: &mut Scene) -> Result<(), SubsurfaceError> {
     scene.update();
     let Some(bounds) = scene.bounds() else {
@@ -84,7 +85,7 @@ pub fn add_default_lights(scene: &mut Scene) -> Result<(), SubsurfaceError> {
         scene.set_entity_name(lamp, "lamp")?;
         let light = Light::Point {
             colour,
-            // Candela for so many lux in the middle.
+            // The intensity in candela for this illuminance at the centre.
             intensity: (lux * place.length_squared()) as f32,
             range: None,
         };

@@ -1,8 +1,8 @@
-//! Colours that tell the surfaces of a model apart.
+//! Colours that distinguish the surfaces of a model.
 
 use crate::surface::SurfaceKind;
 
-/// sRGB, from the top horizon down.
+/// Colours of horizons in sRGB, from the top down.
 const HORIZONS: [[u8; 3]; 11] = [
     [236, 205, 112],
     [214, 222, 128],
@@ -16,10 +16,10 @@ const HORIZONS: [[u8; 3]; 11] = [
     [150, 140, 150],
     [178, 160, 140],
 ];
-/// sRGB.
+/// Colours of faults in sRGB.
 const FAULTS: [[u8; 3]; 4] = [[206, 62, 48], [224, 94, 52], [186, 44, 72], [214, 78, 96]];
 
-/// Linear RGBA of a surface: the spectrum from the top horizon down, and reds for faults.
+/// The linear RGBA colour of a surface: the spectrum from the top horizon down, and reds for faults.
 pub(crate) fn colour(kind: SurfaceKind, index: usize) -> [f32; 4] {
     let palette: &[[u8; 3]] = match kind {
         SurfaceKind::Horizon => &HORIZONS,
@@ -30,7 +30,7 @@ pub(crate) fn colour(kind: SurfaceKind, index: usize) -> [f32; 4] {
     [r, g, b, 1.0]
 }
 
-/// An sRGB component as light.
+/// Converts an sRGB component to linear.
 fn linear(component: u8) -> f32 {
     let component = f32::from(component) / 255.0;
     if component <= 0.040_45 {

@@ -1,7 +1,7 @@
-//! Bricks in memory, never more than a budget allows: the ones that were not used for longest go first.
+//! A cache of bricks with a memory budget and least-recently-used eviction.
 //!
-//! Paging a volume by bricks is the idea of Plate, Tirtasana, Carmona, Froehlich, *Octreemizer: a hierarchical approach for interactive roaming
-//! through very large volumes*, 2002; the bricks here are of one resolution.
+//! Paging a volume by bricks is from Plate, Tirtasana, Carmona, Froehlich, *Octreemizer: a hierarchical approach for
+//! interactive roaming through very large volumes*, 2002. The bricks here have one resolution.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -9,45 +9,55 @@ use std::sync::Arc;
 use lru::LruCache;
 use rayon::prelude::*;
 
-use super::{Axis, BrickSource, SampleBox, VolumeLayout};
+use super::axis::Axis;
+use super::layout::VolumeLayout;
+use super::sample_box::SampleBox;
+use super::source::BrickSource;
 use crate::error::SubsurfaceError;
 
-/// How many bricks are read at a time, in parallel.
+/// The number of bricks that are read in parallel.
 const BATCH: usize = 64;
 
-/// A volume's bricks, read when they are asked for and kept as long as there is room.
+/// A cache of a volume's bricks. Bricks are read on demand and kept while there is room.
 pub struct BrickCache {
     source: Arc<dyn BrickSource>,
     layout: VolumeLayout,
-    /// By rank.
+    /// The bricks in memory, by index.
     resident: LruCache<u64, Box<[u8]>>,
-    /// The most bricks that may be resident.
-    room: usize,
+    /// The greatest number of bricks in memory.
+    capacity: usize,
     stats: BrickCacheStats,
 }
 
-/// What happened to a volume's bricks so far.
+/// Statistics of a cache.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct BrickCacheStats {
-    /// Bricks read from the source.
+    /// The number of bricks read from the source.
     pub read: u64,
-    /// Bricks that were asked for and already there.
+    /// The number of requested bricks that were in memory.
     pub hits: u64,
-    /// Bricks dropped to make room.
+    /// The number of evicted bricks.
     pub evicted: u64,
-    /// Bricks in memory now.
+    /// The number of bricks in memory.
     pub resident: usize,
-    /// Bytes of samples in memory now.
+    /// The number of bytes of samples in memory.
     pub bytes: usize,
-    /// The most bytes of samples that ever were in memory at once.
+    /// The greatest number of bytes of samples that were in memory at once.
     pub peak_bytes: usize,
 }
 
+/// A brick that is read into memory.
+struct MissingBrick {
+    rank: u64,
+    brick: [u32; 3],
+    samples: Box<[u8]>,
+}
+
 impl BrickCache {
-    /// Keeps at most `budget` bytes of samples in memory. Nothing is read yet.
+    /// A cache that keeps at most `budget` bytes of samples in memory. Nothing is read yet.
     ///
     /// # Errors
-    /// [`SubsurfaceError::BadLayout`] for a layout that cannot be; [`SubsurfaceError::SmallBudget`] for less than a brick.
+    /// [`SubsurfaceError::BadLayout`] for an invalid layout; [`SubsurfaceError::SmallBudget`] for less than a brick.
     pub fn new(source: Arc<dyn BrickSource>, budget: usize) -> Result<Self, SubsurfaceError> {
         let layout = *source.layout();
         layout.validate()?;
@@ -59,7 +69,7 @@ impl BrickCache {
             source,
             layout,
             resident: LruCache::unbounded(),
-            room: budget / brick,
+            capacity: budget / brick,
             stats: BrickCacheStats::default(),
         })
     }
@@ -70,16 +80,16 @@ impl BrickCache {
         &self.layout
     }
 
-    /// What happened so far.
+    /// The statistics so far.
     #[must_use]
     pub fn stats(&self) -> BrickCacheStats {
         self.stats
     }
 
-    /// A sample.
+    /// Reads a sample.
     ///
     /// # Errors
-    /// [`SubsurfaceError::Outside`]; what the source says.
+    /// [`SubsurfaceError::Outside`]; the errors of the source.
     pub fn sample(&mut self, place: [u32; 3]) -> Result<u8, SubsurfaceError> {
         let alone = SampleBox {
             min: place,
@@ -96,11 +106,11 @@ impl BrickCache {
         Ok(sample)
     }
 
-    /// A rectangle of the section at `index` along `axis`: `right` and `down` are ranges along the axes of [`Axis::plane`], and `samples` takes
-    /// `right.len() * down.len()` bytes, row after row.
+    /// Reads a rectangle of the section at `index` along `axis`. `right` and `down` are ranges along the axes of
+    /// [`Axis::plane`], and `samples` has `right.len() * down.len()` bytes, row by row.
     ///
     /// # Errors
-    /// [`SubsurfaceError::Outside`]; [`SubsurfaceError::BufferLength`]; what the source says.
+    /// [`SubsurfaceError::Outside`]; [`SubsurfaceError::BufferLength`]; the errors of the source.
     pub fn section(
         &mut self,
         axis: Axis,
@@ -149,17 +159,17 @@ impl BrickCache {
         })
     }
 
-    /// Shows each of the bricks, in their order, reading those that are not in memory; several at a time and in parallel, as far as they fit the
-    /// budget.
+    /// Calls `show` with each of the bricks and its samples, in order. Bricks that are not in memory are read, in
+    /// parallel, several at a time as far as the budget allows.
     ///
     /// # Errors
-    /// [`SubsurfaceError::NoSuchBrick`]; what the source says. Bricks before it may have been shown.
+    /// [`SubsurfaceError::NoSuchBrick`]; the errors of the source. `show` may have been called for preceding bricks.
     pub fn visit(
         &mut self,
         wanted: &[[u32; 3]],
         mut show: impl FnMut([u32; 3], &[u8]),
     ) -> Result<(), SubsurfaceError> {
-        for batch in wanted.chunks(self.room.min(BATCH)) {
+        for batch in wanted.chunks(self.capacity.min(BATCH)) {
             self.fetch(batch)?;
             for brick in batch {
                 let rank = self.layout.rank(*brick)?;
@@ -171,35 +181,39 @@ impl BrickCache {
         Ok(())
     }
 
-    /// Makes bricks resident, not more than there is room for.
+    /// Loads bricks into memory, no more than there is room for.
     fn fetch(&mut self, batch: &[[u32; 3]]) -> Result<(), SubsurfaceError> {
-        let mut missing: Vec<(u64, [u32; 3], Box<[u8]>)> = Vec::new();
+        let mut missing: Vec<MissingBrick> = Vec::new();
         for brick in batch {
             let rank = self.layout.rank(*brick)?;
-            if self.resident.get(&rank).is_some() || missing.iter().any(|one| one.0 == rank) {
+            if self.resident.get(&rank).is_some() || missing.iter().any(|one| one.rank == rank) {
                 self.stats.hits += 1;
             } else {
-                missing.push((rank, *brick, Box::default()));
+                missing.push(MissingBrick {
+                    rank,
+                    brick: *brick,
+                    samples: Box::default(),
+                });
             }
         }
-        // Those of the batch that are there were used last: none of them goes.
-        let kept = self.room - missing.len().min(self.room);
+        // Bricks of the batch that are in memory were used last, so none of them is evicted.
+        let kept = self.capacity - missing.len().min(self.capacity);
         let mut spare = Vec::new();
         while self.resident.len() > kept {
             spare.extend(self.resident.pop_lru().map(|(_, samples)| samples));
         }
         self.stats.evicted += spare.len() as u64;
         let bytes = self.layout.brick_bytes();
-        for (.., samples) in &mut missing {
-            *samples = (spare.pop()).unwrap_or_else(|| vec![0; bytes].into_boxed_slice());
+        for one in &mut missing {
+            one.samples = (spare.pop()).unwrap_or_else(|| vec![0; bytes].into_boxed_slice());
         }
         let source = &self.source;
-        let read = (missing.par_iter_mut())
-            .try_for_each(|(_, brick, samples)| source.read(*brick, samples));
+        let read =
+            (missing.par_iter_mut()).try_for_each(|one| source.read(one.brick, &mut one.samples));
         if read.is_ok() {
             self.stats.read += missing.len() as u64;
-            for (rank, _, samples) in missing {
-                self.resident.put(rank, samples);
+            for one in missing {
+                self.resident.put(one.rank, one.samples);
             }
         }
         self.stats.resident = self.resident.len();

@@ -1,7 +1,30 @@
-//! What was handed in, checked and tidied: no rings, no empty groups, no groups of one.
+//! The input of a hierarchy, and its check: no cycles, no empty groups, no groups with one member.
 
-use super::{GroupTree, GroupedLeaf, HierarchyError, NONE};
+use super::error::HierarchyError;
+use super::shape::HierarchyShape;
 use crate::bounds::Aabb;
+
+/// The number that means "no node", "no group" and "no leaf".
+pub const NONE: u32 = u32::MAX;
+
+/// The input of a hierarchy: groups within groups, and leaves in groups. Leaves have numbers of the caller, such as
+/// slots of a table.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct GroupTree<'a> {
+    /// For each group the number of the group that contains it; [`NONE`] for a group that no other group contains.
+    pub groups: &'a [u32],
+    /// Each leaf, once.
+    pub leaves: &'a [GroupedLeaf],
+}
+
+/// A leaf and the group that contains it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GroupedLeaf {
+    /// The leaf's number.
+    pub leaf: u32,
+    /// The number of the group that contains the leaf, or [`NONE`].
+    pub group: u32,
+}
 
 /// A member of a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,35 +33,35 @@ pub(super) enum Member {
     Leaf(u32),
 }
 
-/// A group's members with their boxes.
+/// The members of a group with their boxes.
 pub(super) type Members = Vec<(Member, Aabb)>;
 
-/// A tidied tree.
+/// A checked tree without empty groups and without groups of one member.
 #[derive(Debug, Default)]
-pub(super) struct Tidy {
-    /// Every group of two members or more; a group comes after those it contains.
+pub(super) struct CheckedTree {
+    /// Every group has two members or more, and follows the groups it contains.
     pub(super) groups: Vec<Members>,
-    /// What everything lies in.
+    /// The member that contains all others; `None` for an empty tree.
     pub(super) root: Option<(Member, Aabb)>,
 }
 
-impl Tidy {
-    /// Checks and tidies. Without `grouped` all leaves are members of one group.
+impl CheckedTree {
+    /// Checks the input. For [`HierarchyShape::Bvh`] all leaves become members of one group.
     pub(super) fn new(
-        branches: GroupTree<'_>,
-        grouped: bool,
+        input: GroupTree<'_>,
+        shape: HierarchyShape,
         bounds: &impl Fn(u32) -> Aabb,
     ) -> Result<Self, HierarchyError> {
-        let order = inside_first(branches.groups)?;
-        let count = branches.groups.len();
-        // The last of them is what everything lies in.
+        let order = inside_first(input.groups)?;
+        let count = input.groups.len();
+        // The last entry is the root group.
         let mut members: Vec<Members> = vec![Vec::new(); count + 1];
-        let place = |group: u32| match grouped && group != NONE {
+        let place = |group: u32| match shape != HierarchyShape::Bvh && group != NONE {
             true => group as usize,
             false => count,
         };
         let mut seen = Vec::new();
-        for &GroupedLeaf { leaf, group } in branches.leaves {
+        for &GroupedLeaf { leaf, group } in input.leaves {
             known("leaf", leaf, group, count)?;
             let own = bounds(leaf);
             if own == Aabb::EMPTY {
@@ -55,20 +78,20 @@ impl Tidy {
             }
             members[place(group)].push((Member::Leaf(leaf), own));
         }
-        let mut tidy = Self::default();
+        let mut tree = Self::default();
         for group in order {
             let own = std::mem::take(&mut members[group as usize]);
-            if let Some(member) = tidy.close(own) {
-                members[place(branches.groups[group as usize])].push(member);
+            if let Some(member) = tree.add_group(own) {
+                members[place(input.groups[group as usize])].push(member);
             }
         }
         let all = members.pop().unwrap_or_default();
-        tidy.root = tidy.close(all);
-        Ok(tidy)
+        tree.root = tree.add_group(all);
+        Ok(tree)
     }
 
-    /// A group of these members; of one member, that member; of none, nothing.
-    pub(super) fn close(&mut self, mut members: Members) -> Option<(Member, Aabb)> {
+    /// Adds a group with these members. One member is returned itself, and no members give `None`.
+    pub(super) fn add_group(&mut self, mut members: Members) -> Option<(Member, Aabb)> {
         if members.len() < 2 {
             return members.pop();
         }
@@ -92,7 +115,7 @@ fn known(what: &'static str, number: u32, group: u32, groups: usize) -> Result<(
     })
 }
 
-/// The groups in an order in which each comes before the one it lies in.
+/// The groups in an order in which each precedes the group that contains it.
 fn inside_first(groups: &[u32]) -> Result<Vec<u32>, HierarchyError> {
     let mut within = vec![0u32; groups.len()];
     for (group, number) in groups.iter().zip(0u32..) {
@@ -115,7 +138,8 @@ fn inside_first(groups: &[u32]) -> Result<Vec<u32>, HierarchyError> {
         }
     }
     match within.iter().position(|count| *count > 0) {
-        // A group around the ring, rather than of it, waits for it too: go inwards until one comes up again.
+        // A group outside the cycle that contains part of it is waiting too. Following the waiting groups inwards
+        // reaches the cycle.
         Some(waiting) => Err(HierarchyError::Cycle {
             group: of_the_ring(groups, &within, waiting as u32),
         }),
@@ -123,7 +147,7 @@ fn inside_first(groups: &[u32]) -> Result<Vec<u32>, HierarchyError> {
     }
 }
 
-/// A group of the ring that keeps `waiting` from being closed.
+/// A group of the cycle that keeps `waiting` from being finished.
 fn of_the_ring(groups: &[u32], within: &[u32], waiting: u32) -> u32 {
     let waits = |group: u32| within.get(group as usize).is_some_and(|count| *count > 0);
     let mut inwards = vec![NONE; groups.len()];

@@ -1,5 +1,5 @@
-//! A horizon over scattered points: the Delaunay triangulation of their plan (B. Delaunay, *Sur la sphère vide*, 1934), without the long
-//! triangles that would close holes and a concave outline.
+//! A horizon over scattered points: the Delaunay triangulation of their plan (B. Delaunay, *Sur la sphère vide*,
+//! 1934), without the long triangles that would close holes and fill a concave outline.
 
 use delaunator::Point;
 use glam::{DVec2, DVec3};
@@ -8,10 +8,10 @@ use super::triangles::normalised;
 use crate::assemble;
 use crate::surface::{Surface, SurfaceKind};
 
-/// How many times the median, over all triangles, of a triangle's longest edge an edge may be long, unless told otherwise.
+/// The default limit of an edge, as a multiple of the median of the triangles' longest edges.
 const USUAL: f64 = 4.0;
 
-/// All points must be places.
+/// The horizon over these points. All points must be valid ([`assemble::is_place`]).
 pub(super) fn surface(
     name: String,
     points: Vec<DVec3>,
@@ -58,7 +58,7 @@ pub(super) fn surface(
     Ok(assemble::surface(name, kind, &kept, &triangles, plan))
 }
 
-/// Points at the same place in the plan become one at their mean height; ordered by their place.
+/// Merges points at the same place in the plan into one at their mean height. The result is ordered by place.
 fn merged(mut points: Vec<DVec3>) -> Vec<DVec3> {
     let key = |point: &DVec3| (point.x, point.z);
     points.sort_by(|a, b| {
@@ -75,23 +75,23 @@ fn merged(mut points: Vec<DVec3>) -> Vec<DVec3> {
         .collect()
 }
 
-/// East and north.
+/// The position of a point in the plan, metres east and north.
 fn at(points: &[DVec3], index: u32) -> DVec2 {
     let point = points.get(index as usize).copied().unwrap_or_default();
     DVec2::new(point.x, -point.z)
 }
 
-/// Counter-clockwise seen from above; without slivers so thin that f32, in which they are drawn, does not know them.
+/// The triangles, counter-clockwise from above, without slivers that are too thin for f32.
 fn triangulated(points: &[DVec3]) -> Vec<[u32; 3]> {
     let plan = || (0..points.len() as u32).map(|index| at(points, index));
     let low = plan().reduce(DVec2::min).unwrap_or_default();
     let high = plan().reduce(DVec2::max).unwrap_or_default();
-    // About one: the triangulation takes points nearer than some 1e-16 for one.
+    // The plan is scaled to about one, since the triangulation merges points nearer than some 1e-16.
     let size = (high - low).max_element().max(f64::MIN_POSITIVE);
     let scaled = plan().map(|point| (point - low) / size);
     let scaled: Vec<_> = scaled.map(|point| Point::from(point.to_array())).collect();
     let found = delaunator::triangulate(&scaled).triangles;
-    // Nor are places far from zero finer than f64.
+    // Positions far from zero have the precision of f64.
     let far = low.abs().max(high.abs()).max_element();
     let thin = (size * 1e-6).max(far * 1e-15);
     let oriented = |&[a, b, c]: &[usize; 3]| {

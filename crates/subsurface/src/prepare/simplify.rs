@@ -1,34 +1,34 @@
-//! Simplification by meshoptimizer (Arseny Kapoulkine; quadrics after Garland and Heckbert, *Surface Simplification Using Quadric Error
-//! Metrics*, 1997), in the modes that keep height fields what they are.
+//! Simplification by meshoptimizer (Arseny Kapoulkine; quadrics after Garland and Heckbert, *Surface Simplification
+//! Using Quadric Error Metrics*, 1997), in the modes that suit height fields.
 //!
-//! Collapsing edges in space may turn triangles of a height field upside down in plan. Regularised collapses hardly ever do; where one
-//! did, a few more triangles are left.
+//! Edge collapses in space may turn triangles of a height field upside down in the plan. Regularised collapses hardly
+//! ever do. Where one does, a result with a few more triangles is tried.
 
 use antumbra_scene::Geometry;
 use meshopt::{SimplifyOptions, VertexDataAdapter};
 
 /// A simplified mesh: indices into the vertices of its source.
-pub(super) struct Reduced {
+pub(super) struct Simplified {
     pub indices: Vec<u32>,
-    /// Triangles that are turned over in plan.
+    /// Triangles that are upside down in the plan.
     pub flipped: usize,
 }
 
-/// How often more triangles are tried before a flip is put up with, and how many more.
+/// The number of attempts without flipped triangles, and the factor on the number of triangles from one to the next.
 const TRIES: u32 = 4;
 const MORE: f64 = 1.25;
 
-/// About `1 / ratio` of a geometry's triangles. With a plan, as few as possible of them turned over in it.
-pub(super) fn to_ratio(geometry: &Geometry, ratio: f64, plan: &[[f32; 2]]) -> Reduced {
+/// About `1 / ratio` of a geometry's triangles. With a plan, as few as possible of them are upside down in it.
+pub(super) fn to_ratio(geometry: &Geometry, ratio: f64, plan: &[[f32; 2]]) -> Simplified {
     let full = geometry.indices.len() / 3;
-    let whole = || Reduced {
+    let whole = || Simplified {
         indices: geometry.indices.clone(),
         flipped: flipped(&geometry.indices, plan),
     };
     let Some(vertices) = adapter(geometry) else {
         return whole();
     };
-    let mut best: Option<Reduced> = None;
+    let mut best: Option<Simplified> = None;
     for attempt in 0..TRIES {
         let wanted = full as f64 / ratio * MORE.powi(attempt as i32);
         let target = (wanted.ceil() as usize).max(2) * 3;
@@ -45,7 +45,7 @@ pub(super) fn to_ratio(geometry: &Geometry, ratio: f64, plan: &[[f32; 2]]) -> Re
         );
         let flipped = flipped(&indices, plan);
         if !indices.is_empty() && best.as_ref().is_none_or(|best| flipped < best.flipped) {
-            best = Some(Reduced { indices, flipped });
+            best = Some(Simplified { indices, flipped });
         }
         if best.as_ref().is_some_and(|best| best.flipped == 0) {
             break;
@@ -54,15 +54,24 @@ pub(super) fn to_ratio(geometry: &Geometry, ratio: f64, plan: &[[f32; 2]]) -> Re
     best.unwrap_or_else(whole)
 }
 
-/// Triangles of each level for one of the next.
+/// The ratio of triangles between two levels.
 const STEP: usize = 8;
-/// A level that keeps more than this share of the triangles before it is not worth having.
+/// A level that keeps more than this share of the previous level's triangles is dropped.
 const WORTH: f64 = 0.6;
-/// Meshes of fewer triangles have no coarser levels.
+/// Meshes with fewer triangles have no coarser levels.
 const LEAST: usize = 64;
 
-/// The geometry and up to `coarser` coarser versions of it. With `lock`, all have the same border.
-pub(super) fn levels(full: Geometry, coarser: u32, lock: bool) -> Vec<Geometry> {
+/// Whether simplification may move the border of a mesh.
+#[derive(Clone, Copy)]
+pub(super) enum Border {
+    /// All levels have the same border.
+    Locked,
+    /// Each level may have another border.
+    Free,
+}
+
+/// The geometry and up to `coarser` coarser versions of it.
+pub(super) fn levels(full: Geometry, coarser: u32, border: Border) -> Vec<Geometry> {
     let mut levels = vec![full];
     for _ in 0..coarser {
         let Some(last) = levels.last().filter(|last| last.indices.len() / 3 >= LEAST) else {
@@ -71,17 +80,16 @@ pub(super) fn levels(full: Geometry, coarser: u32, lock: bool) -> Vec<Geometry> 
         let Some(vertices) = adapter(last) else {
             break;
         };
-        let options = if lock {
-            SimplifyOptions::LockBorder
-        } else {
-            SimplifyOptions::None
+        let options = match border {
+            Border::Locked => SimplifyOptions::LockBorder,
+            Border::Free => SimplifyOptions::None,
         };
         let target = last.indices.len() / 3 / STEP * 3;
         let indices = meshopt::simplify(&last.indices, &vertices, target, 1.0, options, None);
         if indices.is_empty() || indices.len() as f64 > last.indices.len() as f64 * WORTH {
             break;
         }
-        let next = super::cut::compact(last, &indices);
+        let next = super::split::compact(last, &indices);
         levels.push(next);
     }
     levels
@@ -92,7 +100,7 @@ fn adapter(geometry: &Geometry) -> Option<VertexDataAdapter<'_>> {
     VertexDataAdapter::new(bytes, size_of::<[f32; 3]>(), 0).ok()
 }
 
-/// Triangles that go the other way around in plan than most.
+/// The number of triangles with the less frequent winding in the plan.
 fn flipped(indices: &[u32], plan: &[[f32; 2]]) -> usize {
     let mut ways = [0, 0];
     for triangle in indices.as_chunks::<3>().0 {

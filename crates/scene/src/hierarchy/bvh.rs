@@ -1,21 +1,24 @@
-//! Wide groups divided by a bounding volume hierarchy over their members: parallel locally ordered clustering (Meister and Bittner, 2018),
-//! as the crate `obvhs` builds it, its pairs gathered into nodes of a few children.
+//! Division of wide groups by a bounding volume hierarchy over their members.
+//!
+//! The hierarchy is built by parallel locally ordered clustering (Meister and Bittner, 2018), as implemented by the
+//! crate `obvhs`. Its binary nodes are then collapsed into nodes with up to four children.
 
-use super::HierarchyShape;
-use super::branches::{Member, Members, Tidy};
+use super::input::{CheckedTree, Member, Members};
+use super::shape::HierarchyShape;
 use crate::bounds::Aabb;
 use glam::{DVec3, Vec3A};
 use obvhs::bvh2::Bvh2;
 use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
 
-/// Children of a node that comes of a division: with fewer, more boxes are asked about on the way down; with more, more in vain.
+/// Children per node of a division. With fewer children more boxes are tested on the way down; with more children
+/// more of the tests are wasted.
 const CHILDREN: usize = 4;
 
 /// Divides every group with more than [`HierarchyShape::MAX_UNDIVIDED`] members.
-pub(super) fn divide(tidy: &mut Tidy) {
+pub(super) fn divide_wide_groups(tree: &mut CheckedTree) {
     let mut builder = PlocBuilder::new();
-    let groups = std::mem::take(&mut tidy.groups);
-    // Divisions add groups before those they divide, so the groups get new numbers.
+    let groups = std::mem::take(&mut tree.groups);
+    // Divisions add groups in front of those they divide, so the groups get new numbers.
     let mut renumbered = Vec::with_capacity(groups.len());
     let renumber = |member: &mut Member, renumbered: &[Member]| {
         if let Member::Group(group) = member {
@@ -27,19 +30,19 @@ pub(super) fn divide(tidy: &mut Tidy) {
             renumber(member, &renumbered);
         }
         let members = match members.len() > HierarchyShape::MAX_UNDIVIDED {
-            true => divided(tidy, &mut builder, &members),
+            true => divided(tree, &mut builder, &members),
             false => members,
         };
-        let own = tidy.close(members);
+        let own = tree.add_group(members);
         renumbered.push(own.map_or(Member::Group(0), |(member, _)| member));
     }
-    if let Some((root, _)) = &mut tidy.root {
+    if let Some((root, _)) = &mut tree.root {
         renumber(root, &renumbered);
     }
 }
 
-/// Groups the members and hands out what is left to be the members of their own group.
-fn divided(tidy: &mut Tidy, builder: &mut PlocBuilder, members: &Members) -> Members {
+/// Groups the members. Returns the remaining members of the divided group.
+fn divided(tree: &mut CheckedTree, builder: &mut PlocBuilder, members: &Members) -> Members {
     let around = members
         .iter()
         .fold(Aabb::EMPTY, |all, (_, bounds)| all.union(bounds));
@@ -54,7 +57,8 @@ fn divided(tidy: &mut Tidy, builder: &mut PlocBuilder, members: &Members) -> Mem
         SortPrecision::U64,
         0,
     );
-    // Nodes from the root down, then closed from the last one up, so that what a node contains is there before it.
+    // The nodes from the root down. They are then added from the last one up, so that a node follows those it
+    // contains.
     let mut open = vec![0usize];
     let mut parts: Vec<Vec<usize>> = Vec::new();
     while let Some(node) = open.get(parts.len()).copied() {
@@ -74,12 +78,12 @@ fn divided(tidy: &mut Tidy, builder: &mut PlocBuilder, members: &Members) -> Mem
         if *node == 0 {
             return own;
         }
-        closed[*node] = tidy.close(own);
+        closed[*node] = tree.add_group(own);
     }
     members.clone()
 }
 
-/// A box as f32 fractions of the one around all: the clustering looks at nothing but who is near whom.
+/// A box as f32 fractions of the box around all members. The clustering uses only relative distances.
 fn small(bounds: &Aabb, around: &Aabb) -> obvhs::aabb::Aabb {
     let middle = around.centre();
     let size = around.half_extents().max_element();
@@ -98,7 +102,7 @@ fn member(pairs: &Bvh2, node: usize, members: &Members) -> Option<(Member, Aabb)
     members.get(primitive as usize).copied()
 }
 
-/// A node's children, the largest of them replaced by its own until there are enough.
+/// A node's children. The largest inner child is replaced by its own children until there are enough.
 fn gathered(pairs: &Bvh2, node: usize) -> Vec<usize> {
     let below = |node: usize| {
         let first = pairs

@@ -1,9 +1,9 @@
-//! Cutting along a mesh's own edges: each triangle goes whole to the tile its middle lies in. Border vertices are copied as they are, so
-//! neighbours meet to the bit.
+//! Splitting of a mesh along its own edges. Each triangle goes whole to the tile that contains its centroid. Border
+//! vertices are copied unchanged, so neighbouring tiles meet exactly.
 
 use antumbra_scene::Geometry;
 
-/// The triangles of each of `n` x `n` tiles, row by row.
+/// The triangles in each of `n` x `n` tiles, row by row.
 pub(super) fn by_centroid(geometry: &Geometry, plan: &[[f32; 2]], n: u32) -> Vec<Geometry> {
     let mut indices: Vec<Vec<u32>> = vec![Vec::new(); (n * n) as usize];
     for triangle in geometry.triangles() {
@@ -23,7 +23,7 @@ pub(super) fn by_centroid(geometry: &Geometry, plan: &[[f32; 2]], n: u32) -> Vec
     pieces.map(|piece| compact(geometry, &piece)).collect()
 }
 
-/// Only the vertices that `indices` use, in the order of first use.
+/// A geometry with these indices and only the vertices that they use, in the order of first use.
 pub(super) fn compact(geometry: &Geometry, indices: &[u32]) -> Geometry {
     let mut renamed = std::collections::HashMap::with_capacity(indices.len() / 4);
     let mut kept = Geometry::default();

@@ -1,5 +1,7 @@
-//! How far a stand-in deviates from its mesh: the greatest distance from the vertices of either to the surface of the other (as in
-//! Cignoni, Rocchini, Scopigno, "Metro: Measuring Error on Simplified Surfaces", 1998, sampled at the vertices).
+//! The error of a proxy: the Hausdorff distance between the proxy and its mesh.
+//!
+//! It is the greatest distance from the vertices of either surface to the other surface, as in Cignoni, Rocchini,
+//! Scopigno, "Metro: Measuring Error on Simplified Surfaces", 1998, sampled at the vertices.
 
 use glam::{Vec3, Vec3A};
 use obvhs::aabb::Aabb as Box3;
@@ -8,12 +10,14 @@ use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
 
 use crate::mesh::{Geometry, Mesh, Topology};
 
-/// The most vertices of a geometry that are looked from.
+/// The greatest number of vertices of a geometry that are measured.
 const SAMPLES: usize = 4_096;
 
 impl Mesh {
-    /// By how much the proxy's surface deviates from the full geometry's, at most, in the mesh's own units: 0 without a proxy, the size of the mesh where
-    /// either is not made of triangles. It is taken at the vertices of both, evenly chosen ones of more than 4,096.
+    /// The Hausdorff distance between the proxy's surface and the full geometry's, in the mesh's own units.
+    ///
+    /// It is 0 without a proxy, and the size of the mesh where either geometry does not consist of triangles. It is
+    /// measured at the vertices of both geometries. Of more than 4,096 vertices, evenly spaced ones are measured.
     #[must_use]
     pub fn proxy_hausdorff_distance(&self) -> f64 {
         let (Some(full), Some(proxy)) = (self.full(), &self.proxy) else {
@@ -23,7 +27,7 @@ impl Mesh {
             return 0.0;
         };
         let size = bounds.half_extents().length() * 2.0;
-        // In units of the mesh's size about its middle, f32 has digits to spare whatever the coordinates are.
+        // In units of the mesh's size, relative to its centre, f32 is precise enough for any coordinates.
         let (middle, scale) = (bounds.centre(), size.recip());
         let place =
             |at: [f32; 3]| Vec3A::from(((Vec3::from(at).as_dvec3() - middle) * scale).as_vec3());
@@ -33,19 +37,19 @@ impl Mesh {
         };
         let there = of_proxy.farthest(full, place);
         let back = of_full.farthest(proxy, place);
-        // What f32 may be off, upwards.
+        // Widened by the error of f32.
         f64::from(there.max(back)) * size * (1.0 + 1e-5)
     }
 }
 
-/// Triangles in a tree.
+/// Triangles and a bounding volume hierarchy over them.
 struct Surface {
     triangles: Vec<[Vec3A; 3]>,
     tree: Bvh2,
 }
 
 impl Surface {
-    /// `None` of a geometry without triangles, or with corners that are nowhere.
+    /// `None` for a geometry without triangles that have finite corners.
     fn new(geometry: &Geometry, place: impl Fn([f32; 3]) -> Vec3A) -> Option<Self> {
         if geometry.topology != Topology::Triangles {
             return None;
@@ -73,7 +77,7 @@ impl Surface {
         Some(Self { triangles, tree })
     }
 
-    /// How far from it the vertices of a geometry are that its primitives use, at most.
+    /// The greatest distance to this surface of the vertices that the geometry's primitives use.
     fn farthest(&self, geometry: &Geometry, place: impl Fn([f32; 3]) -> Vec3A) -> f32 {
         let step = geometry.indices.len().div_ceil(SAMPLES).max(1);
         let mut stack = Vec::new();
@@ -86,7 +90,8 @@ impl Surface {
         worst.sqrt()
     }
 
-    /// The greater of `worst` and the squared distance from a point: who is nearer than the worst so far need not be known exactly.
+    /// The greater of `worst` and the squared distance from a point to this surface. The search stops as soon as the
+    /// point is known to be nearer than `worst`.
     fn farther(&self, point: Vec3A, worst: f32, stack: &mut Vec<(f32, u32)>) -> f32 {
         let mut nearest = f32::INFINITY;
         stack.clear();
@@ -134,7 +139,8 @@ impl Surface {
     }
 }
 
-/// The place of a triangle that is nearest to a point (Ericson, *Real-Time Collision Detection*, 2005, section 5.1.5).
+/// The point of a triangle that is nearest to `point` (Ericson, *Real-Time Collision Detection*, 2005, section
+/// 5.1.5).
 fn to_triangle(point: Vec3A, [a, b, c]: &[Vec3A; 3]) -> Vec3A {
     let (ab, ac, ap) = (*b - *a, *c - *a, point - *a);
     let (d1, d2) = (ab.dot(ap), ac.dot(ap));
@@ -165,7 +171,7 @@ fn to_triangle(point: Vec3A, [a, b, c]: &[Vec3A; 3]) -> Vec3A {
         return *b + (*c - *b) * along;
     }
     let whole = va + vb + vc;
-    // A triangle without an area is one of its edges, and was met above but for rounding.
+    // A triangle without an area equals one of its edges. The cases above cover it, except for rounding.
     if whole <= 0.0 {
         return *a;
     }

@@ -1,10 +1,10 @@
-//! Many boxes as structures of arrays, in blocks of 64 with a hull each, so that a test runs over whole registers and often
-//! over whole blocks.
+//! Many boxes as a structure of arrays, in blocks of 64. Each block has a hull, so a test runs over whole SIMD
+//! registers and often decides a whole block at once.
 
 use super::Aabb;
 use glam::DVec3;
 
-/// Boxes a block.
+/// Boxes per block.
 pub(crate) const LANES: usize = 64;
 
 /// A growing array of boxes, stored as centres and half extents in f64, for [`Frustum::cull`](crate::Frustum::cull).
@@ -15,39 +15,40 @@ pub struct BoxArray {
     len: usize,
 }
 
-/// Sixty-four boxes, axis by axis.
+/// Sixty-four boxes, stored axis by axis.
 #[derive(Clone, Debug)]
 pub(crate) struct Block {
     pub(crate) centre: [[f64; LANES]; 3],
     pub(crate) half: [[f64; LANES]; 3],
 }
 
-/// What is known of a whole block.
+/// The hull of a block: a box around all of its boxes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hull {
     pub(crate) centre: DVec3,
-    /// NaN if a box of the block is not finite, so that no comparison lets the block be judged as one.
+    /// NaN if a box of the block is not finite. Every comparison with NaN fails, so the block is then tested box by
+    /// box.
     pub(crate) half: DVec3,
-    /// Bit `i`: box `i` exists and is not empty.
+    /// Bit `i` is set if box `i` exists and is not empty.
     pub(crate) live: u64,
-    /// Changes since the hull was last computed from the boxes; between, it only grows.
+    /// Changes since the hull was last computed from the boxes. Between two computations the hull only grows.
     stale: u32,
 }
 
 impl BoxArray {
-    /// Without a box.
+    /// An array without boxes.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// How many boxes there are.
+    /// The number of boxes.
     #[must_use]
     pub fn len(&self) -> usize {
         self.len
     }
 
-    /// Whether there is none.
+    /// Whether the array has no boxes.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len == 0
@@ -60,7 +61,7 @@ impl BoxArray {
         self.len = 0;
     }
 
-    /// Adds a box at index [`len`](Self::len).
+    /// Appends a box; its index is the previous [`len`](Self::len).
     pub fn push(&mut self, bounds: Aabb) {
         if self.len.is_multiple_of(LANES) {
             self.blocks.push(Block {
@@ -73,7 +74,7 @@ impl BoxArray {
         self.store(self.len - 1, bounds);
     }
 
-    /// Replaces box `index`. Nothing happens, and the answer is false, when there is none.
+    /// Replaces box `index`. Returns false, and changes nothing, if the box does not exist.
     pub fn set(&mut self, index: usize, bounds: Aabb) -> bool {
         let there = index < self.len;
         if there {
@@ -82,7 +83,7 @@ impl BoxArray {
         there
     }
 
-    /// Box `index`, as wide as it was set or wider by a rounding error; `None` when there is none.
+    /// Box `index`, exactly as stored or wider by a rounding error; `None` if it does not exist.
     #[must_use]
     pub fn get(&self, index: usize) -> Option<Aabb> {
         if index >= self.len {
@@ -95,7 +96,7 @@ impl BoxArray {
         Some(block.lane(index % LANES, hull.live))
     }
 
-    /// Removes box `index` and puts the last one in its place. False when there is none.
+    /// Removes box `index` and moves the last box to its index. Returns false if the box does not exist.
     pub fn swap_remove(&mut self, index: usize) -> bool {
         if index >= self.len {
             return false;
@@ -111,7 +112,7 @@ impl BoxArray {
         true
     }
 
-    /// The boxes with their hulls, 64 each.
+    /// The blocks of 64 boxes and their hulls.
     pub(crate) fn blocks(&self) -> (&[Block], &[Hull]) {
         (&self.blocks, &self.hulls)
     }
@@ -124,7 +125,7 @@ impl BoxArray {
         ) else {
             return;
         };
-        // An empty box has no finite centre; any number will do for it, as its bit is not set.
+        // An empty box has no finite centre. Any number serves, since its bit is not set.
         let empty = bounds.is_empty() && !bounds.min.is_nan() && !bounds.max.is_nan();
         let bounds = if empty {
             Aabb::new(DVec3::ZERO, DVec3::ZERO)
@@ -133,7 +134,7 @@ impl BoxArray {
         };
         let centre = bounds.centre();
         let half = (bounds.max - centre).max(centre - bounds.min);
-        // So that centre and half extents, added and rounded again, hold the box.
+        // The half extents are widened, so that the box from the rounded centre contains the original box.
         let half = half + (centre.abs() + half) * f64::EPSILON;
         let numbers = (centre.to_array().into_iter()).zip(half.to_array());
         for ((centre, half), (c, h)) in (block.centre.iter_mut().zip(&mut block.half)).zip(numbers)
@@ -201,7 +202,7 @@ impl Hull {
         };
         self.centre = joined.centre();
         let half = (joined.max - self.centre).max(self.centre - joined.min);
-        // Repeated rounding must not let a box stick out.
+        // The slack keeps every box inside the hull after repeated rounding.
         let slack = (self.centre.abs() + half) * (4.0 * f64::EPSILON);
         self.half = half + slack;
     }
@@ -211,7 +212,7 @@ impl Hull {
 mod tests {
     use super::*;
 
-    /// A hull only grows with each change; were it never computed anew, boxes that wander would end up in huge blocks.
+    /// A hull grows with each change. Without a new computation, moving boxes would end up in huge blocks.
     #[test]
     fn hulls_shrink_again_after_as_many_changes_as_a_block_has_boxes() {
         let mut array = BoxArray::new();
