@@ -1,9 +1,9 @@
-//! What a file has used of what it may.
+//! The amounts that a file has used of its limits.
 
 use crate::error::LoadProblem;
-use crate::load::LoadOptions;
+use crate::options::LoadOptions;
 
-/// Tallies against [`LoadOptions`]; asked before memory is taken.
+/// Counts against [`LoadOptions`], checked before memory is allocated.
 pub(super) struct Budget {
     pub(super) options: LoadOptions,
     bytes: u64,
@@ -25,7 +25,7 @@ impl Budget {
         }
     }
 
-    /// Bytes of files that may still be read.
+    /// The number of bytes that may still be read from files.
     pub(super) fn bytes_left(&self) -> u64 {
         self.options.max_file_bytes.saturating_sub(self.bytes)
     }
@@ -85,7 +85,8 @@ impl Budget {
         )
     }
 
-    /// A few bytes of JSON become hundreds in memory, so what takes it is counted before it is read.
+    /// Checks the number of objects in a JSON text. A few bytes of JSON become hundreds in memory, so they are
+    /// counted before the text is parsed.
     pub(super) fn json(&self, text: &[u8]) -> Result<(), LoadProblem> {
         let (mut objects, mut commas) = (0_u64, 0_u64);
         for byte in text {

@@ -1,35 +1,35 @@
-//! What can be wrong with a file.
+//! The errors of loading.
 
 use antumbra_scene::SceneError;
 use std::path::PathBuf;
 use thiserror::Error;
 
-/// Why a file gave no scene.
+/// Why a file could not be loaded.
 #[derive(Debug, Error)]
 #[error("{}{problem}", file.as_ref().map(|f| format!("{}: ", f.display())).unwrap_or_default())]
 pub struct LoadError {
-    /// The file that was to be loaded; `None` when it was read from memory.
+    /// The file; `None` if it was read from memory.
     pub file: Option<PathBuf>,
-    /// What is wrong with it.
+    /// The problem.
     pub problem: Box<LoadProblem>,
 }
 
-/// One thing that can be wrong with a file. Each says what, where, and what to do.
+/// A problem of a file. Each case gives the problem, its place and the remedy.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum LoadProblem {
-    /// The extension tells no format.
+    /// The file name extension is unknown.
     #[error(
-        "files ending in \"{extension}\" cannot be read; known are .{}: convert the file to one of them",
+        "files with the extension \"{extension}\" cannot be read; the known extensions are .{}: convert the file to one of these formats",
         known.join(", .")
     )]
     UnknownExtension {
-        /// As the path has it, without the dot.
+        /// The extension without the dot.
         extension: String,
-        /// What can be read.
+        /// The known extensions.
         known: &'static [&'static str],
     },
-    /// The operating system refused.
+    /// The operating system reported an error.
     #[error("cannot read {file}: {source}")]
     Io {
         /// The file.
@@ -38,88 +38,88 @@ pub enum LoadProblem {
         #[source]
         source: std::io::Error,
     },
-    /// The file asks for more than [`LoadOptions`](super::LoadOptions) allows.
+    /// The file exceeds a limit of [`LoadOptions`](crate::LoadOptions).
     #[error(
         "{amount} {what} are more than the {limit} allowed: raise LoadOptions::{option} if you trust the file"
     )]
     TooLarge {
-        /// Of what there is too much.
+        /// The limited quantity.
         what: &'static str,
-        /// How much there would be.
+        /// The amount in the file.
         amount: u64,
-        /// How much there may be.
+        /// The limit.
         limit: u64,
-        /// The option that says so.
+        /// The option with the limit.
         option: &'static str,
     },
-    /// The file ends before what it promises.
+    /// The file is shorter than it declares.
     #[error(
-        "{what} needs {needed} bytes and there are {available}: the file is cut off or its lengths are wrong; get it again"
+        "{what} needs {needed} bytes, but there are only {available}: the file is truncated or its lengths are wrong; get it again"
     )]
     Truncated {
-        /// What is cut off.
+        /// The truncated part.
         what: String,
-        /// Bytes it should have.
+        /// The bytes that it should have.
         needed: u64,
-        /// Bytes there are.
+        /// The bytes that it has.
         available: u64,
     },
-    /// The bytes do not follow the format.
-    #[error("{place} is no valid {format}: {problem}")]
+    /// The contents are invalid.
+    #[error("{place} is not valid {format}: {problem}")]
     Syntax {
         /// The format.
         format: &'static str,
-        /// Where, as far as known.
+        /// The place, as far as known.
         place: String,
-        /// What is wrong.
+        /// The problem.
         problem: String,
     },
-    /// The file says that it cannot be read without an extension that is not known here.
-    #[error("the file requires the extension {name}; supported are {}: export it without", supported.join(", "))]
+    /// The file requires an unsupported extension.
+    #[error("the file requires the extension {name}; supported are {}: export it without that extension", supported.join(", "))]
     UnsupportedExtension {
         /// The first such extension.
         name: String,
-        /// What is supported.
+        /// The supported extensions.
         supported: &'static [&'static str],
     },
-    /// A reference to something that is not there.
+    /// A reference to something that does not exist.
     #[error(
-        "{place} refers to {what} {index}, but there are {count}: the file was written wrongly; export it again"
+        "{place} refers to {what} {index}, but there are {count}: the file is invalid; export it again"
     )]
     MissingReference {
-        /// Who refers.
+        /// The place of the reference.
         place: String,
-        /// To what kind of thing.
+        /// The kind of the missing thing.
         what: &'static str,
         /// Which one.
         index: u64,
-        /// How many there are.
+        /// The number of such things.
         count: usize,
     },
     /// A buffer or image without bytes.
     #[error("{place} has no data: {problem}")]
     MissingData {
-        /// Which buffer or image.
+        /// The buffer or image.
         place: String,
-        /// Why, and what to do.
+        /// The reason, and the remedy.
         problem: String,
     },
     /// A reference to a file that is not opened.
     #[error("{place} refers to \"{uri}\": {problem}")]
     BadUri {
-        /// Who refers.
+        /// The place of the reference.
         place: String,
         /// The reference, shortened.
         uri: String,
-        /// Why not, and what to do.
+        /// The reason, and the remedy.
         problem: &'static str,
     },
     /// An accessor whose layout contradicts its use or its bytes.
     #[error("{accessor}: {problem}")]
     BadAccessor {
-        /// Which one, and who uses it.
+        /// The accessor and its user.
         accessor: String,
-        /// What is wrong.
+        /// The problem.
         problem: String,
     },
     /// A primitive whose parts do not fit together.
@@ -127,26 +127,26 @@ pub enum LoadProblem {
     BadPrimitive {
         /// Mesh and primitive.
         primitive: String,
-        /// What is wrong.
+        /// The problem.
         problem: String,
     },
-    /// A node that cannot be placed.
+    /// A node with an invalid transform.
     #[error("{node}: {problem}")]
     BadNode {
         /// Which one.
         node: String,
-        /// What is wrong.
+        /// The problem.
         problem: String,
     },
-    /// Nodes below themselves.
-    #[error("{node} hangs below itself: a scene must be a tree; export the file again")]
+    /// A cycle of nodes.
+    #[error("{node} is its own ancestor: a scene must be a tree; export the file again")]
     NodeCycle {
         /// One node of the cycle.
         node: String,
     },
-    /// A node in two places.
+    /// A node with two parents.
     #[error(
-        "{node} hangs below both {first} and {second}: a node has one parent; export the file again"
+        "{node} is a child of both {first} and {second}: a node has one parent; export the file again"
     )]
     TwoParents {
         /// The node.
@@ -156,12 +156,12 @@ pub enum LoadProblem {
         /// The other.
         second: String,
     },
-    /// What an attachment says of itself does not fit together.
+    /// The properties of an attachment are invalid.
     #[error("the extension {attachment}: {problem}; write it again")]
     BadAttachment {
         /// Its name.
         attachment: String,
-        /// What is wrong.
+        /// The problem.
         problem: String,
     },
     /// An image that cannot be decoded.
@@ -169,10 +169,18 @@ pub enum LoadProblem {
     BadImage {
         /// Which one.
         image: String,
-        /// What is wrong.
+        /// The problem.
         problem: String,
     },
     /// The scene refused what was read.
     #[error(transparent)]
     Scene(#[from] SceneError),
+}
+
+/// The beginning of a text, at most 60 characters, for messages.
+pub(crate) fn shorten(text: &str) -> String {
+    match text.char_indices().nth(60) {
+        Some((end, _)) => format!("{}...", text.get(..end).unwrap_or_default()),
+        None => text.to_owned(),
+    }
 }

@@ -1,35 +1,47 @@
-//! Scene files in and out: glTF, OBJ, PLY, STL and CityJSON, and rasters of elevations. One folder or file a format.
+//! Scene files: reading of glTF, OBJ, PLY, STL and CityJSON, writing of glTF, and reading of rasters of elevations.
 //!
-//! Files are hostile until read: what they declare is held against how long they are before any memory is asked for, and every
-//! error names the file and what to do.
+//! Files are treated as hostile: sizes that a file declares are checked against its length before memory is
+//! allocated, within the limits of [`LoadOptions`]. Every error names the file and the remedy.
 //!
-//! ```no_run
-//! use antumbra_formats::{LoadOptions, load, save_glb};
+//! There is one folder or file per format (`gltf`, `obj`, `ply`, `stl`, `cityjson`, `raster`). `load` chooses among
+//! the scene formats. `options` and `budget` limit what a file may use, `file_resolver` and `image` read what it
+//! refers to.
 //!
-//! let mut scene = load("model.obj".as_ref(), &LoadOptions::default())?;
+//! ```
+//! use antumbra_formats::{LoadOptions, SceneFormat, load, load_slice, save_glb};
+//!
+//! let text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+//! let mut scene = load_slice(SceneFormat::Obj, text, None, &LoadOptions::default())?;
 //! scene.update();
-//! save_glb(&scene, "model.glb".as_ref())?;
+//! assert_eq!(scene.triangle_count(), 1);
+//!
+//! let file = std::env::temp_dir().join("antumbra-formats-example.glb");
+//! save_glb(&scene, &file)?;
+//! assert_eq!(load(&file, &LoadOptions::default())?.triangle_count(), 1);
+//! # std::fs::remove_file(&file)?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod attachment;
 mod budget;
 mod cityjson;
 mod error;
-mod files;
+mod file_resolver;
 mod gltf;
+mod image;
 mod load;
 mod obj;
+mod options;
 mod ply;
 pub mod raster;
+mod read_scene;
 mod stl;
 
-pub use attachment::Attachment;
 pub use error::{LoadError, LoadProblem};
-pub use files::read_whole_file;
-pub use gltf::{SaveError, SaveProblem, save_glb, save_glb_with_attachments};
+pub use file_resolver::read_whole_file;
+pub use gltf::{Attachment, SaveError, SaveProblem, save_glb, save_glb_with_attachments};
 pub use load::{
-    LoadOptions, LoadedScene, SceneFormat, load, load_gltf_slice, load_slice,
-    load_slice_with_attachments, load_with_attachments,
+    LoadedScene, SceneFormat, load, load_gltf_slice, load_slice, load_slice_with_attachments,
+    load_with_attachments,
 };
+pub use options::LoadOptions;
 pub use raster::{RasterError, RasterFormat, load_raster, load_raster_slice};

@@ -1,21 +1,25 @@
-//! Scenes from files. A file is hostile until it is read: every number in it is checked against the bytes that are really
-//! there before memory is taken for it, nothing recurses, and nothing outside the file's own folder is opened.
+//! Loading of scenes.
+//!
+//! Files are treated as hostile. Every number in a file is checked against the bytes that exist before memory is
+//! allocated for it. Nothing recurses, and nothing outside the file's own folder is opened.
 
-use crate::attachment::Attachment;
 use crate::budget::Budget;
 use crate::error::{LoadError, LoadProblem};
-use crate::files::{self, Files};
+use crate::file_resolver::{self, FileResolver};
+use crate::gltf::Attachment;
+use crate::options::LoadOptions;
+use crate::read_scene::ReadScene;
 use crate::{cityjson, gltf, obj, ply, stl};
 use antumbra_scene::{Drawable, Geometry, Material, Mesh, Scene};
 use glam::DAffine3;
 use std::path::Path;
 
-/// The file formats that can be read.
+/// The scene formats that can be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SceneFormat {
-    /// CityJSON 1 or 2, a document or a sequence of features a line; which of the two is told from the text.
+    /// CityJSON 1 or 2: a document, or a sequence with one feature per line. The contents determine which.
     CityJson,
-    /// glTF 2.0, JSON or binary; which of the two is told from the bytes.
+    /// glTF 2.0, JSON or binary. The contents determine which.
     Gltf,
     /// Wavefront OBJ with MTL.
     Obj,
@@ -26,11 +30,11 @@ pub enum SceneFormat {
 }
 
 impl SceneFormat {
-    /// The file name extensions that are known, for messages.
+    /// The known file name extensions, for messages.
     pub const EXTENSIONS: &'static [&'static str] =
         &["glb", "gltf", "json", "jsonl", "obj", "ply", "stl"];
 
-    /// The format of a file with this extension, in either case of letters.
+    /// The format with this file name extension, in upper or lower case.
     #[must_use]
     pub fn from_extension(extension: &str) -> Option<Self> {
         match extension.to_ascii_lowercase().as_str() {
@@ -44,64 +48,31 @@ impl SceneFormat {
     }
 }
 
-/// How much a file may ask for. What it asks for beyond is refused before memory is taken for it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct LoadOptions {
-    /// Bytes of the file and of all files it refers to, together.
-    pub max_file_bytes: u64,
-    /// Vertices of all meshes; one costs up to 36 bytes.
-    pub max_vertices: u64,
-    /// Triangles, lines and points of all meshes; one costs up to 12 bytes.
-    pub max_triangles: u64,
-    /// Entities; one costs about 500 bytes.
-    pub max_entities: u64,
-    /// Pixels of all images; one costs 4 bytes.
-    pub max_image_pixels: u64,
-    /// Objects and arrays in a glTF's or a CityJSON document's JSON or in one line of a CityJSON sequence, and a sixteenth of
-    /// its commas; one costs up to about 700 bytes while the file is read.
-    pub max_json_objects: u64,
-    /// Leave images out; materials keep their colours.
-    pub skip_images: bool,
-}
-
-impl Default for LoadOptions {
-    fn default() -> Self {
-        Self {
-            max_file_bytes: 2 << 30,
-            max_vertices: 64_000_000,
-            max_triangles: 128_000_000,
-            max_entities: 4_000_000,
-            max_image_pixels: 1 << 28,
-            max_json_objects: 6_000_000,
-            skip_images: false,
-        }
-    }
-}
-
-/// A scene, and what others had to say of it.
+/// A scene and its attachments.
 #[derive(Debug)]
 pub struct LoadedScene {
     /// The scene.
     pub scene: Scene,
-    /// Of the attachments that were asked for, those that the file has, or what is wrong with them: the scene is what it is without them.
+    /// The attachments that were requested and that the file has, each with an error if it is invalid. The scene does
+    /// not depend on them.
     pub attachments: Vec<Result<Attachment, LoadError>>,
 }
 
-/// Reads a scene from a file; its format is told by the extension (.glb, .gltf, .json and .jsonl for CityJSON,
-/// .obj, .ply, .stl).
+/// Loads a scene from a file. The extension determines the format (.glb, .gltf, .json and .jsonl for CityJSON, .obj,
+/// .ply, .stl).
 ///
-/// The scene is named after the file and has been [`update`](Scene::update)d by nobody yet.
+/// The scene is named after the file. [`update`](Scene::update) has not been called yet.
 ///
 /// # Errors
-/// One [`LoadProblem`] each for what can be wrong with a file, with the file's name around it.
+/// A [`LoadProblem`] with the file's name.
 pub fn load(path: &Path, options: &LoadOptions) -> Result<Scene, LoadError> {
     Ok(load_with_attachments(path, options, &[])?.scene)
 }
 
-/// As [`load`], with the attachments of these names, which glTF alone can have.
+/// As [`load`], with the attachments of these names. Only glTF has attachments.
 ///
 /// # Errors
-/// As [`load`].
+/// As for [`load`].
 pub fn load_with_attachments(
     path: &Path,
     options: &LoadOptions,
@@ -120,10 +91,13 @@ pub fn load_with_attachments(
             });
         };
         let mut budget = Budget::new(options);
-        let bytes = files::read(path, &mut budget)?;
+        let bytes = file_resolver::read(path, &mut budget)?;
         read_format(format, &bytes, path.parent(), attachments, budget)
     };
-    let (mut scene, attachments) = read().map_err(error)?;
+    let ReadScene {
+        mut scene,
+        attachments,
+    } = read().map_err(error)?;
     if let Some(stem) = path.file_stem().and_then(|stem| stem.to_str()) {
         scene.set_name(stem);
     }
@@ -134,10 +108,10 @@ pub fn load_with_attachments(
     })
 }
 
-/// Reads a scene from memory. Files it refers to are looked for below `base`, or refused without one.
+/// Loads a scene from memory. Files it refers to are looked up below `base`, or refused without one.
 ///
 /// # Errors
-/// As [`load`].
+/// As for [`load`].
 pub fn load_slice(
     format: SceneFormat,
     bytes: &[u8],
@@ -150,7 +124,7 @@ pub fn load_slice(
 /// As [`load_slice`], with the attachments of these names.
 ///
 /// # Errors
-/// As [`load`].
+/// As for [`load`].
 pub fn load_slice_with_attachments(
     format: SceneFormat,
     bytes: &[u8],
@@ -163,7 +137,7 @@ pub fn load_slice_with_attachments(
         problem: Box::new(problem),
     };
     let mut budget = Budget::new(options);
-    let (scene, attachments) = (budget.bytes(bytes.len() as u64))
+    let ReadScene { scene, attachments } = (budget.bytes(bytes.len() as u64))
         .and_then(|()| read_format(format, bytes, base, attachments, budget))
         .map_err(error)?;
     let attachments = attachments.into_iter();
@@ -173,10 +147,10 @@ pub fn load_slice_with_attachments(
     })
 }
 
-/// Reads a glTF scene, JSON or binary, from memory: [`load_slice`] with [`SceneFormat::Gltf`].
+/// Loads a glTF scene, JSON or binary, from memory: [`load_slice`] with [`SceneFormat::Gltf`].
 ///
 /// # Errors
-/// As [`load`].
+/// As for [`load`].
 pub fn load_gltf_slice(
     bytes: &[u8],
     base: Option<&Path>,
@@ -185,17 +159,14 @@ pub fn load_gltf_slice(
     load_slice(SceneFormat::Gltf, bytes, base, options)
 }
 
-/// An attachment, or what is wrong with it.
-pub(crate) type Found = Result<Attachment, LoadProblem>;
-
 fn read_format(
     format: SceneFormat,
     bytes: &[u8],
     base: Option<&Path>,
     attachments: &[&str],
     mut budget: Budget,
-) -> Result<(Scene, Vec<Found>), LoadProblem> {
-    let files = Files::new(base);
+) -> Result<ReadScene, LoadProblem> {
+    let files = FileResolver::new(base);
     let scene = match format {
         SceneFormat::CityJson => cityjson::read(bytes, &mut budget),
         SceneFormat::Gltf => return gltf::read::read(bytes, &files, attachments, &mut budget),
@@ -203,16 +174,19 @@ fn read_format(
         SceneFormat::Ply => single("ply", ply::read(bytes, &mut budget)?),
         SceneFormat::Stl => single("stl", stl::read(bytes, &mut budget)?),
     };
-    Ok((scene?, Vec::new()))
+    Ok(ReadScene {
+        scene: scene?,
+        attachments: Vec::new(),
+    })
 }
 
-/// A scene of one entity, for the formats that hold one mesh.
+/// A scene with one entity, for the formats with one mesh.
 fn single(name: &str, geometry: Geometry) -> Result<Scene, LoadProblem> {
     let mut scene = Scene::new();
     let drawable = Drawable {
         mesh: scene.add_mesh(Mesh::new(name, geometry))?,
         material: scene.add_material(Material {
-            // Such files seldom agree on which side is the front.
+            // In such files the winding of triangles is not reliable.
             double_sided: true,
             ..Material::default()
         }),

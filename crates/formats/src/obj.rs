@@ -1,10 +1,12 @@
-//! Wavefront OBJ and MTL through `tobj`: an entity an object or group, polygons as fans of triangles.
+//! Wavefront OBJ and MTL, read by the crate `tobj`. Each object or group becomes an entity, and polygons become fans
+//! of triangles.
 
 mod check;
 
 use crate::budget::Budget;
 use crate::error::LoadProblem;
-use crate::files::{self, Files};
+use crate::file_resolver::{self, FileResolver};
+use crate::image;
 use antumbra_scene::{
     AlphaMode, Drawable, Geometry, Material, MaterialKey, Mesh, Sampler, Scene, Topology,
 };
@@ -15,7 +17,7 @@ use std::path::Path;
 
 pub(super) fn read(
     bytes: &[u8],
-    files: &Files<'_>,
+    files: &FileResolver<'_>,
     budget: &mut Budget,
 ) -> Result<Scene, LoadProblem> {
     let broken = |problem: String| LoadProblem::Syntax {
@@ -26,7 +28,7 @@ pub(super) fn read(
     if bytes.starts_with(&[0xfe, 0xff]) || bytes.starts_with(&[0xff, 0xfe]) {
         return Err(broken("it is UTF-16 text; save it as UTF-8".into()));
     }
-    // Names in other encodings than UTF-8 need not be legible, as long as they are equal to themselves.
+    // Names in other encodings than UTF-8 need not be legible, as long as equal names stay equal.
     let text = check::shapes(&String::from_utf8_lossy(bytes), budget)?;
     let options = tobj::LoadOptions {
         single_index: true,
@@ -34,7 +36,7 @@ pub(super) fn read(
         ignore_points: true,
         ignore_lines: true,
     };
-    // A material library that is not to be had costs the colours, not the shapes.
+    // Without the material library the colours are missing, not the shapes.
     let shared = RefCell::new(budget);
     let library = |name: &Path| {
         let read = || {
@@ -42,7 +44,7 @@ pub(super) fn read(
             let path = files
                 .resolve(name)
                 .map_err(|_| tobj::LoadError::OpenFileFailed)?;
-            let bytes = files::read(&path, &mut shared.borrow_mut());
+            let bytes = file_resolver::read(&path, &mut shared.borrow_mut());
             bytes.map_err(|_| tobj::LoadError::OpenFileFailed)
         };
         let text = check::materials(&String::from_utf8_lossy(&read()?));
@@ -86,7 +88,7 @@ fn geometry(mesh: &tobj::Mesh) -> Geometry {
     let normals = mesh.normals.as_chunks::<3>().0;
     let uvs = mesh.texcoords.as_chunks::<2>().0;
     let colours = mesh.vertex_color.as_chunks::<3>().0;
-    // With some vertices lacking an attribute, tobj gives fewer than there are positions.
+    // If some vertices lack an attribute, tobj returns fewer values than positions.
     let complete = |count: usize| count == positions.len();
     Geometry {
         topology: Topology::Triangles,
@@ -118,7 +120,7 @@ fn geometry(mesh: &tobj::Mesh) -> Geometry {
 fn material(
     source: Option<&tobj::Material>,
     scene: &mut Scene,
-    files: &Files<'_>,
+    files: &FileResolver<'_>,
     budget: &mut Budget,
 ) -> Result<Material, LoadProblem> {
     let mut material = Material {
@@ -147,8 +149,8 @@ fn material(
             uri: name.to_owned(),
             problem,
         })?;
-        let bytes = files::read(&path, budget)?;
-        let image = files::add_image(
+        let bytes = file_resolver::read(&path, budget)?;
+        let image = image::add_image(
             scene,
             &place,
             name.to_owned(),
@@ -157,7 +159,7 @@ fn material(
             budget,
         )?;
         material.base_colour_image = Some(image);
-        // A texture replaces the colour in most exporters, which leave Kd black then.
+        // In most exporters a texture replaces the colour, and Kd is then black.
         if [r, g, b] == [0.0; 3] {
             material.base_colour = [1.0, 1.0, 1.0, alpha];
         }

@@ -1,5 +1,5 @@
-//! PLY through `ply-rs-bw`: ASCII and both binary byte orders. The header's counts are checked against the bytes that follow
-//! before an element is read.
+//! PLY, read by the crate `ply-rs-bw`: ASCII and both binary byte orders. The counts in the header are checked
+//! against the following bytes before an element is read.
 
 use crate::budget::Budget;
 use crate::error::LoadProblem;
@@ -9,7 +9,7 @@ use ply_rs_bw::ply::{
     ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult, PropertyType, ScalarType,
 };
 
-/// A vertex with what a renderer can use of it.
+/// The attributes of a vertex that are read.
 #[derive(Default)]
 struct Vertex {
     position: [f32; 3],
@@ -18,21 +18,21 @@ struct Vertex {
     colour: [u8; 4],
 }
 
-/// The corners of a face.
+/// A face.
 #[derive(Default)]
 struct Face {
     corners: Vec<u32>,
 }
 
-/// An element that nobody here needs.
+/// An element that is skipped.
 struct Skipped;
 
-/// Vertices and faces (polygons become fans of triangles); without faces the vertices are points.
+/// Reads vertices and faces. Polygons become fans of triangles. Without faces the vertices are points.
 pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Geometry, LoadProblem> {
     let broken = |place: &str, problem: String| LoadProblem::Syntax {
         format: "PLY",
         place: place.to_owned(),
-        // The crate quotes the line at fault, however long it is.
+        // The crate quotes the invalid line, however long it is.
         problem: problem.chars().take(300).collect(),
     };
     if !bytes.starts_with(b"ply") {
@@ -123,7 +123,7 @@ fn take_vertices(vertices: &[Vertex], element: &ElementDef, geometry: &mut Geome
     }
 }
 
-/// The fewest bytes an element can take, never 0: an element without properties still costs memory.
+/// The least number of bytes of an element, at least 1: an element without properties still takes memory.
 fn least_size(element: &ElementDef, encoding: Encoding) -> u64 {
     let size = |scalar: &ScalarType| match scalar {
         ScalarType::Char | ScalarType::UChar => 1,
@@ -132,7 +132,7 @@ fn least_size(element: &ElementDef, encoding: Encoding) -> u64 {
         ScalarType::Double => 8,
     };
     let least = |property: &PropertyType| match (encoding, property) {
-        // A digit and what parts it from the next, or from the next line.
+        // A digit and a separator.
         (Encoding::Ascii, _) => 2,
         (_, PropertyType::Scalar(scalar) | PropertyType::List(scalar, _)) => size(scalar),
     };

@@ -1,6 +1,7 @@
-//! Rasters: elevations on a regular grid, out of Esri ASCII grids, GeoTIFF and NumPy files.
+//! Rasters: elevations on a regular grid, from Esri ASCII grids, GeoTIFF and NumPy files.
 //!
-//! Files are hostile until read: what they declare is held against how long they are before any memory is asked for.
+//! Files are treated as hostile: sizes that a file declares are checked against its length before memory is
+//! allocated.
 
 mod esri;
 mod geotiff;
@@ -14,27 +15,27 @@ use thiserror::Error;
 
 use antumbra_scene::Raster;
 
-use crate::files::read_whole_file;
+use crate::file_resolver::read_whole_file;
 
-/// Bytes; no larger file is read.
+/// The greatest size of a file in bytes.
 const MAX_FILE_BYTES: u64 = 4 << 30;
 
-/// The kinds of raster files.
+/// The raster formats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum RasterFormat {
     /// Esri ASCII grid: `key value` lines in any order, then the values, north row first.
     Esri,
-    /// GeoTIFF of one band.
+    /// GeoTIFF with one band.
     GeoTiff,
-    /// NumPy arrays in a zip archive: the one with two dimensions is the elevation, north row first.
+    /// NumPy arrays in a zip archive. The array with two dimensions is the elevation, north row first.
     Npz,
 }
 
 impl RasterFormat {
-    /// The file name extensions that are known, for messages.
+    /// The known file name extensions, for messages.
     pub const EXTENSIONS: &'static [&'static str] = &["asc", "npz", "tif", "tiff"];
 
-    /// The format of a file with this extension, in either case of letters.
+    /// The format with this file name extension, in upper or lower case.
     #[must_use]
     pub fn from_extension(extension: &str) -> Option<Self> {
         match extension.to_ascii_lowercase().as_str() {
@@ -45,7 +46,7 @@ impl RasterFormat {
         }
     }
 
-    /// What people call it.
+    /// The format's name, for messages.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -56,11 +57,11 @@ impl RasterFormat {
     }
 }
 
-/// Why a file gave no raster.
+/// Why a raster could not be read.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum RasterError {
-    /// The operating system refused.
+    /// The operating system reported an error.
     #[error("cannot read {}: {source}", file.display())]
     Io {
         /// The file.
@@ -68,28 +69,28 @@ pub enum RasterError {
         /// Why.
         source: std::io::Error,
     },
-    /// The extension tells no format.
-    #[error("{} ends in none of .{}: convert the file to one of them", file.display(), RasterFormat::EXTENSIONS.join(", ."))]
+    /// The file name extension is unknown.
+    #[error("{} has none of the extensions .{}: convert the file to one of these formats", file.display(), RasterFormat::EXTENSIONS.join(", ."))]
     UnknownExtension {
         /// The file.
         file: PathBuf,
     },
-    /// The bytes do not follow the format.
-    #[error("{}is no valid {}: {problem}", file.as_ref().map_or("this ".to_owned(), |file| format!("{} ", file.display())), format.name())]
+    /// The contents are invalid.
+    #[error("{}is not a valid {}: {problem}", file.as_ref().map_or("this ".to_owned(), |file| format!("{} ", file.display())), format.name())]
     Format {
-        /// The file; `None` when it was read from memory.
+        /// The file; `None` if it was read from memory.
         file: Option<PathBuf>,
-        /// What it should be.
+        /// The expected format.
         format: RasterFormat,
-        /// What is wrong, and where.
+        /// The problem and its place.
         problem: String,
     },
 }
 
-/// Reads a raster from a file; its format is told by the extension.
+/// Reads a raster from a file. The extension determines the format.
 ///
 /// # Errors
-/// [`RasterError`]: what is wrong with the file, and where.
+/// [`RasterError`], with the problem and its place.
 pub fn load_raster(file: &Path) -> Result<Raster, RasterError> {
     let extension = file.extension().and_then(|extension| extension.to_str());
     let format = extension.and_then(RasterFormat::from_extension);
@@ -110,7 +111,7 @@ pub fn load_raster(file: &Path) -> Result<Raster, RasterError> {
 /// Reads a raster from memory.
 ///
 /// # Errors
-/// [`RasterError::Format`]: what is wrong, and where.
+/// [`RasterError::Format`], with the problem and its place.
 pub fn load_raster_slice(format: RasterFormat, bytes: &[u8]) -> Result<Raster, RasterError> {
     read(format, bytes).map_err(|problem| RasterError::Format {
         file: None,

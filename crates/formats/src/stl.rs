@@ -1,5 +1,5 @@
-//! STL through `stl_io`, with the count checked against the bytes first, and binary files told from ASCII ones by their
-//! length, since many binary files begin with "solid" as well.
+//! STL, read by the crate `stl_io`. The count is checked against the bytes first. Binary files are distinguished from
+//! ASCII ones by their length, since many binary files begin with "solid" as well.
 
 use crate::budget::Budget;
 use crate::error::LoadProblem;
@@ -10,11 +10,12 @@ use std::io::Cursor;
 const HEADER: usize = 80;
 const TRIANGLE: u64 = 50;
 
-/// The triangles, their corners joined by position. The stored normals are left out: they are often zero.
+/// Reads the triangles and welds their corners by position. The stored normals are ignored, since they are often
+/// zero.
 pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Geometry, LoadProblem> {
     let body = binary_body(bytes);
     if !is_ascii(bytes) {
-        let (available, count) = body.ok_or_else(|| LoadProblem::Truncated {
+        let BinaryBody { available, count } = body.ok_or_else(|| LoadProblem::Truncated {
             what: "a binary STL's header".into(),
             needed: HEADER as u64 + 4,
             available: bytes.len() as u64,
@@ -28,7 +29,7 @@ pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Geometry, LoadPr
             });
         }
         budget.triangles(u64::from(count))?;
-        // Any header but "solid": the crate would take the file for ASCII.
+        // The crate would read a header with "solid" as ASCII.
         let disguised = bytes.starts_with(b"solid").then(|| {
             let mut copy = bytes.to_vec();
             copy.iter_mut().take(5).for_each(|byte| *byte = 0);
@@ -36,7 +37,7 @@ pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Geometry, LoadPr
         });
         return collect(disguised.as_deref().unwrap_or(bytes), budget);
     }
-    // The crate wants a space even where there is no name.
+    // The crate requires a space even without a name.
     let spaced = (!bytes.starts_with(b"solid ")).then(|| {
         let rest = bytes.get(5..).unwrap_or_default();
         [b"solid ", rest].concat()
@@ -71,15 +72,26 @@ fn collect(bytes: &[u8], budget: &mut Budget) -> Result<Geometry, LoadProblem> {
     Ok(geometry)
 }
 
-/// Bytes after the count, and the count.
-fn binary_body(bytes: &[u8]) -> Option<(u64, u32)> {
+/// The body of a binary file.
+struct BinaryBody {
+    /// Bytes after the count.
+    available: u64,
+    /// The number of triangles.
+    count: u32,
+}
+
+/// The body of a binary file; `None` if it is too short.
+fn binary_body(bytes: &[u8]) -> Option<BinaryBody> {
     let count = bytes.get(HEADER..)?.first_chunk::<4>()?;
     let available = bytes.len() - HEADER - 4;
-    Some((available as u64, u32::from_le_bytes(*count)))
+    Some(BinaryBody {
+        available: available as u64,
+        count: u32::from_le_bytes(*count),
+    })
 }
 
 fn is_ascii(bytes: &[u8]) -> bool {
-    let exact = binary_body(bytes)
-        .is_some_and(|(available, count)| available == u64::from(count) * TRIANGLE);
+    let exact =
+        binary_body(bytes).is_some_and(|body| body.available == u64::from(body.count) * TRIANGLE);
     bytes.starts_with(b"solid") && !exact
 }

@@ -287,7 +287,7 @@ fn nodes_that_are_no_tree_are_refused() {
         gltf(&scene(cycle, "")),
         LoadProblem::NodeCycle { .. },
         "node 0 \"a\"",
-        "below itself"
+        "its own ancestor"
     );
     assert_problem!(
         gltf(&scene(r#"{"children":[0]}"#, "")),

@@ -1,19 +1,21 @@
-//! The nested lists of a geometry's boundaries and semantics, whatever its type, as solids of shells of surfaces of rings.
+//! The nested lists of a geometry's boundaries and semantics. For any type of geometry they become solids of shells
+//! of surfaces of rings.
 
 use super::document::{Geometry, Semantics, reason};
+use crate::error::shorten;
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
-/// A vertex a corner, not closed: the first is not said again.
+/// One vertex index per corner. The first corner is not repeated at the end.
 pub(super) type Ring = Vec<u32>;
-/// The outer ring, and the holes in it.
+/// The outer ring, and the rings of its holes.
 pub(super) type Surface = Vec<Ring>;
 type Shell = Vec<Surface>;
 type Solid = Vec<Shell>;
-/// For each surface which entry of the semantics says what it is. Anything may be `null`.
+/// For each surface the index of its entry in the semantics. Any list may be `null`.
 type Kinds = Option<Vec<Option<Vec<Option<usize>>>>>;
 
-/// How deep a geometry's lists are.
+/// The nesting depth of a geometry's lists.
 #[derive(Clone, Copy, PartialEq)]
 enum Depth {
     Surfaces,
@@ -21,9 +23,21 @@ enum Depth {
     Solids,
 }
 
-/// Whether a geometry has surfaces at all, and may be read.
-pub(super) fn is_solid(geometry: &Geometry<'_>) -> Option<bool> {
-    depth(geometry).map(|depth| depth != Depth::Surfaces)
+/// What the surfaces of a geometry form.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) enum GeometryKind {
+    /// Surfaces, visible from both sides.
+    Surfaces,
+    /// Solids, whose surfaces are visible from outside.
+    Solids,
+}
+
+/// The kind of a geometry; `None` for one without surfaces, which is not read.
+pub(super) fn kind(geometry: &Geometry<'_>) -> Option<GeometryKind> {
+    depth(geometry).map(|depth| match depth {
+        Depth::Surfaces => GeometryKind::Surfaces,
+        Depth::Solid | Depth::Solids => GeometryKind::Solids,
+    })
 }
 
 fn depth(geometry: &Geometry<'_>) -> Option<Depth> {
@@ -35,10 +49,10 @@ fn depth(geometry: &Geometry<'_>) -> Option<Depth> {
     }
 }
 
-/// All surfaces of a geometry, each with its entry in the semantics where there is one.
+/// All surfaces of a geometry, each with the index of its entry in the semantics, if it has one.
 ///
 /// # Errors
-/// What is wrong, when the lists are not as deep as the type says or hold something else than indices.
+/// The lists are not as deep as the type specifies, or contain something other than indices.
 pub(super) fn surfaces(
     geometry: &Geometry<'_>,
 ) -> Result<impl Iterator<Item = (Surface, Option<usize>)> + use<>, String> {
@@ -46,7 +60,7 @@ pub(super) fn surfaces(
     let (Some(depth), Some(text)) = (depth, text) else {
         return Err(format!(
             "a geometry of the type \"{}\" without \"boundaries\"",
-            super::shorten(&geometry.kind)
+            shorten(&geometry.kind)
         ));
     };
     let solids: Vec<Solid> = match depth {
@@ -70,7 +84,7 @@ pub(super) fn surfaces(
     }))
 }
 
-/// What cannot be read of it is left out: it is colour alone.
+/// Invalid semantics are ignored, since they only affect colours.
 fn kinds_of(semantics: &Semantics<'_>, depth: Depth) -> Vec<Kinds> {
     let Some(text) = semantics.values else {
         return Vec::new();

@@ -1,7 +1,7 @@
-//! As much of a document's JSON as is read, borrowed from its text where that is possible. Boundaries stay text until the
-//! type of their geometry, which may come after them, says how deep they are.
+//! The part of a document's JSON that is read, borrowed from its text where possible. Boundaries stay text until
+//! their type is known, which may follow them and determines their depth.
 
-use super::broken;
+use super::error::syntax_error;
 use crate::budget::Budget;
 use crate::error::LoadProblem;
 use serde::Deserialize;
@@ -21,12 +21,12 @@ pub(super) struct Document<'a> {
     pub(super) transform: Option<Transform>,
     #[serde(rename = "CityObjects", borrow, default)]
     pub(super) objects: Objects<'a>,
-    /// In steps of the transform's scale, up along Z.
+    /// Vertices in steps of the transform's scale, with Z up.
     #[serde(default)]
     pub(super) vertices: Vec<[f64; 3]>,
 }
 
-/// From vertices as they are written to metres.
+/// The transform from vertices to metres.
 #[derive(Clone, Copy, Deserialize)]
 pub(super) struct Transform {
     pub(super) scale: [f64; 3],
@@ -46,7 +46,7 @@ impl Default for Transform {
 #[derive(Default)]
 pub(super) struct Objects<'a>(pub(super) Vec<(Cow<'a, str>, CityObject<'a>)>);
 
-/// A building, a part of one, a road, a tree.
+/// A city object, such as a building, a part of one, a road or a tree.
 #[derive(Deserialize)]
 pub(super) struct CityObject<'a> {
     #[serde(rename = "type", borrow)]
@@ -59,7 +59,7 @@ pub(super) struct CityObject<'a> {
     pub(super) geometry: Vec<Geometry<'a>>,
 }
 
-/// What an object looks like at one level of detail.
+/// The geometry of an object at one level of detail.
 #[derive(Deserialize)]
 pub(super) struct Geometry<'a> {
     #[serde(rename = "type", borrow)]
@@ -71,7 +71,7 @@ pub(super) struct Geometry<'a> {
     pub(super) semantics: Option<Semantics<'a>>,
 }
 
-/// Which surfaces are walls and which are roofs.
+/// The semantics of surfaces: which are walls and which are roofs.
 #[derive(Deserialize)]
 pub(super) struct Semantics<'a> {
     #[serde(borrow, default)]
@@ -87,7 +87,7 @@ pub(super) struct SurfaceKind<'a> {
 }
 
 impl Geometry<'_> {
-    /// Greater is finer: "2.2" is more than "1.3". A text in newer versions, a number in older ones.
+    /// The level of detail; a greater number is finer. It is a text in newer versions and a number in older ones.
     pub(super) fn lod(&self) -> f64 {
         let number = match &self.lod {
             Some(Value::String(text)) => text.parse().ok(),
@@ -98,10 +98,10 @@ impl Geometry<'_> {
     }
 }
 
-/// A document that cannot be read.
+/// Why a document cannot be read.
 pub(super) struct Unread {
     problem: LoadProblem,
-    /// It ends too early.
+    /// Whether the text ends too early.
     pub(super) is_cut_off: bool,
 }
 
@@ -111,7 +111,7 @@ impl From<Unread> for LoadProblem {
     }
 }
 
-/// Reads the document that begins on line `number`.
+/// Parses the document that begins on line `number`.
 pub(super) fn parse<'a>(
     number: usize,
     text: &'a [u8],
@@ -127,16 +127,16 @@ pub(super) fn parse<'a>(
     })
 }
 
-/// An error of the JSON, with the file's line in place of the document's.
+/// An error of the JSON parser, with the line of the file.
 fn syntax(number: usize, error: &serde_json::Error) -> LoadProblem {
     let line = number + error.line().saturating_sub(1);
-    broken(
+    syntax_error(
         format!("line {line}, column {}", error.column()),
         reason(error),
     )
 }
 
-/// What is wrong, without where, and without the whole of what is quoted.
+/// The message of a parser's error without its position, at most 300 characters.
 pub(super) fn reason(error: &serde_json::Error) -> String {
     let text = error.to_string();
     let reason = text
@@ -169,6 +169,6 @@ impl<'de: 'a, 'a> Deserialize<'de> for Objects<'a> {
     }
 }
 
-/// `Cow` alone would always be a copy.
+/// `Cow` alone would always copy.
 #[derive(Deserialize)]
 struct Id<'a>(#[serde(borrow)] Cow<'a, str>);

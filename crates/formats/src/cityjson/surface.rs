@@ -1,26 +1,27 @@
-//! Polygons with holes become triangles by clipping ears (David Eberly; the `earcut` crate, after Mapbox), seen along the axis that
-//! the normal is closest to. The normal is Newell's (Martin Newell, in Sutherland, Sproull and Schumacker, 1974).
+//! Triangulation of polygons with holes by ear clipping (David Eberly; the crate `earcut`, after Mapbox), in a
+//! projection along the axis nearest to the normal. The normal is Newell's (Martin Newell, in Sutherland, Sproull and
+//! Schumacker, 1974).
 
 use antumbra_scene::Geometry;
 use earcut::Earcut;
 use glam::{DVec2, DVec3};
 
-/// Room for triangulating, used again for every surface.
+/// Buffers for triangulation, reused for every surface.
 pub(super) struct Triangulator {
     earcut: Earcut<f64>,
     corners: Vec<DVec3>,
     flat: Vec<[f64; 2]>,
     holes: Vec<u32>,
-    /// Whether the outer ring encloses nothing, and so its holes are in nothing.
+    /// Whether the outer ring encloses no area. Its holes are then ignored.
     is_void: bool,
     triangles: Vec<u32>,
 }
 
-/// The most corners a surface may have. Clipping ears takes a time that grows with their square where the rings cross each
-/// other; here it is seconds.
+/// The greatest number of corners of a surface. The time of ear clipping grows with their square where rings
+/// intersect; at this number it is seconds.
 pub(super) const MAX_CORNERS: usize = 1 << 13;
 
-/// A surface with a smaller area than this part of the square of its extent is a line.
+/// A surface whose area is below this fraction of the square of its extent counts as a line.
 const MIN_AREA: f64 = 1e-12;
 
 impl Triangulator {
@@ -35,14 +36,14 @@ impl Triangulator {
         }
     }
 
-    /// Begins a surface.
+    /// Starts a new surface.
     pub(super) fn clear(&mut self) {
         self.corners.clear();
         self.holes.clear();
         self.is_void = false;
     }
 
-    /// Adds a ring to the surface, the outer one first. One that encloses nothing is left out.
+    /// Adds a ring to the surface, the outer one first. A ring that encloses no area is ignored.
     pub(super) fn ring(&mut self, corners: impl IntoIterator<Item = DVec3>) {
         if self.is_void {
             return;
@@ -57,7 +58,8 @@ impl Triangulator {
         }
     }
 
-    /// Appends the surface's vertices, normals and triangles; says how many triangles. None for a surface without an area.
+    /// Appends the surface's vertices, normals and triangles. Returns the number of triangles, 0 for a surface
+    /// without an area.
     pub(super) fn finish(&mut self, geometry: &mut Geometry) -> u64 {
         let outer = self
             .holes
@@ -106,8 +108,8 @@ impl Triangulator {
     }
 }
 
-/// The unit normal of a ring, which need be neither flat nor convex: it runs counter-clockwise about it. `None` for a ring
-/// that encloses nothing.
+/// The unit normal of a ring, which may be neither flat nor convex. The ring runs counter-clockwise about it. `None`
+/// for a ring that encloses no area.
 fn normal(ring: &[DVec3]) -> Option<DVec3> {
     let origin = *ring.first()?;
     let (mut sum, mut extent) = (DVec3::ZERO, 0.0_f64);
@@ -121,7 +123,8 @@ fn normal(ring: &[DVec3]) -> Option<DVec3> {
     (sum.length() > extent * MIN_AREA).then(|| sum.normalize())
 }
 
-/// A point seen against the normal along the closest axis: what runs counter-clockwise about the normal still does.
+/// Projects a point along the axis nearest to the normal. What runs counter-clockwise about the normal does so in the
+/// projection.
 fn along(normal: DVec3, point: DVec3) -> DVec2 {
     let size = normal.abs();
     let (flat, towards) = if size.x >= size.y && size.x >= size.z {

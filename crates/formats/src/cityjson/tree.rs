@@ -1,27 +1,28 @@
-//! Which city object hangs below which.
+//! The tree of city objects: which object is a child of which.
 
 use super::document::CityObject;
-use super::{broken, shorten};
-use crate::error::LoadProblem;
+use super::error::syntax_error;
+use crate::error::{LoadProblem, shorten};
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-/// The objects of one document as trees.
+/// The trees of one document's objects.
 pub(super) struct Tree {
-    /// For each object that one above it.
+    /// The parent of each object.
     pub(super) parents: Vec<Option<usize>>,
-    /// Every object that is placed, parents first, one tree after another.
+    /// Every object that becomes an entity, parents first, one tree after another.
     pub(super) order: Vec<usize>,
 }
 
-/// A list of other objects, which have places of their own.
+/// The type of groups. A group only lists other objects.
 const GROUP: &str = "CityObjectGroup";
 
 impl Tree {
-    /// An object hangs below the first of its parents that is there, or else below the first that names it as a child.
+    /// An object is a child of the first of its parents that exists, or else of the first object that lists it as a
+    /// child.
     ///
     /// # Errors
-    /// An id that occurs twice; an object below itself.
+    /// An id that occurs twice; an object that is its own ancestor.
     pub(super) fn new(
         objects: &[(Cow<'_, str>, CityObject<'_>)],
         line: usize,
@@ -30,7 +31,7 @@ impl Tree {
         for (i, (id, _)) in objects.iter().enumerate() {
             if known.insert(id, i).is_some() {
                 let problem = format!("two objects have the id \"{}\"", shorten(id));
-                return Err(broken(format!("line {line}"), problem));
+                return Err(syntax_error(format!("line {line}"), problem));
             }
         }
         let is_group = |i: usize| (objects.get(i)).is_some_and(|(_, object)| object.kind == GROUP);
@@ -74,7 +75,7 @@ impl Tree {
         Ok(Self { parents, order })
     }
 
-    /// The trees: each the range of the order that it takes.
+    /// The trees, each as a range of `order`.
     pub(super) fn trees(&self) -> impl Iterator<Item = &[usize]> {
         self.order
             .chunk_by(|_, next| self.parents.get(*next) != Some(&None))

@@ -1,9 +1,12 @@
-//! glTF 2.0. The `gltf` crate parses the JSON; the accessors are read here, checked against the bytes that are there, and
-//! the crate's validation, which expects well-meaning files, is not relied upon.
+//! Reading of glTF 2.0.
 //!
-//! Read are all primitive modes, sparse accessors and component types, default morph weights, skins in their rest pose (baked
-//! into the mesh), cameras, base colours and their images, and the extensions in [`SUPPORTED`], and of extras
-//! whether an entity is tested. Animations are not. Nodes are placed in f64.
+//! The crate `gltf` parses the JSON. Accessors are read here and checked against the bytes. The crate's validation
+//! assumes well-meaning files and is not used.
+//!
+//! All primitive modes, sparse accessors and component types are read, and default morph weights, skins in their rest
+//! pose (baked into the mesh), cameras, lights, base colours with their images, the extensions in
+//! `container::SUPPORTED`, and of the extras whether an entity is tested. Animations are not read. Node transforms
+//! are f64.
 
 mod accessor;
 mod attachments;
@@ -19,32 +22,25 @@ mod tree;
 
 use crate::budget::Budget;
 use crate::error::LoadProblem;
-use crate::files::Files;
-use crate::load::Found;
-use antumbra_scene::Scene;
+use crate::file_resolver::FileResolver;
+use crate::read_scene::ReadScene;
 use document::Document;
-
-/// The extensions that a file may require.
-const SUPPORTED: &[&str] = &[
-    "EXT_mesh_gpu_instancing",
-    "KHR_lights_punctual",
-    "KHR_materials_unlit",
-    "KHR_mesh_quantization",
-    "KHR_texture_transform",
-    "MSFT_lod",
-];
+use nodes::NodeScene;
 
 pub(crate) fn read(
     bytes: &[u8],
-    files: &Files<'_>,
+    files: &FileResolver<'_>,
     attachments: &[&str],
     budget: &mut Budget,
-) -> Result<(Scene, Vec<Found>), LoadProblem> {
+) -> Result<ReadScene, LoadProblem> {
     let parts = container::split(bytes)?;
     let json = container::parse(parts.json, budget)?;
     let document = Document::open(json, parts.binary, files, budget)?;
-    let (scene, entities) = nodes::place(&document, files, budget)?;
+    let NodeScene { scene, entities } = nodes::build(&document, files, budget)?;
     let wanted = attachments.iter();
     let found = wanted.filter_map(|name| attachments::read(&document, name, &entities));
-    Ok((scene, found.collect()))
+    Ok(ReadScene {
+        scene,
+        attachments: found.collect(),
+    })
 }

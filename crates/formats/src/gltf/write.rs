@@ -1,108 +1,57 @@
-//! Scenes into files: binary glTF 2.0, the inverse of [`load`](crate::load). The file is written beside its place and renamed into it;
-//! geometry goes from the scene's arrays into the file without a copy of it in memory.
+//! Writing of binary glTF 2.0, the inverse of [`load`](crate::load). The file is written beside its place and
+//! renamed. Geometry goes from the scene's arrays into the file without a copy in memory.
 //!
-//! Layout of a GLB: 12 bytes of header, a chunk of JSON, a chunk of binary data, each chunk after 8 bytes of its own length and kind.
+//! Layout of a GLB: 12 bytes of header, a chunk of JSON, a chunk of binary data. Each chunk follows 8 bytes with its
+//! length and type.
 
 mod binary;
-mod gather;
+mod build;
+mod convert;
+mod error;
 mod json;
-mod looks;
-mod nodes;
+mod materials;
 
-use crate::attachment::Attachment;
+pub use error::{SaveError, SaveProblem};
+
+use super::attachment::Attachment;
 use antumbra_scene::Scene;
 use binary::Binary;
-use gather::gather;
+use build::{Glb, build};
 use json::Root;
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use tempfile::NamedTempFile;
-use thiserror::Error;
 
-/// Why a scene gave no file. Nothing is left of it then, and what stood in its place before still does.
-#[derive(Debug, Error)]
-#[error("{}: {problem}", file.display())]
-pub struct SaveError {
-    /// The file that was to be written.
-    pub file: PathBuf,
-    /// What went wrong.
-    pub problem: SaveProblem,
-}
-
-/// One thing that can keep a scene from being saved.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum SaveProblem {
-    /// The operating system refused.
-    #[error("cannot write: {0}")]
-    Io(#[from] io::Error),
-    /// A GLB tells its length in 32 bits.
-    #[error("the scene takes {bytes} bytes and a .glb holds at most {limit}: save it in parts")]
-    TooLarge {
-        /// Bytes of the whole file, or as many as are known.
-        bytes: u64,
-        /// The most there can be.
-        limit: u64,
-    },
-    /// A material that glTF has no way to say.
-    #[error("material \"{material}\": {problem}")]
-    BadMaterial {
-        /// Its name.
-        material: String,
-        /// What is wrong, and what to do.
-        problem: String,
-    },
-    /// A camera that glTF has no way to say.
-    #[error("the camera of entity \"{entity}\": {problem}")]
-    BadCamera {
-        /// The entity's name.
-        entity: String,
-        /// What is wrong, and what to do.
-        problem: String,
-    },
-    /// An attachment that the file cannot hold.
-    #[error("the attachment \"{attachment}\": {problem}")]
-    BadAttachment {
-        /// Its name.
-        attachment: String,
-        /// What is wrong, and what to do.
-        problem: &'static str,
-    },
-    /// An image that cannot be encoded.
-    #[error("image \"{image}\": {problem}")]
-    BadImage {
-        /// Its name.
-        image: String,
-        /// Why.
-        problem: String,
-    },
-}
-
-/// Saves a scene as a binary glTF, which [`load`](crate::load) reads back as it was:
+/// Saves a scene as a binary glTF. [`load`](crate::load) reads back:
 ///
-/// - every entity with its name, its place in the tree and its transform, written as f64, though most readers keep f32 of it. A transform
-///   that is no translation, rotation and scale is written as a matrix;
-/// - the meshes that entities have, each once a material: level 0, then the further levels and last the proxy as nodes of MSFT_lod. Where
-///   there are levels but no proxy, the full geometry is named once more as the last, since a reader takes the last one for the proxy;
+/// - every entity with its name, its place in the tree and its transform. Transforms are written as f64, though most
+///   readers
+/// keep f32. A transform that is no translation, rotation and scale is written as a matrix;
+/// - the meshes of entities, once per material: level 0, then the further levels, and last the proxy, as nodes of
+///   MSFT_lod.
+/// If there are levels but no proxy, the full geometry is listed again as the last one, since a reader takes the last
+/// one for the proxy;
 /// - the materials and images they use, images as PNG; KHR_texture_transform, KHR_materials_unlit;
-/// - lights (KHR_lights_punctual) and cameras. A camera that does not stand at its entity's origin, and an orthographic one whose near plane
-///   lies behind it, becomes a node of its own below its entity;
-/// - whether an entity may be culled by a test, as `"tested": false` in the node's extras.
+/// - lights (KHR_lights_punctual) and cameras. A camera that is not at its entity's origin, and an orthographic one
+///   whose
+/// near plane is behind it, becomes a child node of its entity;
+/// - whether a test may cull an entity, as `"tested": false` in the node's extras.
 ///
-/// The environment is not written: glTF has no word for it. Geometry without an index is not written either, and an entity that has no other becomes one without a mesh.
+/// The environment is not written, since glTF has none. Geometry without indices is not written either; an entity
+/// without other geometry is written without a mesh.
 ///
 /// # Errors
-/// [`SaveProblem::TooLarge`] beyond 4 GiB, a number of a material that is not finite, a uv transform that shears,
-/// an off-axis camera (glTF has none, and a camera on the axis would see something else), and what the system says.
+/// [`SaveProblem::TooLarge`] beyond 4 GiB, a number of a material that is not finite, a uv transform that shears, an
+/// off-axis camera (glTF has none, and a camera on the axis would show something else), and errors of the system.
 pub fn save_glb(scene: &Scene, path: &Path) -> Result<(), SaveError> {
     save_glb_with_attachments(scene, &[], path)
 }
 
-/// As [`save_glb`], with what others have to say of the scene.
+/// As [`save_glb`], with attachments.
 ///
 /// # Errors
-/// As [`save_glb`]; [`SaveProblem::BadAttachment`] for one whose name is taken, that speaks of an entity which is not in the scene, or has facts
-/// of names that are not theirs.
+/// As for [`save_glb`]; [`SaveProblem::BadAttachment`] for an attachment whose name is in use, that refers to an
+/// entity outside the scene, or that has properties with reserved names.
 pub fn save_glb_with_attachments(
     scene: &Scene,
     attachments: &[Attachment],
@@ -115,7 +64,7 @@ pub fn save_glb_with_attachments(
 }
 
 fn save(scene: &Scene, attachments: &[Attachment], path: &Path) -> Result<(), SaveProblem> {
-    let (root, binary) = gather(scene, attachments)?;
+    let Glb { root, binary } = build(scene, attachments)?;
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
@@ -127,7 +76,7 @@ fn save(scene: &Scene, attachments: &[Attachment], path: &Path) -> Result<(), Sa
     Ok(())
 }
 
-/// Header and chunks. The lengths that come first are known last, and filled in then.
+/// Writes the header and the chunks. The lengths at the beginning are known last and filled in then.
 fn write(
     file: &mut (impl Write + Seek),
     root: &Root<'_>,
@@ -135,7 +84,7 @@ fn write(
 ) -> Result<(), SaveProblem> {
     const HEADER: u64 = 12;
     const CHUNK_HEADER: u64 = 8;
-    // Before the work is done for nothing.
+    // Checked before anything is written.
     within_limit(binary.length())?;
     let mut out = BufWriter::with_capacity(1 << 20, &mut *file);
     out.write_all(&[0; (HEADER + CHUNK_HEADER) as usize])?;
@@ -169,7 +118,7 @@ fn within_limit(bytes: u64) -> Result<u32, SaveProblem> {
     u32::try_from(bytes).map_err(|_| SaveProblem::TooLarge { bytes, limit })
 }
 
-/// A new file that goes away unless it is renamed, with the rights of any other new file.
+/// A temporary file that is removed unless it is renamed, with the permissions of an ordinary new file.
 fn beside(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".scene-").suffix(".partial");
@@ -193,7 +142,7 @@ mod tests {
             ..Geometry::default()
         };
         let scene = Scene::new();
-        let (root, mut binary) = gather(&scene, &[]).unwrap();
+        let Glb { root, mut binary } = build(&scene, &[]).unwrap();
         for _ in 0..512 {
             binary.floats(&geometry.uvs, "VEC2");
         }

@@ -1,15 +1,16 @@
-//! What `tobj` is given to read: the lines it needs, with every index held against what came before. The crate itself would
-//! overflow on wild indices and panic on colours of fewer than three numbers.
+//! A check of OBJ and MTL texts before `tobj` reads them: only the needed lines are kept, and every index is checked
+//! against the preceding lines. The crate itself overflows on large indices and panics on colours with fewer than
+//! three numbers.
 
 use crate::budget::Budget;
 use crate::error::LoadProblem;
 use std::borrow::Cow;
 
-/// The text without lines, points and nameless materials, all of its faces' corners known to exist or at least to be sane
-/// numbers. The triangles are counted against the budget.
+/// The text without lines, points and nameless materials. The corners of its faces exist or are at least numbers in a
+/// valid range. Triangles are counted against the budget.
 pub(super) fn shapes(text: &str, budget: &mut Budget) -> Result<String, LoadProblem> {
     let mut kept = String::with_capacity(text.len());
-    // Positions, texture coordinates and normals so far: what a corner's three numbers count in.
+    // The numbers of positions, texture coordinates and normals so far, in the order of a corner's three numbers.
     let mut counts = [0_i64; 3];
     for (i, line) in text.lines().enumerate() {
         let mut words = line.split_whitespace();
@@ -50,8 +51,8 @@ pub(super) fn shapes(text: &str, budget: &mut Budget) -> Result<String, LoadProb
     Ok(kept)
 }
 
-/// Whether a corner "v/vt/vn" has numbers that count forwards from 1 to at most 2^31, or backwards to what is there.
-/// Whether a forward one exists is known only later, and checked by the crate.
+/// Whether a corner "v/vt/vn" has numbers from 1 to 2^31, or negative numbers that refer to existing elements.
+/// Whether the element of a positive number exists is checked later, by the crate.
 fn is_sane(corner: &str, counts: [i64; 3]) -> bool {
     let mut numbers = corner.split('/');
     let sane = counts
@@ -67,7 +68,7 @@ fn is_sane(corner: &str, counts: [i64; 3]) -> bool {
     sane && starts && numbers.next().is_none()
 }
 
-/// The lines of a material library that say a colour, an opacity or an image of it; a colour of one number is a grey.
+/// The lines of a material library with a colour, an opacity or an image. A colour with one number is grey.
 pub(super) fn materials(text: &str) -> String {
     let mut kept = String::with_capacity(text.len());
     for line in text.lines() {

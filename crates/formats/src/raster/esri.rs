@@ -2,12 +2,13 @@
 
 use glam::DVec2;
 
-use super::Raster;
 use super::text::{Tokens, decode, parse_number};
+use antumbra_scene::Raster;
 
 pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
     let text = decode(bytes);
-    let (header, rest) = header(&text)?;
+    let header = header(&text)?;
+    let rest = header.rest;
     let columns = header.count("ncols")?;
     let rows = header.count("nrows")?;
     let size = header.get("cellsize");
@@ -24,9 +25,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
         low("xllcorner", "xllcenter", step.x)?,
         low("yllcorner", "yllcenter", step.y)?,
     );
-    // What the format's own description gives for a raster without the line.
+    // The default of the format's specification.
     let nodata = header.get("nodata_value").unwrap_or(-9999.0) as f32;
-    // As f32, since some write the header's number with fewer digits than the values.
+    // Compared as f32, since some writers give the header's number fewer digits than the values.
     let values = Tokens::new(rest)
         .grid(columns, rows, rest.len(), |value| value as f32 == nodata)
         .map_err(|problem| format!("after the header of {} lines: {problem}", header.lines))?;
@@ -43,6 +44,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
 struct Header<'a> {
     keys: Vec<(&'a str, f64)>,
     lines: usize,
+    /// The text after the header.
+    rest: &'a str,
 }
 
 impl Header<'_> {
@@ -62,17 +65,17 @@ impl Header<'_> {
     }
 }
 
-/// The lines that begin with a letter, and what follows them.
-fn header(text: &str) -> Result<(Header<'_>, &str), String> {
+/// The leading lines that begin with a key, and the text after them.
+fn header(text: &str) -> Result<Header<'_>, String> {
     let mut header = Header {
         keys: Vec::new(),
         lines: 0,
+        rest: text,
     };
-    let mut rest = text;
-    // `nan` and `inf` are values, and no keys of any raster.
+    // `nan` and `inf` are values, not keys.
     let is_key = |word: &str| parse_number(word).is_none();
     while header.lines < 16 {
-        let (line, after) = rest.split_once('\n').unwrap_or((rest, ""));
+        let (line, after) = header.rest.split_once('\n').unwrap_or((header.rest, ""));
         let mut words = line.split_whitespace();
         let Some(key) = words.next().filter(|key| is_key(key)) else {
             break;
@@ -82,7 +85,7 @@ fn header(text: &str) -> Result<(Header<'_>, &str), String> {
         let parsed = parse_number(value)
             .ok_or_else(|| format!("line {}: {key} is `{value}`, no number", header.lines))?;
         header.keys.push((key, parsed));
-        rest = after;
+        header.rest = after;
     }
-    Ok((header, rest))
+    Ok(header)
 }

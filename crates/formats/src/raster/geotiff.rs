@@ -1,4 +1,4 @@
-//! GeoTIFF rasters of one band: heights, with tags that say where they lie.
+//! GeoTIFF rasters with one band of heights and tags for their position.
 
 use std::io::Cursor;
 
@@ -6,14 +6,14 @@ use glam::DVec2;
 use tiff::decoder::{Decoder, DecodingResult, Limits};
 use tiff::tags::Tag;
 
-use super::Raster;
 use super::text::{node_count, parse_number};
+use antumbra_scene::Raster;
 
-/// Bytes of a decoded raster, and how many of them a byte of a compressed one can stand for.
+/// The greatest number of bytes of a decoded raster, and the greatest ratio to the compressed bytes.
 const MAX_BYTES: usize = 1 << 30;
 const MAX_PACKED: usize = 4096;
 
-/// Numbers of keys in the directory that GeoTIFF keeps in a tag of its own, and of their values.
+/// Keys in GeoTIFF's own directory, and their values.
 const MODEL_TYPE: u16 = 1024;
 const GEOGRAPHIC: u16 = 2;
 const RASTER_TYPE: u16 = 1025;
@@ -38,7 +38,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
     let placed = Placed::of(&mut file)?;
     let nodata = file.get_tag_ascii_string(Tag::GdalNodata).ok();
     let nodata = nodata.and_then(|text| parse_number(text.trim_matches(['\0', ' '])));
-    // As f32, since the tag is text, with as many digits as its writer saw fit.
+    // Compared as f32, since the tag is text with any number of digits.
     let nodata = nodata.map(|value| value as f32);
     let height = |value: f64| match nodata == Some(value as f32) {
         true => f32::NAN,
@@ -61,7 +61,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
     })
 }
 
-/// Where the first pixel's node lies, and the ways to the next.
+/// The position of the first pixel's node, and the steps to the next nodes.
 struct Placed {
     origin: DVec2,
     step_u: DVec2,
@@ -101,7 +101,7 @@ impl Placed {
                     .into(),
             );
             };
-        // A pixel is an area with its height in the middle, unless it is said to be a point.
+        // A pixel is an area with its height at the centre, unless the file declares it a point.
         let inset = if key(RASTER_TYPE) == Some(PIXEL_IS_POINT) {
             0.0
         } else {

@@ -1,24 +1,24 @@
-//! NumPy arrays in a zip archive (`numpy.savez`): elevations, and where they lie.
+//! NumPy arrays in a zip archive (`numpy.savez`): elevations and their position.
 //!
-//! The one array with two dimensions is the elevation, its first row the northernmost. Where it lies is told by arrays beside it, as they
-//! are customary: `dx` and `dy`, the cells' size, with `xmin` and `ymin` (or `ymax`), or `longitude` (`x`) and `latitude` (`y`), a number
-//! a column and row. Sizes that only fit on a globe are degrees: they become metres at the middle latitude, on a sphere of 6,371,008.8 m.
-//! Without any, a cell is a metre wide.
+//! The array with two dimensions is the elevation, its first row the northernmost. Its position is given by other
+//! arrays with customary names: `dx` and `dy`, the cells' size, with `xmin` and `ymin` (or `ymax`), or `longitude`
+//! (`x`) and `latitude` (`y`), one number per column and row. Positions that only fit on a globe are degrees. They
+//! become metres at the middle latitude, on a sphere of 6,371,008.8 m. Without any of these a cell is a metre wide.
 
 use std::io::{Cursor, Read};
 
 use glam::DVec2;
 use zip::ZipArchive;
 
-use super::Raster;
 use super::text::node_count;
+use antumbra_scene::Raster;
 
-/// Bytes of a decoded array, and how many of them a byte of a compressed one can stand for.
+/// The greatest number of bytes of a decoded array, and the greatest ratio to the compressed bytes.
 const MAX_BYTES: u64 = 1 << 30;
 const MAX_PACKED: u64 = 1100;
-/// The most numbers of an array.
+/// The greatest number of numbers of an array.
 const MAX_NUMBERS: usize = 1 << 27;
-/// Metres of a degree on a great circle.
+/// The length of a degree on a great circle, in metres.
 const DEGREE: f64 = 6_371_008.8 * std::f64::consts::PI / 180.0;
 
 /// An array.
@@ -93,7 +93,7 @@ pub(super) fn array(bytes: &[u8]) -> Result<Array, String> {
     let count = shape
         .iter()
         .try_fold(1_usize, |all, size| all.checked_mul(*size));
-    let (read, size) = number(kind)?;
+    let NumberType { read, bytes: size } = number_type(kind)?;
     let whole = count.and_then(|count| count.checked_mul(size));
     if whole != Some(data.len()) {
         return Err(format!(
@@ -110,18 +110,22 @@ pub(super) fn array(bytes: &[u8]) -> Result<Array, String> {
     Ok(Array { shape, values })
 }
 
-type ReadNumber = fn(&[u8]) -> f64;
+/// A type of numbers.
+struct NumberType {
+    read: fn(&[u8]) -> f64,
+    bytes: usize,
+}
 
-/// How to read a number of a type, and how many bytes it has.
-fn number(kind: &str) -> Result<(ReadNumber, usize), String> {
+/// The type of numbers with this name.
+fn number_type(name: &str) -> Result<NumberType, String> {
     macro_rules! numbers {
-        ($($name:literal $big:literal $kind:ty),*) => {
-            match kind {
+        ($($little:literal $big:literal $kind:ty),*) => {
+            match name {
                 $(
-                    $name => Ok((|bytes| <$kind>::from_le_bytes(bytes.try_into().unwrap_or_default()) as f64, size_of::<$kind>())),
-                    $big => Ok((|bytes| <$kind>::from_be_bytes(bytes.try_into().unwrap_or_default()) as f64, size_of::<$kind>())),
+                    $little => Ok(NumberType { read: |bytes| <$kind>::from_le_bytes(bytes.try_into().unwrap_or_default()) as f64, bytes: size_of::<$kind>() }),
+                    $big => Ok(NumberType { read: |bytes| <$kind>::from_be_bytes(bytes.try_into().unwrap_or_default()) as f64, bytes: size_of::<$kind>() }),
                 )*
-                _ => Err(format!("its numbers are of type `{kind}`; save them as int or float")),
+                _ => Err(format!("its numbers are of type `{name}`; save them as int or float")),
             }
         };
     }
@@ -147,48 +151,30 @@ fn raster(arrays: &[(String, Array)]) -> Result<Raster, String> {
     };
     let single = |name: &str| named(&[name]).filter(|array| array.values.len() == 1);
     let single = |name: &str| single(name).map(|array| array.values[0]);
-    // The first and the last node's place along an axis.
+    // The positions of the first and the last node along an axis.
     let ends = |names: &[&str], count: u32| {
         let array = named(names).filter(|array| array.values.len() == count as usize);
         array.map(|array| [array.values[0], array.values[count as usize - 1]])
     };
     let steps = |count: u32| f64::from(count - 1);
-    let axis = |ends: Option<[f64; 2]>,
-                step: Option<f64>,
-                low: Option<f64>,
-                high: Option<f64>,
-                count,
-                down| {
-        if let Some([first, last]) = ends {
-            return (first, (last - first) / steps(count));
-        }
-        let step = step.unwrap_or(1.0);
-        let low = low
-            .or(high.map(|high| high - step * steps(count)))
-            .unwrap_or(0.0);
-        // Middles of cells, where corners are told.
-        if down {
-            (low + step * steps(count), -step)
-        } else {
-            (low, step)
-        }
-    };
-    let (x, dx) = axis(
-        ends(&["longitude", "lon", "x"], columns),
-        single("dx"),
-        single("xmin"),
-        single("xmax"),
-        columns,
-        false,
-    );
-    let (y, dy) = axis(
-        ends(&["latitude", "lat", "y"], rows),
-        single("dy"),
-        single("ymin"),
-        single("ymax"),
-        rows,
-        true,
-    );
+    let (x, dx) = Axis {
+        ends: ends(&["longitude", "lon", "x"], columns),
+        step: single("dx"),
+        low: single("xmin"),
+        high: single("xmax"),
+        nodes: columns,
+        direction: Direction::Ascending,
+    }
+    .first_and_step();
+    let (y, dy) = Axis {
+        ends: ends(&["latitude", "lat", "y"], rows),
+        step: single("dy"),
+        low: single("ymin"),
+        high: single("ymax"),
+        nodes: rows,
+        direction: Direction::Descending,
+    }
+    .first_and_step();
     let (far, last) = ([x, x + dx * steps(columns)], [y, y + dy * steps(rows)]);
     let told = named(&["dx", "longitude", "lon", "x"]).is_some();
     let on_globe = told
@@ -209,4 +195,42 @@ fn raster(arrays: &[(String, Array)]) -> Result<Raster, String> {
         step_v: DVec2::new(0.0, dy) * scale,
         elevation: heights.values.iter().map(|&height| height as f32).collect(),
     })
+}
+
+/// What a file specifies about an axis.
+struct Axis {
+    /// The positions of the first and the last node.
+    ends: Option<[f64; 2]>,
+    step: Option<f64>,
+    low: Option<f64>,
+    high: Option<f64>,
+    nodes: u32,
+    direction: Direction,
+}
+
+/// The direction of positions along an axis, where only its ends are specified.
+#[derive(Clone, Copy)]
+enum Direction {
+    Ascending,
+    Descending,
+}
+
+impl Axis {
+    /// The position of the first node, and the step to the next.
+    fn first_and_step(&self) -> (f64, f64) {
+        let steps = f64::from(self.nodes - 1);
+        if let Some([first, last]) = self.ends {
+            return (first, (last - first) / steps);
+        }
+        let step = self.step.unwrap_or(1.0);
+        let low = self
+            .low
+            .or(self.high.map(|high| high - step * steps))
+            .unwrap_or(0.0);
+        // The positions are those of cell centres, where files give those of corners.
+        match self.direction {
+            Direction::Ascending => (low, step),
+            Direction::Descending => (low + step * steps, -step),
+        }
+    }
 }

@@ -1,23 +1,23 @@
-//! Numbers out of words, with the line they stand on: what readers of grids in text share.
+//! Tokens and numbers of text files, with line numbers for errors. Readers of grids in text share them.
 
 use std::borrow::Cow;
 use std::iter::Enumerate;
 use std::str::{Lines, SplitWhitespace};
 
-/// What a file of text says; bytes that are no UTF-8 stand for one character each.
+/// The text of a file. Each invalid UTF-8 sequence becomes one replacement character.
 #[must_use]
 pub fn decode(bytes: &[u8]) -> Cow<'_, str> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     String::from_utf8_lossy(bytes)
 }
 
-/// A finite number or not; `None` when it is no number.
+/// Parses a number, which may be infinite or NaN; `None` for any other text.
 #[must_use]
 pub fn parse_number(word: &str) -> Option<f64> {
     word.trim().parse().ok()
 }
 
-/// The words of a text, one after the other.
+/// The tokens of a text, separated by white space.
 #[derive(Debug)]
 pub struct Tokens<'a> {
     lines: Enumerate<Lines<'a>>,
@@ -26,7 +26,7 @@ pub struct Tokens<'a> {
 }
 
 impl<'a> Tokens<'a> {
-    /// All words of a text.
+    /// The tokens of a text.
     #[must_use]
     pub fn new(text: &'a str) -> Self {
         Self {
@@ -36,7 +36,7 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// The next word.
+    /// The next token; `None` at the end.
     pub fn next_token(&mut self) -> Option<&'a str> {
         loop {
             if let Some(word) = self.words.next() {
@@ -48,10 +48,10 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// The next word as a number; `what` it is goes into the error.
+    /// The next token as a number. `what` names it in the error.
     ///
     /// # Errors
-    /// The line, and what stands there instead.
+    /// The line and the token, if it is no number.
     pub fn number(&mut self, what: &str) -> Result<f64, String> {
         let word = self
             .next_token()
@@ -60,10 +60,10 @@ impl<'a> Tokens<'a> {
             .ok_or_else(|| format!("line {}: {what} is `{word}`, no number", self.line))
     }
 
-    /// The next word as a count.
+    /// The next token as a whole number.
     ///
     /// # Errors
-    /// As [`Tokens::number`].
+    /// As for [`Tokens::number`].
     pub fn count(&mut self, what: &str) -> Result<u32, String> {
         let value = self.number(what)?;
         if value.fract() != 0.0 || !(0.0..=f64::from(u32::MAX)).contains(&value) {
@@ -72,12 +72,13 @@ impl<'a> Tokens<'a> {
         Ok(value as u32)
     }
 
-    /// As many values as a field of that size has, the undefined ones NaN.
+    /// The remaining tokens as `columns * rows` values. Undefined values become NaN.
     ///
-    /// A value takes two bytes at least, itself and what parts it from the next: no more memory than twice the text's length is asked for.
+    /// A value takes at least two bytes, including its separator, so no more memory than twice `length`, the text's
+    /// length, is allocated.
     ///
     /// # Errors
-    /// As [`Tokens::number`], and where there are more or fewer.
+    /// As for [`Tokens::number`], and for more or fewer values.
     pub fn grid(
         &mut self,
         columns: u32,
@@ -106,10 +107,10 @@ impl<'a> Tokens<'a> {
     }
 }
 
-/// How many nodes, if a file can hold that many.
+/// The number of nodes of a grid, if it is at most `most`, the number that the file can contain.
 ///
 /// # Errors
-/// What it declares, and what it can hold.
+/// The declared size, and the greatest possible number.
 pub fn node_count(columns: u32, rows: u32, most: usize) -> Result<usize, String> {
     let nodes = u64::from(columns) * u64::from(rows);
     if columns < 2 || rows < 2 {

@@ -1,7 +1,7 @@
-//! Accessors: typed looks into the buffers. What one promises is checked against its bytes when it is opened; after that
-//! every element can be had without taking memory.
+//! Accessors: typed views of buffers. An accessor is checked against its bytes when it is opened. After that every
+//! element can be read without allocation.
 
-use super::document::{Document, item, label};
+use super::document::{Document, View, item, label};
 use crate::error::LoadProblem;
 use gltf::json::accessor::{ComponentType, Type};
 use gltf::json::validation::Checked;
@@ -13,20 +13,27 @@ pub(super) struct Accessor<'a> {
     pub(super) shape: Type,
     pub(super) component: ComponentType,
     normalized: bool,
-    /// The elements and the distance between two; without them all are zero.
-    dense: Option<(&'a [u8], usize)>,
+    /// The elements; `None` means that all are zero.
+    dense: Option<Dense<'a>>,
     sparse: Option<Sparse<'a>>,
+}
+
+/// The elements in a buffer view.
+struct Dense<'a> {
+    bytes: &'a [u8],
+    /// Bytes from an element to the next.
+    stride: usize,
 }
 
 /// Elements that replace others.
 struct Sparse<'a> {
-    /// Ascending.
+    /// The indices of the replaced elements, ascending.
     indices: Vec<u32>,
     values: &'a [u8],
 }
 
 impl<'a> Accessor<'a> {
-    /// Opens an accessor for `user`.
+    /// Opens an accessor. `user` names its use in errors.
     pub(super) fn open(
         document: &'a Document<'_>,
         index: usize,
@@ -60,7 +67,7 @@ impl<'a> Accessor<'a> {
         let dense = match source.buffer_view {
             None => None,
             Some(view) => {
-                let (bytes, stride) = document.view(&name, view.value())?;
+                let View { bytes, stride } = document.view(&name, view.value())?;
                 let stride = stride.unwrap_or(size);
                 if stride < size {
                     return Err(bad(format!(
@@ -68,7 +75,10 @@ impl<'a> Accessor<'a> {
                     )));
                 }
                 let offset = source.byte_offset.unwrap_or_default().0;
-                Some((elements(bytes, offset, stride, size, count, &name)?, stride))
+                Some(Dense {
+                    bytes: elements(bytes, offset, stride, size, count, &name)?,
+                    stride,
+                })
             }
         };
         let sparse = match &source.sparse {
@@ -79,7 +89,8 @@ impl<'a> Accessor<'a> {
                     return Err(bad("the type of its sparse indices is unknown".into()));
                 };
                 let width = kind.0.size();
-                let (bytes, _) = document.view(&name, sparse.indices.buffer_view.value())?;
+                let View { bytes, .. } =
+                    document.view(&name, sparse.indices.buffer_view.value())?;
                 let offset = sparse.indices.byte_offset.0;
                 let bytes = elements(bytes, offset, width, width, replaced, &name)?;
                 let indices: Vec<u32> = bytes.chunks_exact(width).map(unsigned).collect();
@@ -90,7 +101,7 @@ impl<'a> Accessor<'a> {
                         "its sparse indices do not ascend strictly within its {count} elements"
                     )));
                 }
-                let (bytes, _) = document.view(&name, sparse.values.buffer_view.value())?;
+                let View { bytes, .. } = document.view(&name, sparse.values.buffer_view.value())?;
                 let offset = sparse.values.byte_offset.0;
                 let values = elements(bytes, offset, size, size, replaced, &name)?;
                 Some(Sparse { indices, values })
@@ -107,7 +118,7 @@ impl<'a> Accessor<'a> {
         })
     }
 
-    /// Refuses the accessor for a use it does not fit.
+    /// Refuses the accessor unless it fits its use.
     pub(super) fn expect(&self, fits: bool, what: &str) -> Result<(), LoadProblem> {
         if fits {
             return Ok(());
@@ -126,8 +137,8 @@ impl<'a> Accessor<'a> {
         }
     }
 
-    /// The first `N` components of an element as numbers; 0 for what there is not. Integers that the file calls normalized
-    /// are mapped to 0..1 or -1..1.
+    /// The first `N` components of an element as numbers; 0 for missing components. Normalized integers are mapped to
+    /// 0..1 or -1..1.
     pub(super) fn numbers<const N: usize>(&self, element: usize) -> [f32; N] {
         let mut numbers = [0.0; N];
         if let Some(bytes) = self.element(element) {
@@ -139,7 +150,7 @@ impl<'a> Accessor<'a> {
         numbers
     }
 
-    /// As [`numbers`](Self::numbers), refusing what is not finite.
+    /// As [`numbers`](Self::numbers), with an error for numbers that are not finite.
     pub(super) fn finite<const N: usize>(&self, element: usize) -> Result<[f32; N], LoadProblem> {
         let numbers = self.numbers(element);
         if numbers.iter().all(|n| n.is_finite()) {
@@ -167,8 +178,8 @@ impl<'a> Accessor<'a> {
         {
             return sparse.values.get(at * size..)?.get(..size);
         }
-        let (bytes, stride) = self.dense?;
-        bytes.get(element.checked_mul(stride)?..)?.get(..size)
+        let Dense { bytes, stride } = self.dense.as_ref()?;
+        bytes.get(element.checked_mul(*stride)?..)?.get(..size)
     }
 
     fn decode(&self, bytes: &[u8]) -> f32 {
@@ -189,7 +200,7 @@ impl<'a> Accessor<'a> {
     }
 }
 
-/// The bytes from the first of `count` elements on, if the last one is still within.
+/// The bytes from the first of `count` elements, if the last one is within them.
 fn elements<'a>(
     bytes: &'a [u8],
     offset: u64,

@@ -1,20 +1,31 @@
-//! Extensions of the whole file that somebody else understands.
+//! Reading of attachments.
 
 use super::document::Document;
 use super::nodes::Entities;
-use crate::attachment::Attachment;
 use crate::error::LoadProblem;
-use crate::load::Found;
+use crate::gltf::attachment::Attachment;
 use gltf::json::Value;
 
-/// The attachment of a name, if the file has it.
-pub(super) fn read(document: &Document<'_>, name: &str, entities: &Entities) -> Option<Found> {
+/// An attachment, or the reason why it is invalid.
+type AttachmentResult = Result<Attachment, LoadProblem>;
+
+/// Reads the attachment with this name; `None` if the file has none.
+pub(super) fn read(
+    document: &Document<'_>,
+    name: &str,
+    entities: &Entities,
+) -> Option<AttachmentResult> {
     let all = document.root.extensions.as_ref()?;
     let found = all.others.get(name)?;
     Some(attachment(document, name, found, entities))
 }
 
-fn attachment(document: &Document<'_>, name: &str, found: &Value, entities: &Entities) -> Found {
+fn attachment(
+    document: &Document<'_>,
+    name: &str,
+    found: &Value,
+    entities: &Entities,
+) -> AttachmentResult {
     let bad = |problem: String| LoadProblem::BadAttachment {
         attachment: name.to_owned(),
         problem,
@@ -37,8 +48,8 @@ fn attachment(document: &Document<'_>, name: &str, found: &Value, entities: &Ent
         None => Vec::new(),
         Some(view) => {
             let view = index(&view).ok_or_else(|| bad("its bufferView is no index".to_owned()))?;
-            let (bytes, _) = document.view(&format!("the extension {name}"), view)?;
-            bytes.to_vec()
+            let view = document.view(&format!("the extension {name}"), view)?;
+            view.bytes.to_vec()
         }
     };
     Ok(Attachment {

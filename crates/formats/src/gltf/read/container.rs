@@ -1,19 +1,35 @@
-//! The outermost layer: a binary glTF's chunks, and the JSON in them.
+//! The container: the chunks of a binary glTF, and the JSON in them.
 
-use super::SUPPORTED;
 use crate::budget::Budget;
 use crate::error::LoadProblem;
 use gltf::json::Root;
 use gltf::json::extras::RawValue;
 use serde::Deserialize;
 
-/// What a file consists of.
+/// The extensions that a file may require.
+const SUPPORTED: &[&str] = &[
+    "EXT_mesh_gpu_instancing",
+    "KHR_lights_punctual",
+    "KHR_materials_unlit",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+    "MSFT_lod",
+];
+
+/// The parts of a file.
 pub(super) struct Parts<'a> {
     pub(super) json: &'a [u8],
     pub(super) binary: Option<&'a [u8]>,
 }
 
-/// As much of the JSON as tells its version.
+/// The parsed JSON.
+pub(super) struct Json<'a> {
+    pub(super) root: Root,
+    /// The text of each node.
+    pub(super) nodes: Vec<&'a RawValue>,
+}
+
+/// The part of the JSON with the version.
 #[derive(Deserialize)]
 struct Head {
     asset: Option<Asset>,
@@ -27,9 +43,9 @@ struct Asset {
     min_version: Option<serde_json::Value>,
 }
 
-/// As much of the JSON as is read a second time.
+/// The part of the JSON that is read a second time.
 #[derive(Deserialize)]
-struct Again<'a> {
+struct NodeTexts<'a> {
     #[serde(borrow, default)]
     nodes: Vec<&'a RawValue>,
 }
@@ -37,7 +53,7 @@ struct Again<'a> {
 const HEADER: usize = 12;
 const CHUNK_HEADER: usize = 8;
 
-/// The chunks of a binary file, or the whole of any other as JSON.
+/// The chunks of a binary file; any other file is JSON.
 pub(super) fn split(bytes: &[u8]) -> Result<Parts<'_>, LoadProblem> {
     if !bytes.starts_with(b"glTF") {
         return Ok(Parts {
@@ -64,7 +80,7 @@ pub(super) fn split(bytes: &[u8]) -> Result<Parts<'_>, LoadProblem> {
             problem: format!("its version is {version}; only 2 is known: convert the file"),
         });
     }
-    // The header's length must not promise more than there is; bytes behind it are ignored.
+    // The length in the header must not exceed the file. Bytes beyond it are ignored.
     let whole = bytes
         .get(..length as usize)
         .ok_or_else(|| short("the GLB file", u64::from(length), bytes.len()))?;
@@ -98,18 +114,15 @@ pub(super) fn split(bytes: &[u8]) -> Result<Parts<'_>, LoadProblem> {
     })
 }
 
-/// The JSON as the `gltf` crate sees it, and its nodes as they stand there, if its version and required extensions are known.
-pub(super) fn parse<'a>(
-    json: &'a [u8],
-    budget: &Budget,
-) -> Result<(Root, Vec<&'a RawValue>), LoadProblem> {
+/// Parses the JSON, if its version and required extensions are supported.
+pub(super) fn parse<'a>(json: &'a [u8], budget: &Budget) -> Result<Json<'a>, LoadProblem> {
     budget.json(json)?;
     let broken = |place: &str, problem: String| LoadProblem::Syntax {
         format: "glTF",
         place: place.to_owned(),
         problem,
     };
-    // The version comes first: what older versions look like is an error in every line.
+    // The version is checked first, since older versions have errors in every line.
     let head: Head = serde_json::from_slice(json).map_err(|e| broken("the JSON", e.to_string()))?;
     let asset = head.asset.unwrap_or_default();
     let version = asset.min_version.or(asset.version).unwrap_or_default();
@@ -125,7 +138,10 @@ pub(super) fn parse<'a>(
             supported: SUPPORTED,
         });
     }
-    let again: Again<'_> =
+    let texts: NodeTexts<'_> =
         serde_json::from_slice(json).map_err(|e| broken("the JSON", e.to_string()))?;
-    Ok((root, again.nodes))
+    Ok(Json {
+        root,
+        nodes: texts.nodes,
+    })
 }

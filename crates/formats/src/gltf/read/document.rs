@@ -1,28 +1,37 @@
-//! A glTF with its buffers, and look-ups that answer a missing index with an error that says who asked.
+//! A glTF with its buffers. A lookup of a missing index gives an error that names the place of the reference.
 
+use super::container::Json;
 use crate::budget::Budget;
 use crate::error::LoadProblem;
-use crate::files::Files;
+use crate::file_resolver::FileResolver;
 use gltf::json::extras::RawValue;
 use gltf::json::{Index, Root};
 use std::borrow::Cow;
 
-/// The JSON and the bytes it refers to.
+/// The JSON and the buffers it refers to.
 pub(super) struct Document<'a> {
     pub(super) root: Root,
-    /// The root's nodes as the file has them.
+    /// The text of each node.
     pub(super) nodes: Vec<&'a RawValue>,
     buffers: Vec<Option<Cow<'a, [u8]>>>,
 }
 
+/// The bytes of a buffer view.
+pub(super) struct View<'a> {
+    pub(super) bytes: &'a [u8],
+    /// Bytes from an element to the next, if the view has a stride.
+    pub(super) stride: Option<usize>,
+}
+
 impl<'a> Document<'a> {
-    /// Fetches every buffer and checks that it is as long as it says.
+    /// Reads every buffer and checks its length.
     pub(super) fn open(
-        (root, nodes): (Root, Vec<&'a RawValue>),
+        json: Json<'a>,
         binary: Option<&'a [u8]>,
-        files: &Files<'_>,
+        files: &FileResolver<'_>,
         budget: &mut Budget,
     ) -> Result<Self, LoadProblem> {
+        let Json { root, nodes } = json;
         let mut buffers = Vec::new();
         for (i, buffer) in root.buffers.iter().enumerate() {
             let place = label("buffer", i, buffer.name.as_deref());
@@ -50,12 +59,8 @@ impl<'a> Document<'a> {
         })
     }
 
-    /// The bytes of a buffer view, and its stride if it has one.
-    pub(super) fn view(
-        &self,
-        place: &str,
-        index: usize,
-    ) -> Result<(&[u8], Option<usize>), LoadProblem> {
+    /// The bytes of a buffer view.
+    pub(super) fn view(&self, place: &str, index: usize) -> Result<View<'_>, LoadProblem> {
         let view = item(&self.root.buffer_views, index, "buffer view", place)?;
         let at = view.buffer.value();
         let buffer = item(&self.buffers, at, "buffer", place)?;
@@ -76,10 +81,13 @@ impl<'a> Document<'a> {
             needed,
             available: bytes.len() as u64,
         })?;
-        Ok((view_bytes, view.byte_stride.map(|stride| stride.0)))
+        Ok(View {
+            bytes: view_bytes,
+            stride: view.byte_stride.map(|stride| stride.0),
+        })
     }
 
-    /// A node for messages.
+    /// The name of a node for messages.
     pub(super) fn node_label(&self, index: usize) -> String {
         let node = self.root.nodes.get(index);
         label("node", index, node.and_then(|node| node.name.as_deref()))

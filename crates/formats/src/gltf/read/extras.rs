@@ -1,4 +1,5 @@
-//! What the `gltf` crate hands on as plain JSON: MSFT_lod, EXT_mesh_gpu_instancing, and the extras that `save_glb` writes.
+//! The parts of nodes that the crate `gltf` leaves as plain JSON: MSFT_lod, EXT_mesh_gpu_instancing, and the extras
+//! that `save_glb` writes.
 
 use super::accessor::Accessor;
 use super::document::Document;
@@ -9,23 +10,23 @@ use gltf::json::accessor::Type;
 use gltf::json::scene::Node;
 use serde::Deserialize;
 
-/// As much of a node's extras as means something here.
+/// The part of a node's extras that is read.
 #[derive(Deserialize)]
 struct Extras {
     tested: bool,
 }
 
-/// Whether what the node becomes may be culled by a test: not if its extras say `"tested": false`.
+/// Whether a test may cull the entity of a node: false if its extras have `"tested": false`.
 pub(super) fn tested(node: &Node) -> bool {
     let extras = node.extras.as_ref().map(|extras| extras.get());
-    // An array would be taken for the members in their order.
+    // Serde would read an array as the members in their order.
     let object = extras.filter(|extras| extras.starts_with('{'));
-    // Extras are anyone's: what is no such object says something else.
+    // Extras may contain anything. Other values have no effect.
     let extras = object.and_then(|object| serde_json::from_str::<Extras>(object).ok());
     extras.is_none_or(|extras| extras.tested)
 }
 
-/// The nodes that stand for `node` from farther away, finest first. What is no index is left out.
+/// The nodes of the coarser levels of detail of `node`, finest first. Invalid indices are ignored.
 pub(super) fn lods(node: &Node) -> Vec<usize> {
     let ids = extension(node, "MSFT_lod").and_then(|lod| lod.get("ids")?.as_array());
     let ids = ids.into_iter().flatten();
@@ -33,7 +34,7 @@ pub(super) fn lods(node: &Node) -> Vec<usize> {
         .collect()
 }
 
-/// The transforms at which a node's mesh is repeated, relative to the node; `None` if it is not.
+/// The transforms of the instances of a node's mesh, relative to the node; `None` without instancing.
 pub(super) fn instances(
     document: &Document<'_>,
     index: usize,

@@ -1,5 +1,5 @@
-//! A primitive's geometry: its indices as a plain list of triangles, lines or points, the vertices they use, and what the
-//! morph targets and the skin make of them at rest.
+//! The geometry of a primitive: a plain list of triangles, lines or points, the vertices that they use, and the
+//! effect of morph targets and skin at rest.
 
 use super::accessor::Accessor;
 use super::document::{Document, label};
@@ -12,11 +12,11 @@ use gltf::json::accessor::{ComponentType, Type};
 use gltf::json::mesh::{Mode, Primitive, Semantic};
 use gltf::json::validation::Checked;
 
-/// What a primitive is to be read for.
+/// The parameters for reading a primitive.
 pub(super) struct Request<'a> {
     pub(super) mesh: usize,
     pub(super) primitive: usize,
-    /// The set of texture coordinates that the material looks up.
+    /// The set of texture coordinates that the material uses.
     pub(super) uv_set: u32,
     /// The weights of the morph targets.
     pub(super) weights: &'a [f32],
@@ -24,7 +24,7 @@ pub(super) struct Request<'a> {
     pub(super) pose: Option<&'a Pose>,
 }
 
-/// Reads a primitive; `None` for one without positions, which glTF allows and nothing can be drawn of.
+/// Reads a primitive; `None` for one without positions, which glTF allows but which cannot be drawn.
 pub(super) fn read(
     document: &Document<'_>,
     source: &Primitive,
@@ -50,7 +50,8 @@ pub(super) fn read(
     };
     let fits = positions.shape == Type::Vec3 && positions.component != ComponentType::U32;
     positions.expect(fits, "positions")?;
-    let (topology, indices) = indices(document, source, positions.count, &name, budget)?;
+    let IndexList { topology, indices } =
+        indices(document, source, positions.count, &name, budget)?;
     let used = used_vertices(&indices, positions.count);
     let total = used.as_ref().map_or(positions.count, Vec::len);
     budget.vertices(total as u64)?;
@@ -131,7 +132,7 @@ pub(super) fn read(
     Ok(Some(geometry))
 }
 
-/// Adds the morph targets' displacements.
+/// Adds the displacements of the morph targets.
 fn morph(
     document: &Document<'_>,
     source: &Primitive,
@@ -178,14 +179,20 @@ fn same_count(accessor: &Accessor<'_>, positions: usize) -> Result<(), LoadProbl
     Err(accessor.bad(problem))
 }
 
-/// The corners of every triangle, line or point, each below `vertices`.
+/// The primitives of a mesh as a plain list.
+struct IndexList {
+    topology: Topology,
+    indices: Vec<u32>,
+}
+
+/// The vertex indices of every triangle, line or point, each below `vertices`.
 fn indices(
     document: &Document<'_>,
     source: &Primitive,
     vertices: usize,
     name: &str,
     budget: &mut Budget,
-) -> Result<(Topology, Vec<u32>), LoadProblem> {
+) -> Result<IndexList, LoadProblem> {
     let bad = |problem: String| LoadProblem::BadPrimitive {
         primitive: name.to_owned(),
         problem,
@@ -247,7 +254,7 @@ fn indices(
             Mode::LineLoop => [i, if i + 1 == length { 0 } else { i + 1 }, 0],
             Mode::LineStrip => [i, i + 1, 0],
             Mode::Triangles => [i * 3, i * 3 + 1, i * 3 + 2],
-            // Every other triangle of a strip runs the other way round.
+            // Every other triangle of a strip has the opposite winding.
             Mode::TriangleStrip => [i, i + 1 + i % 2, i + 2 - i % 2],
             Mode::TriangleFan => [i + 1, i + 2, 0],
         };
@@ -255,11 +262,14 @@ fn indices(
             found.push(at(corner)?);
         }
     }
-    Ok((topology, found))
+    Ok(IndexList {
+        topology,
+        indices: found,
+    })
 }
 
-/// The vertices that the indices use, ascending; `None` for all of them. Primitives often share one large set of vertices,
-/// and a copy of the whole for each would take memory out of all proportion to the file.
+/// The vertices that the indices use, ascending; `None` for all of them. Primitives often share one large set of
+/// vertices, and a copy of the whole set for each would take far more memory than the file.
 fn used_vertices(indices: &[u32], count: usize) -> Option<Vec<u32>> {
     if indices.len() >= count {
         return None;

@@ -1,23 +1,24 @@
-//! Materials and their base colour images. Each is read when something uses it first.
+//! Materials and their base colour images. Each is read on first use.
 
 use super::document::{Document, item, label};
 use crate::budget::Budget;
 use crate::error::LoadProblem;
-use crate::files::{self, Files};
+use crate::file_resolver::FileResolver;
+use crate::image;
 use antumbra_scene::{AlphaMode, Filter, ImageKey, Material, MaterialKey, Sampler, Scene, Wrap};
 use gltf::json::material::AlphaMode as Alpha;
 use gltf::json::texture::{Info, MagFilter, MinFilter, WrappingMode};
 use gltf::json::validation::Checked;
 use std::collections::HashMap;
 
-/// What has been read so far.
+/// The materials and images that have been read.
 #[derive(Default)]
 pub(super) struct Materials {
     known: HashMap<Option<usize>, MaterialKey>,
     images: HashMap<(usize, Sampler), ImageKey>,
 }
 
-/// The set of texture coordinates that a material's base colour is looked up with.
+/// The set of texture coordinates of a material's base colour.
 pub(super) fn uv_set(document: &Document<'_>, material: Option<usize>) -> u32 {
     let material = material.and_then(|index| document.root.materials.get(index));
     let Some(info) = material.and_then(|m| m.pbr_metallic_roughness.base_color_texture.as_ref())
@@ -34,13 +35,13 @@ pub(super) fn uv_set(document: &Document<'_>, material: Option<usize>) -> u32 {
 }
 
 impl Materials {
-    /// The scene's material for the file's; `None` is the default one.
+    /// The scene's material for one of the file; `None` is the default material.
     pub(super) fn get(
         &mut self,
         index: Option<usize>,
         document: &Document<'_>,
         scene: &mut Scene,
-        files: &Files<'_>,
+        files: &FileResolver<'_>,
         budget: &mut Budget,
     ) -> Result<MaterialKey, LoadProblem> {
         if let Some(key) = self.known.get(&index) {
@@ -60,7 +61,7 @@ impl Materials {
         index: usize,
         document: &Document<'_>,
         scene: &mut Scene,
-        files: &Files<'_>,
+        files: &FileResolver<'_>,
         budget: &mut Budget,
     ) -> Result<Material, LoadProblem> {
         let source = item(&document.root.materials, index, "material", "a primitive")?;
@@ -68,7 +69,7 @@ impl Materials {
         let pbr = &source.pbr_metallic_roughness;
         let mut material = Material {
             base_colour: pbr.base_color_factor.0,
-            // An image says where the metal is, and is not read: what is painted in part is no metal.
+            // A texture of metalness is not read. A material with one counts as a dielectric.
             metallic: match pbr.metallic_roughness_texture {
                 None => pbr.metallic_factor.0,
                 Some(_) => 0.0,
@@ -107,7 +108,7 @@ impl Materials {
         place: &str,
         document: &Document<'_>,
         scene: &mut Scene,
-        files: &Files<'_>,
+        files: &FileResolver<'_>,
         budget: &mut Budget,
     ) -> Result<Option<ImageKey>, LoadProblem> {
         if budget.options.skip_images {
@@ -138,7 +139,7 @@ impl Materials {
                 fetched = files.fetch(&place, uri, budget)?;
                 fetched.as_slice()
             }
-            (None, Some(view)) => document.view(&place, view.value())?.0,
+            (None, Some(view)) => document.view(&place, view.value())?.bytes,
             (None, None) => {
                 return Err(LoadProblem::MissingData {
                     place,
@@ -147,7 +148,7 @@ impl Materials {
             }
         };
         let name = image.name.clone().unwrap_or_default();
-        let key = files::add_image(scene, &place, name, bytes, sampler, budget)?;
+        let key = image::add_image(scene, &place, name, bytes, sampler, budget)?;
         self.images.insert((source, sampler), key);
         Ok(Some(key))
     }
@@ -182,7 +183,7 @@ fn sampler(source: &gltf::json::texture::Sampler) -> Sampler {
     }
 }
 
-/// KHR_texture_transform: scaled, then turned, then shifted.
+/// KHR_texture_transform: scale, then rotation, then offset.
 fn uv_transform(info: &Info) -> [[f32; 3]; 2] {
     let transform = info
         .extensions

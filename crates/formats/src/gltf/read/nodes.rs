@@ -1,5 +1,5 @@
-//! The node tree becomes entities: one a node, one more a primitive where a mesh has several, one an instance where a mesh
-//! is repeated. Everything is walked with queues; a tree may be as deep as it has nodes.
+//! Construction of entities from the node tree: one per node, one more per primitive if a mesh has several, and one
+//! per instance of a repeated mesh. All walks use queues, so the tree may have any depth.
 
 use super::document::{Document, at, item, label};
 use super::extras;
@@ -9,7 +9,7 @@ use super::skin::Pose;
 use super::tree::Tree;
 use crate::budget::Budget;
 use crate::error::LoadProblem;
-use crate::files::Files;
+use crate::file_resolver::FileResolver;
 use antumbra_scene::{
     Camera, Drawable, EntityKey, Geometry, Light, Mesh, Projection, Scene, Topology,
 };
@@ -19,14 +19,14 @@ use gltf::json::scene::Node;
 use gltf::json::validation::Checked;
 use std::collections::{HashMap, VecDeque};
 
-/// Makes the file's scene; the entity of each of its nodes that is in it.
-pub(super) fn place(
+/// Builds the file's scene, with the entity of each of its nodes.
+pub(super) fn build(
     document: &Document<'_>,
-    files: &Files<'_>,
+    files: &FileResolver<'_>,
     budget: &mut Budget,
-) -> Result<(Scene, Entities), LoadProblem> {
+) -> Result<NodeScene, LoadProblem> {
     let tree = Tree::read(document)?;
-    let mut placer = Placer {
+    let mut builder = SceneBuilder {
         document,
         files,
         budget,
@@ -47,43 +47,58 @@ pub(super) fn place(
         let node = item(&document.root.nodes, index, "node", "the scene")?;
         let local = *item(&tree.locals, index, "node", "the scene")?;
         let name = node.name.as_deref().unwrap_or_default();
-        let entity = placer.spawn(parent, local, name)?;
+        let entity = builder.spawn(parent, local, name)?;
         entities.insert(index, entity);
-        placer.equip(index, node, entity)?;
+        builder.add_components(index, node, entity)?;
         let children = node.children.iter().flatten().map(|child| child.value());
         let shown = children.filter(|child| !tree.is_lod.get(*child).is_some_and(|lod| *lod));
         queue.extend(shown.map(|child| (child, Some(entity))));
     }
-    Ok((placer.scene, entities))
+    Ok(NodeScene {
+        scene: builder.scene,
+        entities,
+    })
+}
+
+/// A scene, and the entities of its nodes.
+pub(super) struct NodeScene {
+    pub(super) scene: Scene,
+    pub(super) entities: Entities,
 }
 
 /// Entities by their nodes.
 pub(super) type Entities = HashMap<usize, EntityKey>;
 
-/// A primitive as it looks at some node.
+/// The identity of a primitive with its levels of detail.
 #[derive(PartialEq, Eq, Hash)]
 struct PartKey {
     mesh: usize,
     primitive: usize,
     /// The meshes of its coarser levels.
     lods: Vec<usize>,
-    /// The node, if the primitive looks like this there alone.
+    /// The node, if the primitive's geometry depends on it.
     node: Option<usize>,
 }
 
-struct Placer<'a, 'b> {
+/// A primitive of a node's mesh.
+struct MeshPart {
+    drawable: Drawable,
+    name: String,
+}
+
+struct SceneBuilder<'a, 'b> {
     document: &'a Document<'b>,
-    files: &'a Files<'a>,
+    files: &'a FileResolver<'a>,
     budget: &'a mut Budget,
     scene: Scene,
     materials: Materials,
     parts: HashMap<PartKey, Option<Drawable>>,
     locals: &'a [DAffine3],
-    /// Empty when no skin needs them.
+    /// The world transforms of nodes; empty if no skin needs them.
     worlds: Vec<DAffine3>,
 }
 
-impl Placer<'_, '_> {
+impl SceneBuilder<'_, '_> {
     fn spawn(
         &mut self,
         parent: Option<EntityKey>,
@@ -98,28 +113,33 @@ impl Placer<'_, '_> {
         Ok(entity)
     }
 
-    /// Says that an entity is not tested, if so; others are without being told.
-    fn mark(&mut self, entity: EntityKey, tested: bool) -> Result<(), LoadProblem> {
+    /// Sets that an entity is not tested. The default is that it is.
+    fn set_tested(&mut self, entity: EntityKey, tested: bool) -> Result<(), LoadProblem> {
         if !tested {
             self.scene.set_tested(entity, false)?;
         }
         Ok(())
     }
 
-    /// Gives a node's entity its mesh, camera and light.
-    fn equip(&mut self, index: usize, node: &Node, entity: EntityKey) -> Result<(), LoadProblem> {
+    /// Adds a node's mesh, camera and light to its entity.
+    fn add_components(
+        &mut self,
+        index: usize,
+        node: &Node,
+        entity: EntityKey,
+    ) -> Result<(), LoadProblem> {
         let tested = extras::tested(node);
-        // Also without a mesh, which it may be given later.
-        self.mark(entity, tested)?;
+        // This also applies to an entity without a mesh, which may get one later.
+        self.set_tested(entity, tested)?;
         if let Some(mesh) = at(node.mesh.as_ref()) {
             let parts = self.parts(index, node, mesh)?;
             match extras::instances(self.document, index, node, self.budget)? {
-                None => self.dress(entity, &parts, tested)?,
+                None => self.set_parts(entity, &parts, tested)?,
                 Some(instances) => {
                     for local in instances {
                         let instance = self.scene.spawn(Some(entity), local)?;
-                        self.mark(instance, tested)?;
-                        self.dress(instance, &parts, tested)?;
+                        self.set_tested(instance, tested)?;
+                        self.set_parts(instance, &parts, tested)?;
                     }
                 }
             }
@@ -152,32 +172,32 @@ impl Placer<'_, '_> {
         Ok(())
     }
 
-    /// One part is the entity itself, several are its children.
-    fn dress(
+    /// A single part becomes the entity's own drawable. Several parts become children.
+    fn set_parts(
         &mut self,
         entity: EntityKey,
-        parts: &[(Drawable, String)],
+        parts: &[MeshPart],
         tested: bool,
     ) -> Result<(), LoadProblem> {
-        if let [(only, _)] = parts {
-            self.scene.set_drawable(entity, *only)?;
+        if let [only] = parts {
+            self.scene.set_drawable(entity, only.drawable)?;
             return Ok(());
         }
-        for (part, name) in parts {
-            let child = self.spawn(Some(entity), DAffine3::IDENTITY, name)?;
-            self.scene.set_drawable(child, *part)?;
-            self.mark(child, tested)?;
+        for part in parts {
+            let child = self.spawn(Some(entity), DAffine3::IDENTITY, &part.name)?;
+            self.scene.set_drawable(child, part.drawable)?;
+            self.set_tested(child, tested)?;
         }
         Ok(())
     }
 
-    /// What a node's mesh consists of, each read once however often it is placed.
+    /// The parts of a node's mesh. Each part is read once, for any number of nodes.
     fn parts(
         &mut self,
         index: usize,
         node: &Node,
         mesh: usize,
-    ) -> Result<Vec<(Drawable, String)>, LoadProblem> {
+    ) -> Result<Vec<MeshPart>, LoadProblem> {
         let user = self.document.node_label(index);
         let source = item(&self.document.root.meshes, mesh, "mesh", &user)?;
         let lods = self.lods(index, node, source.primitives.len());
@@ -199,9 +219,12 @@ impl Placer<'_, '_> {
                     part
                 }
             };
-            if let Some(part) = part {
-                let name = self.scene.mesh(part.mesh).map(|mesh| mesh.name.clone());
-                parts.push((part, name.unwrap_or_default()));
+            if let Some(drawable) = part {
+                let name = self.scene.mesh(drawable.mesh).map(|mesh| mesh.name.clone());
+                parts.push(MeshPart {
+                    drawable,
+                    name: name.unwrap_or_default(),
+                });
             }
         }
         Ok(parts)
@@ -280,7 +303,7 @@ impl Placer<'_, '_> {
         geometry::read(self.document, source, &request, self.budget)
     }
 
-    /// The coarser versions of a node's mesh. One whose primitives do not correspond is left out.
+    /// The coarser levels of a node's mesh. A level whose primitives do not correspond is ignored.
     fn lods(&self, index: usize, node: &Node, primitives: usize) -> Vec<Lod> {
         let mut lods = Vec::new();
         for id in extras::lods(node) {
@@ -312,10 +335,10 @@ impl Placer<'_, '_> {
     }
 }
 
-/// A coarser version of a mesh.
+/// A coarser level of a mesh.
 struct Lod {
     mesh: usize,
-    /// From its node to the one it stands for, if that is not the same place.
+    /// The transform from the level's node to the full mesh's node, if they differ.
     relative: Option<DAffine3>,
 }
 

@@ -1,6 +1,8 @@
-//! Skins at rest. A skinned mesh's vertices stand where their joints are; since nothing is animated here, they are moved
-//! there once and the result hangs below the mesh's own node. Where that node's transform cannot be undone the mesh
-//! stays as it is.
+//! Skins at rest.
+//!
+//! The vertices of a skinned mesh are at the positions of their joints. Animations are not read, so the vertices are
+//! moved there once, and the result is placed at the mesh's own node. If that node's transform is not invertible, the
+//! skin is ignored.
 
 use super::accessor::Accessor;
 use super::document::{Document, at, item};
@@ -9,13 +11,13 @@ use antumbra_scene::Geometry;
 use glam::{DAffine3, DMat4, DVec3, Vec3};
 use gltf::json::accessor::{ComponentType, Type};
 
-/// Where each joint takes a vertex, relative to the node that has the skin.
+/// The transforms of the joints, relative to the node that has the skin.
 pub(super) struct Pose {
     joints: Vec<DAffine3>,
 }
 
 impl Pose {
-    /// The rest pose of a node's skin; `None` if it has none or cannot be posed.
+    /// The rest pose of a node's skin; `None` if it has none or its transform is not invertible.
     pub(super) fn of(
         document: &Document<'_>,
         node: usize,
@@ -65,7 +67,8 @@ impl Pose {
         Ok(Some(Self { joints }))
     }
 
-    /// Moves the vertices. `sets` are joints and weights, `vertices` the accessors' element for each of the geometry's.
+    /// Moves the vertices. `sets` are pairs of joints and weights. `vertices` are the accessors' elements for the
+    /// geometry's vertices.
     pub(super) fn apply(
         &self,
         sets: &[(Accessor<'_>, Accessor<'_>)],

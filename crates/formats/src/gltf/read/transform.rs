@@ -1,12 +1,12 @@
-//! A node's transform in the digits that the file has. The `gltf` crate keeps f32 of them, which is half a metre where maps count
-//! millions of metres, so they are read from the node's JSON a second time.
+//! A node's transform with the file's full precision. The crate `gltf` keeps f32, which is half a metre for
+//! coordinates of millions of metres, so the transform is parsed from the node's JSON.
 
 use glam::{DAffine3, DMat4, DQuat, DVec3, DVec4};
 use gltf::json::extras::RawValue;
 use gltf::json::scene::Node;
 use serde::{Deserialize, Deserializer};
 
-/// As much of a node as places it.
+/// The part of a node with its transform.
 #[derive(Deserialize)]
 struct Numbers {
     translation: Option<[Number; 3]>,
@@ -15,7 +15,7 @@ struct Numbers {
     matrix: Option<[Number; 16]>,
 }
 
-/// A number as near to its digits as f64 can be; what serde_json makes of them by itself may be the next one.
+/// A number parsed to the nearest f64. The number parser of serde_json may be off by one bit.
 #[derive(Clone, Copy)]
 struct Number(f64);
 
@@ -27,13 +27,13 @@ impl<'de> Deserialize<'de> for Number {
     }
 }
 
-/// Where a node stands relative to its parent, of its JSON; or what is wrong with that.
+/// A node's transform relative to its parent, or the reason why it is invalid.
 pub(super) fn local(node: &Node, json: &RawValue) -> Result<DAffine3, String> {
     let vectors = node.translation.is_some() || node.scale.is_some();
     if !vectors && node.rotation.is_none() && node.matrix.is_none() {
         return Ok(DAffine3::IDENTITY);
     }
-    // An array would be taken for the members in their order, which here are not those of the `gltf` crate.
+    // Serde would read an array as the members in their order, which differs from that of the crate `gltf`.
     if !json.get().starts_with('{') {
         return Err("it is no JSON object".to_owned());
     }
@@ -51,7 +51,7 @@ pub(super) fn local(node: &Node, json: &RawValue) -> Result<DAffine3, String> {
 
 const NOT_FINITE: &str = "its transform is not finite";
 
-/// The numbers, if f32 holds their sizes, though not their digits: what comes after reckons in f32 too.
+/// The numbers, if they are within the range of f32. Later computations use f32.
 fn finite<const N: usize>(numbers: [Number; N]) -> Result<[f64; N], &'static str> {
     let numbers = numbers.map(|number| number.0);
     if numbers.iter().all(|number| (*number as f32).is_finite()) {
@@ -81,7 +81,7 @@ fn composed(numbers: &Numbers) -> Result<DAffine3, &'static str> {
         None => DQuat::IDENTITY,
     };
     let length = rotation.length();
-    // What is nothing in f32 is too short to be divided by.
+    // A length that is zero in f32 is too small to divide by.
     if length as f32 == 0.0 {
         return Err("its rotation has no length; use 0 0 0 1 for none");
     }

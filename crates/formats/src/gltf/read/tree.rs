@@ -1,4 +1,4 @@
-//! Whether the nodes form a tree, where each stands, and which of them only stand in for others.
+//! The tree of nodes: a check for cycles, the nodes' transforms, and the nodes that are only levels of detail.
 
 use super::document::{Document, item};
 use super::extras;
@@ -8,14 +8,14 @@ use glam::DAffine3;
 
 /// The checked tree.
 pub(super) struct Tree {
-    /// The scene's own nodes.
+    /// The root nodes of the scene.
     pub(super) roots: Vec<usize>,
-    /// A transform a node, relative to its parent.
+    /// The transform of each node relative to its parent.
     pub(super) locals: Vec<DAffine3>,
-    /// Whether a node is only a level of detail of another.
+    /// Whether each node is only a level of detail of another.
     pub(super) is_lod: Vec<bool>,
     parents: Vec<Option<usize>>,
-    /// Every node, parents first.
+    /// All nodes, parents first.
     order: Vec<usize>,
 }
 
@@ -82,7 +82,7 @@ impl Tree {
         })
     }
 
-    /// Every node's transform in the world.
+    /// The world transform of every node.
     pub(super) fn worlds(&self) -> Vec<DAffine3> {
         let mut worlds = self.locals.clone();
         for &index in &self.order {
@@ -96,7 +96,8 @@ impl Tree {
     }
 }
 
-/// The nodes of the file's scene; of the first where none is chosen; every node without a parent where there is no scene.
+/// The root nodes of the file's scene, or of the first scene if none is chosen, or every node without a parent if
+/// there is no scene.
 fn roots(document: &Document<'_>, parents: &[Option<usize>]) -> Result<Vec<usize>, LoadProblem> {
     let root = &document.root;
     let scene = match root.scene {

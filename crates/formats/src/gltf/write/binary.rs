@@ -1,10 +1,11 @@
-//! The binary chunk: which arrays of the scene it is made of and where each lies in it. Nothing is copied until it is written.
+//! The binary chunk: the arrays of the scene that it consists of, and their offsets. Nothing is copied until it is
+//! written.
 
 use super::json::{Accessor, BufferView};
 use antumbra_scene::Geometry;
 use std::io::{self, Write};
 
-/// Where every array begins.
+/// The alignment of every array in bytes.
 const ALIGNMENT: u64 = 4;
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
@@ -13,7 +14,7 @@ const U16: u32 = 5123;
 const U32: u32 = 5125;
 const F32: u32 = 5126;
 
-/// The chunk's parts in their order, and what the JSON says of them.
+/// The chunk's parts in order, with their buffer views and accessors.
 #[derive(Default)]
 pub(super) struct Binary<'a> {
     parts: Vec<Part<'a>>,
@@ -29,7 +30,7 @@ enum Part<'a> {
     Owned(Vec<u8>),
 }
 
-/// Bytes of an index.
+/// The number of bytes per index.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Width {
     One,
@@ -38,7 +39,7 @@ enum Width {
 }
 
 impl Width {
-    /// The least that holds these indices. The greatest number of a width is none: it restarts a strip.
+    /// The least width for these indices. The greatest number of each width is reserved for strip restarts.
     fn of(indices: &[u32]) -> Self {
         match indices.iter().copied().max().unwrap_or(0) {
             0..0xff => Self::One,
@@ -65,22 +66,22 @@ impl Width {
 }
 
 impl<'a> Binary<'a> {
-    /// Bytes of the whole chunk.
+    /// The number of bytes of the chunk.
     pub(super) fn length(&self) -> u64 {
         self.length
     }
 
-    /// Adds a file's bytes; its buffer view.
+    /// Adds the bytes of a file. Returns their buffer view.
     pub(super) fn file(&mut self, bytes: Vec<u8>) -> u32 {
         self.add(Part::Owned(bytes), None)
     }
 
-    /// Adds bytes that somebody else has; their buffer view.
+    /// Adds borrowed bytes. Returns their buffer view.
     pub(super) fn bytes(&mut self, bytes: &'a [u8]) -> u32 {
         self.add(Part::Borrowed(bytes), None)
     }
 
-    /// Adds the positions; their accessor.
+    /// Adds positions. Returns their accessor.
     pub(super) fn positions(&mut self, geometry: &'a Geometry) -> u32 {
         let positions = &geometry.positions;
         let fold = |or: f32, pick: fn(f32, f32) -> f32| {
@@ -100,7 +101,7 @@ impl<'a> Binary<'a> {
         accessor
     }
 
-    /// Adds an attribute of floats; its accessor.
+    /// Adds an attribute of floats. Returns its accessor.
     pub(super) fn floats<const N: usize>(
         &mut self,
         values: &'a [[f32; N]],
@@ -110,7 +111,7 @@ impl<'a> Binary<'a> {
         self.attribute(part, ARRAY_BUFFER, F32, values.len(), shape)
     }
 
-    /// Adds colours; their accessor.
+    /// Adds colours. Returns their accessor.
     pub(super) fn colours(&mut self, colours: &'a [[u8; 4]]) -> u32 {
         let part = Part::Borrowed(colours.as_flattened());
         let accessor = self.attribute(part, ARRAY_BUFFER, U8, colours.len(), "VEC4");
@@ -120,7 +121,7 @@ impl<'a> Binary<'a> {
         accessor
     }
 
-    /// Adds indices in as few bytes as hold them; their accessor.
+    /// Adds indices with the least width. Returns their accessor.
     pub(super) fn indices(&mut self, indices: &'a [u32]) -> u32 {
         let width = Width::of(indices);
         let part = Part::Indices(indices, width);
@@ -189,11 +190,11 @@ impl Part<'_> {
         }
     }
 
-    /// Little-endian, whatever this machine is.
+    /// Writes the part in little-endian order.
     fn write(&self, out: &mut impl Write) -> io::Result<()> {
         match self {
             Self::Numbers(numbers) => each(out, numbers, |number| number.to_le_bytes()),
-            // No index is above what its width holds.
+            // No index exceeds its width.
             Self::Indices(indices, Width::One) => each(out, indices, |index| [index as u8]),
             Self::Indices(indices, Width::Two) => {
                 each(out, indices, |index| (index as u16).to_le_bytes())

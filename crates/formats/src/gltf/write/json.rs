@@ -1,4 +1,4 @@
-//! The JSON of a glTF, as far as it is written. Numbers of transforms are f64, all others f32 in as few digits as tell them apart.
+//! The JSON of a written glTF. Numbers of transforms are f64, all others are f32 in the shortest exact notation.
 
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -277,7 +277,7 @@ pub(super) struct RootExtensions<'a> {
     pub(super) attachments: BTreeMap<&'a str, Attachment<'a>>,
 }
 
-/// What is somebody else's.
+/// An extension of the whole file that other code defines.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Attachment<'a> {

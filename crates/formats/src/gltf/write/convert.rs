@@ -1,13 +1,13 @@
-//! Entities as nodes: their transforms, lights and cameras.
+//! Conversion of transforms, lights and cameras to glTF.
 
 use super::json;
 use antumbra_scene::{Camera, Light, Projection};
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3};
 
-/// How much of a transform its translation, rotation and scale may miss, as a fraction, before they are not what it is made of.
+/// The relative error up to which a transform counts as translation, rotation and scale.
 const EXACT: f64 = 1e-12;
 
-/// A transform in as few numbers as say it.
+/// A transform with as few numbers as possible.
 pub(super) fn transform(local: &DAffine3) -> json::Transform {
     let translation = local.translation;
     let translation = (translation != DVec3::ZERO).then(|| translation.to_array());
@@ -31,7 +31,7 @@ pub(super) fn transform(local: &DAffine3) -> json::Transform {
     }
 }
 
-/// Scale and rotation, if the matrix is made of them.
+/// Scale and rotation of a matrix; `None` if it has another part.
 fn decomposed(matrix: &DMat3) -> Option<(DVec3, DQuat)> {
     let lengths = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(DVec3::length);
     let scale = DVec3::from(lengths) * DVec3::new(matrix.determinant().signum(), 1.0, 1.0);
@@ -85,8 +85,14 @@ pub(super) fn light(light: &Light) -> json::Light {
     }
 }
 
-/// A camera, and where it stands relative to its entity; `None` for one that glTF has no word for.
-pub(super) fn camera(camera: &Camera) -> Option<(json::Camera, DAffine3)> {
+/// A camera and its transform relative to its entity.
+pub(super) struct PlacedCamera {
+    pub(super) camera: json::Camera,
+    pub(super) place: DAffine3,
+}
+
+/// Converts a camera; `None` for one that glTF cannot represent.
+pub(super) fn camera(camera: &Camera) -> Option<PlacedCamera> {
     let mut position = camera.position;
     let seen = match camera.projection {
         Projection::Perspective { fov_y, near } => json::Camera::Perspective {
@@ -97,7 +103,7 @@ pub(super) fn camera(camera: &Camera) -> Option<(json::Camera, DAffine3)> {
         },
         Projection::OffAxis { .. } => return None,
         Projection::Orthographic { height, near, far } => {
-            // A near plane may not lie behind the eye there, so the eye steps back.
+            // In glTF the near plane may not be behind the eye, so the eye is moved back.
             let back = (-near).max(0.0);
             position -= camera.forward() * back;
             json::Camera::Orthographic {
@@ -111,7 +117,10 @@ pub(super) fn camera(camera: &Camera) -> Option<(json::Camera, DAffine3)> {
         }
     };
     let place = DAffine3::from_rotation_translation(camera.rotation, position);
-    Some((seen, place))
+    Some(PlacedCamera {
+        camera: seen,
+        place,
+    })
 }
 
 #[cfg(test)]

@@ -1,58 +1,72 @@
-//! City objects become entities. Each tree of them stands where its box does, so that its meshes are exact in f32 however far
-//! the file's coordinates are from 0.
+//! Construction of a scene from city objects. Each tree of objects has its origin at its own box, so that its meshes
+//! are precise in f32 for any coordinates.
 
-use super::boundary::{self, Surface};
+use super::boundary::{self, GeometryKind, Surface};
 use super::document::{CityObject, Document, Geometry as Source, Transform};
-use super::look::{self, Looks};
+use super::error::syntax_error;
+use super::materials::{self, Materials};
 use super::surface::{MAX_CORNERS, Triangulator};
 use super::tree::Tree;
-use super::{broken, shorten};
 use crate::budget::Budget;
-use crate::error::LoadProblem;
+use crate::error::{LoadProblem, shorten};
 use antumbra_scene::{Drawable, EntityKey, Geometry, Mesh, Scene};
 use glam::{DAffine3, DVec3};
 
-/// Makes a scene out of documents.
-pub(super) struct Placer<'a> {
+/// Builds a scene from documents.
+pub(super) struct SceneBuilder<'a> {
     pub(super) budget: &'a mut Budget,
     scene: Scene,
-    looks: Looks,
+    materials: Materials,
     triangulator: Triangulator,
-    /// Geometries that are none of surfaces.
+    /// The number of geometries without surfaces.
     unread: u64,
-    /// Surfaces without an area.
+    /// The number of surfaces without an area.
     flat: u64,
 }
 
-/// One document, while it is placed.
-struct Site<'a> {
+/// The document that is being added.
+struct DocumentContext<'a> {
     line: usize,
     document: &'a Document<'a>,
     transform: &'a Transform,
 }
 
-/// A geometry that is read, with its surfaces as they are in the file.
+/// A city object and its entity.
+struct Target<'a> {
+    entity: EntityKey,
+    id: &'a str,
+    object: &'a CityObject<'a>,
+}
+
+/// A surface with its tint.
+struct TintedSurface {
+    surface: Surface,
+    /// Linear RGBA, 255 for 1.
+    tint: [u8; 4],
+}
+
+/// A geometry with its surfaces.
 struct Shape {
     lod: f64,
-    is_solid: bool,
-    surfaces: Vec<(Surface, [u8; 4])>,
+    kind: GeometryKind,
+    surfaces: Vec<TintedSurface>,
     /// Whether any surface has a tint.
     is_tinted: bool,
 }
 
-impl<'a> Placer<'a> {
+impl<'a> SceneBuilder<'a> {
     pub(super) fn new(budget: &'a mut Budget) -> Self {
         Self {
             budget,
             scene: Scene::new(),
-            looks: Looks::default(),
+            materials: Materials::default(),
             triangulator: Triangulator::new(),
             unread: 0,
             flat: 0,
         }
     }
 
-    /// The scene, and a word about what is not in it.
+    /// The scene. What was left out is logged.
     pub(super) fn finish(self) -> Scene {
         if self.unread > 0 {
             let count = self.unread;
@@ -69,7 +83,7 @@ impl<'a> Placer<'a> {
     }
 
     /// Adds a document's objects.
-    pub(super) fn place(
+    pub(super) fn add_document(
         &mut self,
         document: &Document<'_>,
         transform: &Transform,
@@ -77,7 +91,7 @@ impl<'a> Placer<'a> {
     ) -> Result<(), LoadProblem> {
         let objects = document.objects.0.as_slice();
         self.budget.entities(objects.len() as u64)?;
-        let site = Site {
+        let context = DocumentContext {
             line,
             document,
             transform,
@@ -85,8 +99,8 @@ impl<'a> Placer<'a> {
         let tree = Tree::new(objects, line)?;
         let mut entities: Vec<Option<EntityKey>> = vec![None; objects.len()];
         for members in tree.trees() {
-            let shapes = self.shapes(&site, members)?;
-            let origin = site.origin(&shapes)?;
+            let shapes = self.shapes(&context, members)?;
+            let origin = context.origin(&shapes)?;
             for (&member, mut shapes) in members.iter().zip(shapes) {
                 let Some((id, object)) = objects.get(member) else {
                     continue;
@@ -100,7 +114,8 @@ impl<'a> Placer<'a> {
                 let entity = self.scene.spawn(above, local)?;
                 self.scene.set_entity_name(entity, &**id)?;
                 shapes.sort_by(|a, b| b.lod.total_cmp(&a.lod));
-                self.dress(&site, entity, (id, object), &shapes, origin)?;
+                let target = Target { entity, id, object };
+                self.set_mesh(&context, &target, &shapes, origin)?;
                 if let Some(known) = entities.get_mut(member) {
                     *known = Some(entity);
                 }
@@ -109,13 +124,13 @@ impl<'a> Placer<'a> {
         Ok(())
     }
 
-    /// What the objects of a tree look like. Footprints are left out where anything in the tree has more than that.
+    /// The shapes of a tree's objects. Footprints are left out if any object of the tree has a finer geometry.
     fn shapes(
         &mut self,
-        site: &Site<'_>,
+        context: &DocumentContext<'_>,
         members: &[usize],
     ) -> Result<Vec<Vec<Shape>>, LoadProblem> {
-        let objects = site.document.objects.0.as_slice();
+        let objects = context.document.objects.0.as_slice();
         let geometries = |member: &usize| -> &[Source<'_>] {
             objects
                 .get(*member)
@@ -124,12 +139,12 @@ impl<'a> Placer<'a> {
         let has_more = members
             .iter()
             .flat_map(geometries)
-            .any(|geometry| boundary::is_solid(geometry).is_some() && geometry.lod() >= 1.0);
+            .any(|geometry| boundary::kind(geometry).is_some() && geometry.lod() >= 1.0);
         let mut all = Vec::with_capacity(members.len());
         for member in members {
             let mut shapes = Vec::new();
             for geometry in geometries(member) {
-                let Some(is_solid) = boundary::is_solid(geometry) else {
+                let Some(kind) = boundary::kind(geometry) else {
                     self.unread += 1;
                     continue;
                 };
@@ -137,25 +152,24 @@ impl<'a> Placer<'a> {
                     continue;
                 }
                 let id = objects.get(*member).map_or("", |(id, _)| id);
-                shapes.push(site.shape(geometry, is_solid, id)?);
+                shapes.push(context.shape(geometry, kind, id)?);
             }
             all.push(shapes);
         }
         Ok(all)
     }
 
-    /// Gives an entity its mesh: shapes of the same level together, the finest first.
-    fn dress(
+    /// Sets an entity's mesh. Shapes of the same level of detail are joined, finest first.
+    fn set_mesh(
         &mut self,
-        site: &Site<'_>,
-        entity: EntityKey,
-        (id, object): (&str, &CityObject<'_>),
+        context: &DocumentContext<'_>,
+        target: &Target<'_>,
         shapes: &[Shape],
         origin: DVec3,
     ) -> Result<(), LoadProblem> {
         let mut levels = Vec::new();
         for shapes in shapes.chunk_by(|a, b| a.lod == b.lod) {
-            let level = self.level(site, id, shapes, origin)?;
+            let level = self.level(context, target.id, shapes, origin)?;
             if !level.indices.is_empty() {
                 levels.push(level);
             }
@@ -163,22 +177,29 @@ impl<'a> Placer<'a> {
         if levels.is_empty() {
             return Ok(());
         }
-        let is_solid = shapes.iter().all(|shape| shape.is_solid);
+        let is_solid = |shape: &Shape| shape.kind == GeometryKind::Solids;
+        let kind = if shapes.iter().all(is_solid) {
+            GeometryKind::Solids
+        } else {
+            GeometryKind::Surfaces
+        };
         let drawable = Drawable {
             mesh: self.scene.add_mesh(Mesh {
-                name: id.to_owned(),
-                proxy: stand_in(&levels),
+                name: target.id.to_owned(),
+                proxy: proxy_of(&levels),
                 levels,
             })?,
-            material: self.looks.material(&mut self.scene, &object.kind, is_solid),
+            material: self
+                .materials
+                .material(&mut self.scene, &target.object.kind, kind),
         };
-        self.scene.set_drawable(entity, drawable)?;
+        self.scene.set_drawable(target.entity, drawable)?;
         Ok(())
     }
 
     fn level(
         &mut self,
-        site: &Site<'_>,
+        context: &DocumentContext<'_>,
         id: &str,
         shapes: &[Shape],
         origin: DVec3,
@@ -186,22 +207,22 @@ impl<'a> Placer<'a> {
         let surfaces = || shapes.iter().flat_map(|shape| &shape.surfaces);
         let corners = |surface: &Surface| surface.iter().map(Vec::len).sum::<usize>();
         let total = surfaces()
-            .map(|(surface, _)| corners(surface))
+            .map(|tinted| corners(&tinted.surface))
             .sum::<usize>();
         self.budget.vertices(total as u64)?;
         let is_tinted = shapes.iter().any(|shape| shape.is_tinted);
         let mut level = Geometry::default();
-        for (surface, tint) in surfaces() {
+        for TintedSurface { surface, tint } in surfaces() {
             if corners(surface) > MAX_CORNERS {
                 let problem = format!(
                     "a surface has {} corners; at most {MAX_CORNERS} are read: divide it",
                     corners(surface)
                 );
-                return Err(broken(site.name(id), problem));
+                return Err(syntax_error(context.name(id), problem));
             }
             self.triangulator.clear();
             for ring in surface {
-                let corners = ring.iter().filter_map(|vertex| site.point(*vertex));
+                let corners = ring.iter().filter_map(|vertex| context.point(*vertex));
                 self.triangulator
                     .ring(corners.map(|corner| corner - origin));
             }
@@ -216,12 +237,12 @@ impl<'a> Placer<'a> {
     }
 }
 
-impl Site<'_> {
+impl DocumentContext<'_> {
     fn name(&self, id: &str) -> String {
         format!("line {}, object \"{}\"", self.line, shorten(id))
     }
 
-    /// A vertex in the world, if there is one of that number: east, up, south.
+    /// The position of a vertex in the world (east, up, south); `None` if there is no such vertex.
     fn point(&self, vertex: u32) -> Option<DVec3> {
         let vertex = *self.document.vertices.get(vertex as usize)?;
         let Transform { scale, translate } = self.transform;
@@ -230,21 +251,27 @@ impl Site<'_> {
         Some(DVec3::new(x, z, -y))
     }
 
-    /// A geometry's surfaces, every corner of which is known to be there.
-    fn shape(&self, source: &Source<'_>, is_solid: bool, id: &str) -> Result<Shape, LoadProblem> {
+    /// A geometry's surfaces, with all vertex indices checked.
+    fn shape(
+        &self,
+        source: &Source<'_>,
+        kind: GeometryKind,
+        id: &str,
+    ) -> Result<Shape, LoadProblem> {
         let count = self.document.vertices.len();
-        let read = boundary::surfaces(source).map_err(|problem| broken(self.name(id), problem))?;
+        let read =
+            boundary::surfaces(source).map_err(|problem| syntax_error(self.name(id), problem))?;
         let kinds = source.semantics.as_ref();
         let tints: Vec<_> = (kinds.into_iter().flat_map(|semantics| &semantics.surfaces))
-            .map(|surface| look::tint(&surface.kind))
+            .map(|surface| materials::tint(&surface.kind))
             .collect();
         let mut shape = Shape {
             lod: source.lod(),
-            is_solid,
+            kind,
             surfaces: Vec::new(),
             is_tinted: false,
         };
-        for (surface, kind) in read {
+        for (surface, semantics) in read {
             let beyond = surface
                 .iter()
                 .flatten()
@@ -257,26 +284,27 @@ impl Site<'_> {
                     count,
                 });
             }
-            let tint = kind.and_then(|kind| tints.get(kind)).copied();
-            let tint = tint.unwrap_or(look::UNTINTED);
-            shape.is_tinted |= tint != look::UNTINTED;
-            shape.surfaces.push((surface, tint));
+            let tint = semantics.and_then(|entry| tints.get(entry)).copied();
+            let tint = tint.unwrap_or(materials::UNTINTED);
+            shape.is_tinted |= tint != materials::UNTINTED;
+            shape.surfaces.push(TintedSurface { surface, tint });
         }
         Ok(shape)
     }
 
-    /// The middle of the lower face of the box around the shapes; 0 without one. Every corner is near enough for f32.
+    /// The centre of the lower face of the box around the shapes; 0 if there are none. Every corner is near enough
+    /// for f32.
     fn origin(&self, shapes: &[Vec<Shape>]) -> Result<DVec3, LoadProblem> {
         let corners = shapes.iter().flatten().flat_map(|shape| &shape.surfaces);
-        let corners = corners.flat_map(|(surface, _)| surface.iter().flatten());
+        let corners = corners.flat_map(|tinted| tinted.surface.iter().flatten());
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for &vertex in corners {
             let Some(point) = self.point(vertex) else {
                 continue;
             };
             if !point.as_vec3().is_finite() {
-                let problem = format!("vertex {vertex} lies at {point}, which is no place");
-                return Err(broken(format!("line {}", self.line), problem));
+                let problem = format!("vertex {vertex} lies at {point}, which is out of range");
+                return Err(syntax_error(format!("line {}", self.line), problem));
             }
             (low, high) = (low.min(point), high.max(point));
         }
@@ -288,9 +316,9 @@ impl Site<'_> {
     }
 }
 
-/// The shape of the coarsest of several levels. Its walls stand where the building's are, which those of a simplified building
-/// do not: in a street that hides too much.
-fn stand_in(levels: &[Geometry]) -> Option<Geometry> {
+/// The proxy: the coarsest of several levels. Its walls are where the building's are. Those of a simplified mesh are
+/// not, which hides too much in a street.
+fn proxy_of(levels: &[Geometry]) -> Option<Geometry> {
     let [full, .., coarsest] = levels else {
         return None;
     };

@@ -1,16 +1,16 @@
-//! The bytes of a file and of what it refers to: `data:` URIs and files in its own folder or below, nothing else.
+//! Reading of files, and of what a scene file refers to: `data:` URIs, and files in its own folder or below. Nothing
+//! else is opened.
 
 use crate::budget::Budget;
-use crate::error::LoadProblem;
-use antumbra_scene::{Image, ImageKey, Sampler, Scene};
+use crate::error::{LoadProblem, shorten};
 use base64::Engine;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 use std::fs::File;
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
 
-/// Where a file's references are looked for.
-pub(super) struct Files<'a> {
+/// The folder in which the references of a file are resolved.
+pub(super) struct FileResolver<'a> {
     base: Option<&'a Path>,
 }
 
@@ -20,10 +20,10 @@ const BASE64: GeneralPurpose = GeneralPurpose::new(
     GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent),
 );
 
-/// All bytes of a file that was opened, if they are `largest` at most.
+/// The contents of an opened file, if it has at most `largest` bytes.
 ///
 /// # Errors
-/// What the system says; for what is no regular file, for one that is too large, and where memory does not suffice.
+/// The system's errors; anything but a regular file; a file that is too large; insufficient memory.
 pub fn read_whole_file(file: File, largest: u64) -> std::io::Result<Vec<u8>> {
     let metadata = file.metadata()?;
     if !metadata.is_file() {
@@ -37,7 +37,7 @@ pub fn read_whole_file(file: File, largest: u64) -> std::io::Result<Vec<u8>> {
         bytes
             .try_reserve_exact(wanted)
             .map_err(std::io::Error::other)?;
-        // It may have grown meanwhile.
+        // The file may have grown meanwhile.
         file.take(largest + 1).read_to_end(&mut bytes)?;
     }
     if metadata.len().max(bytes.len() as u64) > largest {
@@ -47,7 +47,7 @@ pub fn read_whole_file(file: File, largest: u64) -> std::io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// A whole file, if it is no larger than what is left.
+/// The contents of a file, if the budget allows it.
 pub(super) fn read(path: &Path, budget: &mut Budget) -> Result<Vec<u8>, LoadProblem> {
     let refused = |source| LoadProblem::Io {
         file: path.display().to_string(),
@@ -63,18 +63,18 @@ pub(super) fn read(path: &Path, budget: &mut Budget) -> Result<Vec<u8>, LoadProb
         budget.bytes(metadata.len())?;
     }
     let mut bytes = Vec::new();
-    // A device or a growing file may hold more than it says.
+    // A device or a growing file may have more bytes than its length.
     (file.take(left.saturating_add(1)).read_to_end(&mut bytes)).map_err(refused)?;
     budget.bytes(bytes.len() as u64)?;
     Ok(bytes)
 }
 
-impl<'a> Files<'a> {
+impl<'a> FileResolver<'a> {
     pub(super) fn new(base: Option<&'a Path>) -> Self {
         Self { base }
     }
 
-    /// The bytes that `place` refers to with `uri`.
+    /// The bytes of the reference `uri` at `place`.
     pub(super) fn fetch(
         &self,
         place: &str,
@@ -101,7 +101,7 @@ impl<'a> Files<'a> {
         read(&self.resolve(&name).map_err(bad)?, budget)
     }
 
-    /// Where a relative name leads, if it leads to somewhere in the folder.
+    /// The path of a relative name, if it is in the folder or below.
     pub(super) fn resolve(&self, name: &str) -> Result<PathBuf, &'static str> {
         const OUTSIDE: &str = "only files in the scene file's own folder or below are opened; copy it there and refer to it by its relative name";
         let name = name.replace('\\', "/");
@@ -120,56 +120,11 @@ impl<'a> Files<'a> {
             base
         };
         let path = base.join(relative);
-        // A link may lead elsewhere.
+        // A symbolic link may lead elsewhere.
         match (base.canonicalize(), path.canonicalize()) {
             (Ok(base), Ok(path)) if !path.starts_with(&base) => Err(OUTSIDE),
             _ => Ok(path),
         }
-    }
-}
-
-/// Decodes a PNG or JPEG and adds it to the scene.
-pub(super) fn add_image(
-    scene: &mut Scene,
-    place: &str,
-    name: String,
-    bytes: &[u8],
-    sampler: Sampler,
-    budget: &mut Budget,
-) -> Result<ImageKey, LoadProblem> {
-    let bad = |problem: String| LoadProblem::BadImage {
-        image: place.to_owned(),
-        problem,
-    };
-    let open = || {
-        let cursor = std::io::Cursor::new(bytes);
-        image::ImageReader::new(cursor).with_guessed_format()
-    };
-    let size = open().map_err(|e| bad(e.to_string()))?.into_dimensions();
-    let (width, height) = size.map_err(|e| bad(e.to_string()))?;
-    let pixels = u64::from(width) * u64::from(height);
-    budget.pixels(pixels)?;
-    let mut reader = open().map_err(|e| bad(e.to_string()))?;
-    let mut limits = image::Limits::default();
-    // Sixteen bits a channel and the decoder's own copy.
-    limits.max_alloc = Some(pixels.saturating_mul(16).saturating_add(1 << 24));
-    reader.limits(limits);
-    let decoded = reader.decode().map_err(|e| bad(e.to_string()))?;
-    let rgba = decoded.into_rgba8();
-    let image = Image {
-        name,
-        width: rgba.width(),
-        height: rgba.height(),
-        rgba: rgba.into_raw(),
-        sampler,
-    };
-    Ok(scene.add_image(image)?)
-}
-
-fn shorten(uri: &str) -> String {
-    match uri.char_indices().nth(60) {
-        Some((end, _)) => format!("{}...", uri.get(..end).unwrap_or_default()),
-        None => uri.to_owned(),
     }
 }
 

@@ -1,14 +1,14 @@
-//! What of a scene goes into the file: the tree of nodes, and the meshes and looks that they use.
+//! Construction of a glTF from a scene: the tree of nodes, and the meshes and materials that they use.
 
-use super::SaveProblem;
 use super::binary::Binary;
+use super::convert::{self, PlacedCamera};
+use super::error::SaveProblem;
 use super::json::{
     Asset, Attributes, Buffer, LightIndex, Lights, Lod, Mesh, Node, NodeExtensions, NodeExtras,
     Primitive, Root, RootExtensions, SceneNodes,
 };
-use super::looks::Looks;
-use super::nodes;
-use crate::attachment::Attachment;
+use super::materials::MaterialTable;
+use crate::gltf::attachment::Attachment;
 use antumbra_scene::{
     Camera, Drawable, EntityKey, Geometry, MaterialKey, MeshKey, PlacedLight, Scene, Topology,
 };
@@ -16,7 +16,7 @@ use glam::DAffine3;
 use slotmap::SecondaryMap;
 use std::collections::{BTreeMap, HashMap};
 
-/// The extensions that scenes themselves need.
+/// The extensions that scenes themselves use.
 const OWN: [&str; 4] = [
     "KHR_lights_punctual",
     "KHR_materials_unlit",
@@ -26,17 +26,23 @@ const OWN: [&str; 4] = [
 
 type Attached<'a> = BTreeMap<&'a str, super::json::Attachment<'a>>;
 
-/// Everything of the file.
-pub(super) fn gather<'a>(
+/// The contents of a GLB file.
+pub(super) struct Glb<'a> {
+    pub(super) root: Root<'a>,
+    pub(super) binary: Binary<'a>,
+}
+
+/// Builds the contents of the file.
+pub(super) fn build<'a>(
     scene: &'a Scene,
     attachments: &'a [Attachment],
-) -> Result<(Root<'a>, Binary<'a>), SaveProblem> {
+) -> Result<Glb<'a>, SaveProblem> {
     let entities = in_order(scene);
     let mut numbers = SecondaryMap::with_capacity(entities.len());
     for (number, entity) in (0..).zip(&entities) {
         numbers.insert(*entity, number);
     }
-    let mut gathering = Gathering {
+    let mut builder = Builder {
         scene,
         nodes: Vec::with_capacity(entities.len()),
         lights: Vec::new(),
@@ -44,16 +50,16 @@ pub(super) fn gather<'a>(
         meshes: Vec::new(),
         known_meshes: HashMap::new(),
         known_parts: HashMap::new(),
-        looks: Looks::default(),
+        materials: MaterialTable::default(),
         binary: Binary::default(),
     };
     for entity in &entities {
         let children = scene.children(*entity);
-        gathering.nodes.push(Node {
+        builder.nodes.push(Node {
             name: scene.entity_name(*entity),
             transform: scene
                 .local(*entity)
-                .map(|local| nodes::transform(&local))
+                .map(|local| convert::transform(&local))
                 .unwrap_or_default(),
             children: children
                 .filter_map(|child| numbers.get(child).copied())
@@ -62,25 +68,25 @@ pub(super) fn gather<'a>(
             ..Node::default()
         });
     }
-    // What is more than a node an entity comes behind those of all entities.
+    // Nodes beyond one per entity follow those of all entities.
     for (number, entity) in entities.iter().enumerate() {
         if let Some(drawable) = scene.drawable(*entity) {
-            gathering.dress(number, drawable)?;
+            builder.set_mesh(number, drawable)?;
         }
     }
-    gathering.place_lights(&numbers);
+    builder.add_lights(&numbers);
     for (number, entity) in entities.iter().enumerate() {
         if let Some(camera) = scene.camera(*entity) {
-            gathering.place_camera(number, *entity, &camera)?;
+            builder.add_camera(number, *entity, &camera)?;
         }
     }
     let roots = scene.roots().filter_map(|root| numbers.get(root).copied());
     let roots = roots.collect();
-    let attached = gathering.attach(attachments, &numbers)?;
-    Ok(gathering.finish(roots, attached))
+    let attached = builder.attach(attachments, &numbers)?;
+    Ok(builder.finish(roots, attached))
 }
 
-/// Every entity, those above first.
+/// All entities, parents first.
 fn in_order(scene: &Scene) -> Vec<EntityKey> {
     let mut entities: Vec<EntityKey> = scene.roots().collect();
     let mut next = 0;
@@ -91,19 +97,19 @@ fn in_order(scene: &Scene) -> Vec<EntityKey> {
     entities
 }
 
-struct Gathering<'a> {
+struct Builder<'a> {
     scene: &'a Scene,
     nodes: Vec<Node<'a>>,
     lights: Vec<super::json::Light>,
     cameras: Vec<super::json::Camera>,
     meshes: Vec<Mesh>,
     known_meshes: HashMap<(MeshKey, MaterialKey), Option<Levels>>,
-    known_parts: HashMap<(MeshKey, Which), (Attributes, u32)>,
-    looks: Looks<'a>,
+    known_parts: HashMap<(MeshKey, GeometryId), Accessors>,
+    materials: MaterialTable<'a>,
     binary: Binary<'a>,
 }
 
-/// The file's meshes for one of the scene's in one material.
+/// The file's meshes for one of the scene's meshes with one material.
 #[derive(Clone)]
 struct Levels {
     full: u32,
@@ -111,16 +117,23 @@ struct Levels {
     coarser: Vec<u32>,
 }
 
+/// The accessors of a geometry.
+#[derive(Clone, Copy)]
+struct Accessors {
+    attributes: Attributes,
+    indices: u32,
+}
+
 /// One of a mesh's geometries.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
-enum Which {
+enum GeometryId {
     Level(usize),
     Proxy,
 }
 
-impl<'a> Gathering<'a> {
-    /// Gives a node its mesh, and further nodes to the coarser versions of it.
-    fn dress(&mut self, number: usize, drawable: Drawable) -> Result<(), SaveProblem> {
+impl<'a> Builder<'a> {
+    /// Sets a node's mesh, and adds nodes for its coarser levels.
+    fn set_mesh(&mut self, number: usize, drawable: Drawable) -> Result<(), SaveProblem> {
         let key = (drawable.mesh, drawable.material);
         let known = match self.known_meshes.get(&key) {
             Some(known) => known.clone(),
@@ -141,7 +154,7 @@ impl<'a> Gathering<'a> {
             if !ids.is_empty() {
                 extensions(node).lod = Some(Lod { ids });
             }
-            // A level stands in the node's stead, so it stands where the node does.
+            // A level replaces the node's mesh, so it has the node's transform.
             self.nodes
                 .extend(levels.coarser.into_iter().map(|mesh| Node {
                     transform: transform.clone(),
@@ -152,7 +165,7 @@ impl<'a> Gathering<'a> {
         Ok(())
     }
 
-    /// Writes a mesh in a material; `None` if nothing of it can be drawn.
+    /// Adds a mesh with a material; `None` if it has nothing to draw.
     fn levels(&mut self, drawable: Drawable) -> Result<Option<Levels>, SaveProblem> {
         let scene = self.scene;
         let Some(source) = scene.mesh(drawable.mesh) else {
@@ -163,17 +176,20 @@ impl<'a> Gathering<'a> {
             return Ok(None);
         }
         let material = self
-            .looks
+            .materials
             .material(scene, drawable.material, &mut self.binary)?;
         let full = parts.remove(0);
-        let mut write = |(which, geometry): (Which, &'a Geometry)| {
-            let (attributes, indices) = self.part((drawable.mesh, which), geometry);
+        let mut write = |(which, geometry): (GeometryId, &'a Geometry)| {
+            let Accessors {
+                attributes,
+                indices,
+            } = self.part((drawable.mesh, which), geometry);
             self.meshes.push(Mesh {
                 name: match which {
                     _ if source.name.is_empty() => String::new(),
-                    Which::Level(0) => source.name.clone(),
-                    Which::Level(level) => format!("{}, level {level}", source.name),
-                    Which::Proxy => format!("{}, proxy", source.name),
+                    GeometryId::Level(0) => source.name.clone(),
+                    GeometryId::Level(level) => format!("{}, level {level}", source.name),
+                    GeometryId::Proxy => format!("{}, proxy", source.name),
                 },
                 primitives: [Primitive {
                     attributes,
@@ -193,8 +209,8 @@ impl<'a> Gathering<'a> {
         Ok(Some(Levels { full, coarser }))
     }
 
-    /// The accessors of a geometry, whatever materials it is shown in.
-    fn part(&mut self, key: (MeshKey, Which), geometry: &'a Geometry) -> (Attributes, u32) {
+    /// The accessors of a geometry, shared by all its materials.
+    fn part(&mut self, key: (MeshKey, GeometryId), geometry: &'a Geometry) -> Accessors {
         if let Some(known) = self.known_parts.get(&key) {
             return *known;
         }
@@ -206,12 +222,15 @@ impl<'a> Gathering<'a> {
             uvs: has(geometry.uvs.len()).then(|| binary.floats(&geometry.uvs, "VEC2")),
             colours: has(geometry.colours.len()).then(|| binary.colours(&geometry.colours)),
         };
-        let part = (attributes, binary.indices(&geometry.indices));
+        let part = Accessors {
+            attributes,
+            indices: binary.indices(&geometry.indices),
+        };
         self.known_parts.insert(key, part);
         part
     }
 
-    fn place_lights(&mut self, numbers: &SecondaryMap<EntityKey, u32>) {
+    fn add_lights(&mut self, numbers: &SecondaryMap<EntityKey, u32>) {
         for PlacedLight { entity, light, .. } in self.scene.lights() {
             let node = numbers
                 .get(entity)
@@ -219,20 +238,20 @@ impl<'a> Gathering<'a> {
             if let Some(node) = node {
                 let light_index = self.lights.len() as u32;
                 extensions(node).light = Some(LightIndex { light: light_index });
-                self.lights.push(nodes::light(&light));
+                self.lights.push(convert::light(&light));
             }
         }
     }
 
-    fn place_camera(
+    fn add_camera(
         &mut self,
         number: usize,
         entity: EntityKey,
         camera: &Camera,
     ) -> Result<(), SaveProblem> {
-        let (camera, place) = nodes::camera(camera).ok_or_else(|| SaveProblem::BadCamera {
+        let PlacedCamera { camera, place } = convert::camera(camera).ok_or_else(|| SaveProblem::BadCamera {
             entity: self.scene.entity_name(entity).to_owned(),
-            problem: "glTF has no off-axis projection: save the camera on its axis, and make the eyes when drawing"
+            problem: "glTF has no off-axis projection: save the camera between the eyes, and derive the eyes when drawing"
                 .to_owned(),
         })?;
         let index = Some(self.cameras.len() as u32);
@@ -248,14 +267,14 @@ impl<'a> Gathering<'a> {
         node.children.push(next);
         self.nodes.push(Node {
             name: "camera",
-            transform: nodes::transform(&place),
+            transform: convert::transform(&place),
             camera: index,
             ..Node::default()
         });
         Ok(())
     }
 
-    /// What is somebody else's, by name.
+    /// Adds the attachments, by name.
     fn attach(
         &mut self,
         attachments: &'a [Attachment],
@@ -271,20 +290,20 @@ impl<'a> Gathering<'a> {
                 })
             };
             if name.is_empty() || OWN.contains(&name) || attached.contains_key(name) {
-                return bad("its name is empty or somebody else's; give it one of its own");
+                return bad("its name is empty or already in use; give it another name");
             }
             if [Attachment::NODES, Attachment::BUFFER_VIEW]
                 .iter()
                 .any(|fact| attachment.properties.contains_key(*fact))
             {
                 return bad(
-                    "its nodes and its bufferView are written here; name its facts otherwise",
+                    "the properties `nodes` and `bufferView` are reserved; rename them",
                 );
             }
             let nodes = attachment.entities.iter();
             let nodes: Option<Vec<u32>> = nodes.map(|&key| numbers.get(key).copied()).collect();
             let Some(nodes) = nodes else {
-                return bad("it speaks of an entity that is not in the scene; leave that out");
+                return bad("it refers to an entity that is not in the scene; remove that entity");
             };
             let bytes = attachment.bytes.as_slice();
             let buffer_view = (!bytes.is_empty()).then(|| self.binary.bytes(bytes));
@@ -298,9 +317,9 @@ impl<'a> Gathering<'a> {
         Ok(attached)
     }
 
-    fn finish(self, roots: Vec<u32>, attachments: Attached<'a>) -> (Root<'a>, Binary<'a>) {
+    fn finish(self, roots: Vec<u32>, attachments: Attached<'a>) -> Glb<'a> {
         let mut binary = self.binary;
-        let looks = self.looks;
+        let materials = self.materials;
         let info = |material: &super::json::Material<'_>| {
             let texture = &material.pbr_metallic_roughness.base_color_texture;
             texture
@@ -309,8 +328,8 @@ impl<'a> Gathering<'a> {
         };
         let used = [
             !self.lights.is_empty(),
-            looks.materials.iter().any(|m| m.extensions.is_some()),
-            looks.materials.iter().any(info),
+            materials.materials.iter().any(|m| m.extensions.is_some()),
+            materials.materials.iter().any(info),
             self.nodes
                 .iter()
                 .any(|n| n.extensions.as_ref().is_some_and(|e| e.lod.is_some())),
@@ -322,7 +341,7 @@ impl<'a> Gathering<'a> {
             0 => Vec::new(),
             byte_length => vec![Buffer { byte_length }],
         };
-        // A scene has a node at least; a file without one is a file without a scene.
+        // A glTF scene needs at least one node, so an empty scene is a file without a scene.
         let scenes = match roots.is_empty() {
             true => Vec::new(),
             false => vec![SceneNodes {
@@ -345,10 +364,10 @@ impl<'a> Gathering<'a> {
             scenes,
             nodes: self.nodes,
             meshes: self.meshes,
-            materials: looks.materials,
-            textures: looks.textures,
-            images: looks.images,
-            samplers: looks.samplers,
+            materials: materials.materials,
+            textures: materials.textures,
+            images: materials.images,
+            samplers: materials.samplers,
             cameras: self.cameras,
             accessors: std::mem::take(&mut binary.accessors),
             buffer_views: std::mem::take(&mut binary.views),
@@ -358,7 +377,7 @@ impl<'a> Gathering<'a> {
                 attachments,
             }),
         };
-        (root, binary)
+        Glb { root, binary }
     }
 }
 
@@ -366,8 +385,8 @@ fn extensions<'n>(node: &'n mut Node<'_>) -> &'n mut NodeExtensions {
     node.extensions.get_or_insert_default()
 }
 
-/// A mesh's geometries that can be drawn: level 0, the further ones, and the proxy last, as a reader expects it.
-fn parts(mesh: &antumbra_scene::Mesh) -> Vec<(Which, &Geometry)> {
+/// The geometries of a mesh that can be drawn: level 0, the further levels, and last the proxy, as a reader expects.
+fn parts(mesh: &antumbra_scene::Mesh) -> Vec<(GeometryId, &Geometry)> {
     let is_there =
         |geometry: &Geometry| !geometry.positions.is_empty() && !geometry.indices.is_empty();
     if !mesh.full().is_some_and(is_there) {
@@ -375,16 +394,17 @@ fn parts(mesh: &antumbra_scene::Mesh) -> Vec<(Which, &Geometry)> {
     }
     let levels = mesh.levels.iter().enumerate();
     let levels = levels.filter(|(_, level)| is_there(level));
-    let mut parts: Vec<(Which, &Geometry)> = levels
-        .map(|(at, level)| (Which::Level(at), level))
+    let mut parts: Vec<(GeometryId, &Geometry)> = levels
+        .map(|(at, level)| (GeometryId::Level(at), level))
         .collect();
     let is_proxy = |proxy: &&Geometry| is_there(proxy) && proxy.topology == Topology::Triangles;
     if let Some(proxy) = mesh.proxy.as_ref().filter(is_proxy) {
-        parts.push((Which::Proxy, proxy));
+        parts.push((GeometryId::Proxy, proxy));
     } else if let [full, .., (_, last)] = parts.as_slice()
         && last.topology == Topology::Triangles
     {
-        // Else the last level would be taken for the proxy; without one, the full geometry is what is tested.
+        // Without this the last level would be read as the proxy. A mesh without a proxy is tested with its full
+        // geometry.
         parts.push(*full);
     }
     parts

@@ -1,14 +1,15 @@
-//! Colours, since files seldom have any: a material a type of object, and on it the tint of a surface that is known to be a roof
-//! or a door.
+//! Colours, since files seldom have any: a material per type of object, and vertex colours for surfaces such as roofs
+//! and doors.
 
+use super::boundary::GeometryKind;
 use antumbra_scene::{Material, MaterialKey, Scene};
 use std::collections::HashMap;
 
-/// The materials made so far.
+/// The materials that have been added.
 #[derive(Default)]
-pub(super) struct Looks(HashMap<(Option<&'static str>, bool), MaterialKey>);
+pub(super) struct Materials(HashMap<(Option<&'static str>, GeometryKind), MaterialKey>);
 
-/// Types of objects and their linear colours. "Building" counts for "BuildingPart", too.
+/// Types of objects and their linear colours. "Building" matches "BuildingPart", too.
 const TYPES: [(&str, [f32; 3]); 13] = [
     ("Bridge", [0.42, 0.40, 0.38]),
     ("Building", [0.72, 0.64, 0.55]),
@@ -25,32 +26,32 @@ const TYPES: [(&str, [f32; 3]); 13] = [
     ("Water", [0.08, 0.20, 0.33]),
 ];
 
-/// What is multiplied with an object's colour, of 255.
+/// A factor that leaves an object's colour unchanged, 255 for 1.
 pub(super) const UNTINTED: [u8; 4] = [255; 4];
 
-impl Looks {
-    /// The material of all objects of a type. Only solids have a back that is never seen.
+impl Materials {
+    /// The material of all objects of a type. Only solids have invisible back faces.
     pub(super) fn material(
         &mut self,
         scene: &mut Scene,
         kind: &str,
-        is_solid: bool,
+        geometry: GeometryKind,
     ) -> MaterialKey {
         let known = TYPES.iter().find(|(name, _)| kind.starts_with(name));
         let name = known.map(|(name, _)| *name);
-        *self.0.entry((name, is_solid)).or_insert_with(|| {
+        *self.0.entry((name, geometry)).or_insert_with(|| {
             let [r, g, b] = known.map_or([0.5; 3], |(_, colour)| *colour);
             scene.add_material(Material {
                 name: name.unwrap_or("other").to_owned(),
                 base_colour: [r, g, b, 1.0],
-                double_sided: !is_solid,
+                double_sided: geometry == GeometryKind::Surfaces,
                 ..Material::default()
             })
         })
     }
 }
 
-/// The tint of a surface.
+/// The factor on an object's colour for a surface of this type, 255 for 1.
 pub(super) fn tint(kind: &str) -> [u8; 4] {
     match kind {
         "RoofSurface" => [170, 80, 62, 255],

@@ -1,7 +1,7 @@
-//! Materials, textures and images of a file; each is written when something uses it first.
+//! Materials, textures and images of a written file. Each is added on first use.
 
-use super::SaveProblem;
 use super::binary::Binary;
+use super::error::SaveProblem;
 use super::json::{self, Empty, Pbr, TextureExtensions, TextureInfo, TextureTransform, Unlit};
 use ::image::codecs::png::PngEncoder;
 use ::image::{ExtendedColorType, ImageEncoder};
@@ -10,9 +10,9 @@ use antumbra_scene::{
 };
 use std::collections::HashMap;
 
-/// What has been written so far.
+/// The materials, textures, images and samplers that have been added.
 #[derive(Default)]
-pub(super) struct Looks<'a> {
+pub(super) struct MaterialTable<'a> {
     pub(super) materials: Vec<json::Material<'a>>,
     pub(super) textures: Vec<json::Texture>,
     pub(super) images: Vec<json::Image<'a>>,
@@ -22,8 +22,8 @@ pub(super) struct Looks<'a> {
     known_samplers: HashMap<Sampler, u32>,
 }
 
-impl<'a> Looks<'a> {
-    /// The file's material for the scene's.
+impl<'a> MaterialTable<'a> {
+    /// The index of a scene's material in the file.
     pub(super) fn material(
         &mut self,
         scene: &'a Scene,
@@ -68,7 +68,7 @@ impl<'a> Looks<'a> {
         let image = source.base_colour_image;
         let image = image.and_then(|key| Some((key, scene.image(key)?)));
         let texture = match image {
-            // A PNG has a pixel at least; an image without any shows nothing.
+            // A PNG has at least one pixel, so an empty image is left out.
             Some((key, image)) if !image.rgba.is_empty() => Some(TextureInfo {
                 index: self.texture(key, image, binary)?,
                 extensions: texture_transform(source).map_err(bad)?,
@@ -93,7 +93,8 @@ impl<'a> Looks<'a> {
         Ok(Some(index))
     }
 
-    /// A texture an image, since the scene's images know how they are looked up.
+    /// The index of an image's texture. There is one texture per image, since an image of the scene has its own
+    /// sampler.
     fn texture(
         &mut self,
         key: ImageKey,
@@ -160,7 +161,7 @@ fn sampler_of(sampler: Sampler) -> json::Sampler {
     }
 }
 
-/// The material's uv transform as a scale, then a turn, then a shift; what is wrong with it if it is not made of these.
+/// The material's uv transform as scale, then rotation, then offset, or the reason why it cannot be represented so.
 fn texture_transform(material: &Material) -> Result<Option<TextureExtensions>, String> {
     let transform = material.uv_transform;
     if transform == Material::default().uv_transform {
@@ -184,7 +185,7 @@ fn texture_transform(material: &Material) -> Result<Option<TextureExtensions>, S
         .all(|(is, was)| (is - was).abs() <= slack);
     if !same || !(x + y).is_finite() {
         return Err(format!(
-            "its uv transform {transform:?} is no scale, rotation and offset, which is all that glTF can say; put it into the uvs"
+            "its uv transform {transform:?} is no scale, rotation and offset, and glTF has no other; apply it to the uvs"
         ));
     }
     Ok(Some(TextureExtensions {
