@@ -102,7 +102,7 @@ fn versions_and_transforms_are_checked() {
     ] {
         assert_says(
             &refused(&changed(from, to)),
-            &["line 2", "vertex", "no place"],
+            &["line 2", "vertex", "out of range"],
         );
     }
     assert_says(&refused(&changed("0.001,0.001]", "0.001]")), &["line 1"]);
@@ -210,14 +210,14 @@ fn families_that_go_in_circles_are_refused() {
         matches!(problem, LoadProblem::NodeCycle { .. }),
         "{problem:?}"
     );
-    assert_says(&problem, &["line 2", "\"a\"", "below itself"]);
+    assert_says(&problem, &["line 2", "\"a\"", "its own ancestor"]);
     for own in [r#""parents":["a-0"],"#, r#""children":["a-0"],"#] {
         let problem = refused(&changed(r#""parents":["a"],"#, own).replacen(
             r#""children":["a-0"],"g"#,
             r#""g"#,
             1,
         ));
-        assert_says(&problem, &["\"a-0\"", "below itself"]);
+        assert_says(&problem, &["\"a-0\"", "its own ancestor"]);
     }
 }
 
