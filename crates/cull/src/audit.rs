@@ -1,9 +1,8 @@
-//! The audit: frames, chosen by lot, draw some of what they culled against their own finished depth, in a few small patches of the image chosen by lot, and
-//! count the pixels in which anything of it would have shown. A frame late that is an unbiased estimate of every frame's wrong pixels.
+//! The audit: randomly sampled frames draw some of the entities they culled against their own finished depth, in a few randomly sampled patches of the image, and count
+//! the pixels in which any of them would have shown. A frame or two later that is an unbiased estimate of the wrong pixels of every frame.
 //!
-//! A patch is a cluster of a stratified sample (Cochran, *Sampling Techniques*, 3rd edition, 1977, chapters 5 and 9), and each drawn patch
-//! stands for as many as its chance of being drawn says (Horvitz and Thompson, *A Generalization of Sampling Without Replacement From a Finite
-//! Universe*, 1952). `docs/audit.md` has the derivation.
+//! A patch is a cluster of a stratified sample (Cochran, *Sampling Techniques*, 3rd edition, 1977, chapters 5 and 9), and is weighted by the inverse of its probability
+//! of being sampled (Horvitz and Thompson, *A Generalization of Sampling Without Replacement From a Finite Universe*, 1952). `docs/audit.md` has the derivation.
 
 mod audited_frame;
 mod chooser;
@@ -23,37 +22,37 @@ pub use interval::Estimate;
 use sample_plan::Costs;
 use strata::Moments;
 
-/// The label of what the audit costs.
+/// The group label of the audit's nodes.
 pub const AUDIT: &str = "audit";
 
 /// How a stage audits itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AuditOptions {
-    /// The part of the triangles a view draws that the audit may draw again, on average over frames; above 0, at most 1. A frame that is
-    /// looked at looks at a patch of each kind whatever that pays for.
+    /// Triangles that the audit may draw, as a part of those that the view draws, on average over frames; above 0, at most 1. A sampled frame draws at least one patch of
+    /// each kind.
     pub share: f64,
-    /// The part of the frames that are looked at, by lot; 0.001 to 1. What an audit takes however little it looks at, two passes and their
-    /// turns, is paid that seldom, and the frames that are looked at get as much more of `share`.
+    /// The part of the frames that is sampled, at random; 0.001 to 1. An audit has a fixed cost, its passes and their set-up, which only sampled frames pay; they get a
+    /// larger part of `share` in return.
     pub frame_share: f64,
-    /// Seeds the plan. The same seed and frames give the same patches.
+    /// Seeds the sampling. The same seed and frames give the same patches.
     pub seed: u64,
-    /// Draws every patch of every frame, whatever `share` says: no estimate but the count itself. For tests, and for images nobody waits for.
+    /// Draws every patch of every frame, whatever `share` says: an exact count in place of an estimate. For tests and offline images.
     pub census: bool,
 }
 
 impl AuditOptions {
-    /// The part of the frames that are looked at, within its range whatever was asked for.
+    /// `frame_share`, clamped to its range.
     fn frame_share_in_range(&self) -> f64 {
         match self.census {
             true => 1.0,
-            // What is no number is looked at as seldom as can be.
+            // NaN counts as the least.
             false if self.frame_share.is_nan() => LEAST_FRAME_SHARE,
             false => self.frame_share.clamp(LEAST_FRAME_SHARE, 1.0),
         }
     }
 }
 
-/// No audit looks at fewer frames than one in a thousand.
+/// An audit samples at least one frame in a thousand.
 const LEAST_FRAME_SHARE: f64 = 1e-3;
 
 impl Default for AuditOptions {
@@ -72,16 +71,16 @@ impl Default for AuditOptions {
 pub struct FrameAudit {
     /// The frame it is about, as the plan counts them.
     pub frame: u64,
-    /// How often the view's camera had been cut by then.
+    /// The number of camera cuts of the view by then.
     pub cuts: u64,
-    /// Patches that were looked at.
+    /// Patches that were sampled.
     pub patches: u32,
-    /// Whether its lot was to be looked at, and how large a part of the frames that is.
+    /// Whether the frame was sampled, and the part of the frames that is.
     sampled: bool,
     frame_share: f64,
     /// Pixels of the view.
     pixels: f64,
-    /// The most pixels that one pixel looked at stands for, times those of a patch; 0 when all were looked at.
+    /// The most pixels that a wholly wrong patch stands for; 0 when all patches were sampled.
     heaviest: f64,
     /// Each patch in which something would have shown.
     hits: Vec<Hit>,
@@ -103,7 +102,7 @@ struct Hit {
 pub(crate) struct Found {
     /// Percent of the view's pixels.
     pub percent: f64,
-    /// In how many patches that were drawn by plan of their own.
+    /// In how many patches that were sampled independently.
     pub hits: f64,
 }
 
@@ -114,12 +113,12 @@ impl FrameAudit {
     }
 
     /// What the frame left out by its own count ([`Verdicts::left_out_percent`](crate::Verdicts::left_out_percent)); where that is counted on the GPU it is
-    /// known of frames that were looked at.
+    /// known of sampled frames alone.
     pub fn left_out_percent(&self) -> Option<f64> {
         self.left_out
     }
 
-    /// What an audit might have found: hits in percent of the image, uncertain or not.
+    /// A made-up result for tests: hits in percent of the image, uncertain or not.
     #[cfg(test)]
     pub(crate) fn made_up(
         frame: u64,
@@ -140,27 +139,27 @@ impl FrameAudit {
         }
     }
 
-    /// What a patch stands for that is wrong all over, in percent of the image; 0 where all were looked at.
+    /// What a wholly wrong patch stands for, in percent of the image; 0 when all patches were sampled.
     pub(crate) fn heaviest_percent(&self) -> f64 {
         self.heaviest / self.pixels.max(1.0) * 100.0
     }
 
-    /// What was found wrong in percent of the image where something below the threshold lies, and what the frame meant to leave out; taken for itself, not for
-    /// the frames beside it that nobody looked at. `None` where it is one of these, or nothing is known of what was meant.
+    /// Wrong pixels on uncertain patches, and what the frame meant to leave out, both in percent of the image and for this frame alone, not for the frames it stands for.
+    /// `None` for a frame that was not sampled, or whose own count is unknown.
     pub(crate) fn meant(&self) -> Option<[f64; 2]> {
         let [_, uncertain] = self.by_kind();
         let left_out = self.left_out.filter(|_| self.sampled)?;
         Some([uncertain.percent * self.frame_share, left_out])
     }
 
-    /// What was found where nothing below the threshold lies, and where something does.
+    /// What was found on plain patches, and on uncertain ones.
     pub(crate) fn by_kind(&self) -> [Found; 2] {
         let mut kinds = [Found::default(); 2];
         for hit in &self.hits {
             let [plain, uncertain] = &mut kinds;
             let kind = if hit.uncertain { uncertain } else { plain };
             kind.percent += hit.pixels / self.pixels * 100.0;
-            // Where a lot decides about whole frames, all that is found in one is found together.
+            // Where whole frames are sampled, all hits of a frame are found or missed together.
             kind.hits = if self.frame_share < 1.0 {
                 1.0
             } else {
@@ -179,7 +178,7 @@ pub struct Audit {
     audited: u64,
 }
 
-/// What earlier frames taught of patches, by kind.
+/// What earlier frames taught about patches, by kind.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Experience {
     moments: Moments,
@@ -202,45 +201,45 @@ impl Lessons {
 }
 
 impl Audit {
-    /// Frames that are remembered.
+    /// The number of frames that are remembered.
     pub const REMEMBERED: usize = 4096;
 
-    /// What is known of the latest frame whose answer has come.
+    /// The latest frame whose result is in.
     pub fn latest(&self) -> Option<&FrameAudit> {
         self.frames.back()
     }
 
-    /// What is remembered, oldest first.
+    /// The remembered frames, oldest first.
     pub fn frames(&self) -> impl DoubleEndedIterator<Item = &FrameAudit> + ExactSizeIterator {
         self.frames.iter()
     }
 
-    /// Frames whose answers have come, remembered or not.
+    /// The number of frames whose results are in, remembered or not.
     pub fn audited(&self) -> u64 {
         self.audited
     }
 
-    /// The mean of the wrong pixels over the latest so many frames, in percent of a view's; over all that are remembered where they are fewer.
+    /// The mean of the wrong pixels over the latest `frames` frames, in percent of a view's pixels; over all remembered frames where they are fewer.
     pub fn over(&self, frames: usize) -> Estimate {
         Estimate::of(self.frames.iter().rev().take(frames))
     }
 
-    /// The mean over all that several views remember.
+    /// The mean over all remembered frames of several views.
     pub fn over_all(audits: &[&Self]) -> Estimate {
         Estimate::of(audits.iter().flat_map(|audit| &audit.frames))
     }
 
-    /// What its frames taught of patches.
+    /// What its frames taught about patches.
     pub(crate) fn experience(&self) -> &Experience {
         &self.experience
     }
 
-    /// Goes on from what others taught.
+    /// Replaces what it has learned.
     pub(crate) fn learn(&mut self, experience: Experience) {
         self.experience = experience;
     }
 
-    /// Takes a frame in, forgetting the oldest where there are enough.
+    /// Adds a frame, and forgets the oldest if there are too many.
     pub(crate) fn take(&mut self, frame: FrameAudit) {
         if self.frames.len() == Self::REMEMBERED {
             self.frames.pop_front();

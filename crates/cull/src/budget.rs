@@ -1,30 +1,30 @@
-//! A budget in place of settings: how much of the image may be wrong, or how long a frame may take. A controller turns the strategy's knobs by
-//! what the audit finds, frame by frame.
+//! A budget in place of settings: how much of the image may be wrong, or how long a frame may take. A controller changes the strategy's settings frame by frame, by what
+//! the audit finds or by the frame times it is told.
 //!
-//! A strategy says how it trades: [`Step`](crate::Step)s from the most accurate to the fastest, of which some have a dial that says how much a frame may leave out
-//! ([`Tunable::steps`](crate::Tunable::steps)). `docs/accuracy.md` tells how well that keeps.
+//! A strategy lists its [`Step`](crate::Step)s from the most accurate to the fastest ([`Tunable::steps`](crate::Tunable::steps)); a step may have a dial, which says how
+//! much a frame may leave out. `docs/accuracy.md` has the measurements.
 
 mod belief;
+mod controller;
 mod error;
-mod keeping;
 mod time;
 
 use std::fmt;
 use std::str::FromStr;
 
-pub(crate) use keeping::Keeping;
+pub(crate) use controller::BudgetController;
 use thiserror::Error;
 
-/// What a user sets in place of settings.
+/// A budget for a stage.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Budget {
-    /// The mean of the wrong pixels over frames, in percent of a view's pixels: as fast as that allows. 0: conservative settings.
+    /// The mean of the wrong pixels over frames, in percent of a view's pixels: the stage is as fast as that allows. 0: conservative settings.
     WrongPixels(f64),
-    /// Milliseconds of a frame: as accurate as that allows.
+    /// Milliseconds a frame: the stage is as accurate as that allows.
     FrameTime(f64),
 }
 
-/// Why a text is no budget.
+/// A text that is no budget.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("'{0}' is no budget: write wrong_pixels=0.02% (0 to 100), or frame_time=16.6ms (above 0)")]
 pub struct BudgetError(String);
@@ -40,7 +40,7 @@ impl FromStr for Budget {
             number.parse::<f64>().ok().filter(|it| it.is_finite())
         };
         match key {
-            // A bare 0 is 0 in any unit.
+            // 0 needs no unit.
             "wrong_pixels" if value.ends_with('%') || value == "0" => number("%")
                 .filter(|percent| (0.0..=100.0).contains(percent))
                 .map(Self::WrongPixels),
@@ -62,12 +62,12 @@ impl fmt::Display for Budget {
     }
 }
 
-/// Where a controller stands.
+/// The step and dial that a controller has chosen.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct BudgetState {
-    /// Which step, counted from the most accurate.
+    /// The step's number, from 0, the most accurate.
     pub step: usize,
-    /// Where its dial stands, in percent; 0 where it has none.
+    /// The dial's value in percent; 0 for a step without a dial.
     pub allow: f64,
 }
 

@@ -1,10 +1,10 @@
-//! Candidates: what of a scene lies in a view's frustum, and what of that no test may judge.
+//! Candidates: the entities in a view's frustum, and which of them must not be tested.
 
 use std::sync::Arc;
 
 use antumbra_draw::{SceneTable, ViewFrame};
 
-/// The entities of one view in one frame that a strategy may choose from.
+/// The entities that a strategy chooses from, for one view and frame.
 #[derive(Debug, Clone, Default)]
 pub struct Candidates {
     inside: Vec<u32>,
@@ -13,12 +13,12 @@ pub struct Candidates {
     stamp: Stamp,
 }
 
-/// When a question was asked: what an answer must be held against before it is believed.
+/// When a query was made: what an answer is checked against before it is used.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Stamp {
     /// The scene's epoch.
     pub epoch: u64,
-    /// The view's count of camera cuts.
+    /// The number of camera cuts of the view so far.
     pub cuts: u64,
 }
 
@@ -48,7 +48,7 @@ impl Candidates {
         self.inside.extend(table.live_slots());
     }
 
-    /// Takes over what `keep` leaves of others, in whatever order it leaves them; what it adds is dropped.
+    /// Becomes the part of `others` that `keep` leaves, in any order. Slots that `keep` adds are dropped.
     pub fn narrow(&mut self, others: &Self, keep: impl FnOnce(&mut Vec<u32>)) {
         self.stamp = others.stamp;
         self.inside.clear();
@@ -77,7 +77,7 @@ impl Candidates {
         self.exempt.extend(inside.iter().copied().filter(exempt));
     }
 
-    /// Slots of these that are not among others, ascending.
+    /// Slots that are not among `others`, ascending.
     pub fn without<'a>(&'a self, others: &'a Self) -> impl Iterator<Item = u32> + 'a {
         let gone = |slot: &u32| !others.contains(*slot);
         self.inside.iter().copied().filter(gone)
@@ -93,17 +93,17 @@ impl Candidates {
         &self.inside
     }
 
-    /// Those of them that reach over the near plane: visible, whatever a test of their clipped proxies would say. Ascending.
+    /// Slots that cross the near plane, ascending: they count as visible, since a test would see clipped proxies.
     pub fn near(&self) -> &[u32] {
         &self.near
     }
 
-    /// Whether a slot reaches over the near plane.
+    /// Whether a slot crosses the near plane.
     pub fn is_near(&self, slot: u32) -> bool {
         self.near.binary_search(&slot).is_ok()
     }
 
-    /// Those that are drawn without a test: they reach over the near plane, or the scene says so. Ascending.
+    /// Slots that are drawn without a test, ascending: they cross the near plane, or the scene exempts them.
     pub fn exempt(&self) -> &[u32] {
         &self.exempt
     }
@@ -127,19 +127,19 @@ impl Candidates {
     }
 }
 
-/// What was asked: goes along with the answer, so that it can be held against what is asked now.
+/// What was tested. Travels with the answer, so that the answer can be matched with the present frame.
 #[derive(Debug, Clone, Default)]
 pub struct Queried {
-    /// When.
+    /// When it was tested.
     pub stamp: Stamp,
     /// The slots that were tested; with hardware queries, in the order of the queries.
     pub slots: Arc<Vec<u32>>,
-    /// With hardware queries about several slots each: where each query's slots end. Empty: each slot has its own.
+    /// With hardware queries that test several slots each: the end of each query's slots. Empty: a query a slot.
     pub ends: Arc<Vec<u32>>,
 }
 
 impl Queried {
-    /// How many hardware queries were asked.
+    /// The number of hardware queries.
     pub fn queries(&self) -> u32 {
         match self.ends.len() {
             0 => self.slots.len() as u32,
@@ -147,7 +147,7 @@ impl Queried {
         }
     }
 
-    /// Each slot with the query that asks about it, in the order of the queries.
+    /// Each slot with the query that tests it, in the order of the queries.
     pub fn by_query(&self) -> impl Iterator<Item = (u32, Query)> + '_ {
         let mut number = 0;
         self.slots.iter().zip(0u32..).map(move |(slot, at)| {
@@ -169,8 +169,8 @@ impl Queried {
 /// A hardware query.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Query {
-    /// Which, in the order of asking.
+    /// Its number, in the order of issue.
     pub number: u32,
-    /// How many slots it asks about.
+    /// How many slots it tests.
     pub slots: u32,
 }

@@ -1,14 +1,14 @@
-//! A knob that may be turned while frames run, without declaring anything anew.
+//! A number that may change between frames without a new plan.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// A number that a strategy and its nodes share. A clone is a dial of its own that stands alike.
+/// A number that a strategy shares with its nodes. A clone is a separate dial of the same value.
 #[derive(Debug, Default)]
 pub struct Dial(Arc<AtomicU32>);
 
 impl Dial {
-    /// A dial that stands at a number.
+    /// A dial with this value.
     pub fn new(at: f32) -> Self {
         Self(Arc::new(AtomicU32::new(at.to_bits())))
     }
@@ -19,12 +19,12 @@ impl Dial {
         Self(Arc::clone(&self.0))
     }
 
-    /// Where it stands.
+    /// The present value.
     pub fn get(&self) -> f32 {
         f32::from_bits(self.0.load(Ordering::Relaxed))
     }
 
-    /// Turns it: from the next frame on.
+    /// Sets the value, from the next frame on.
     pub fn turn(&self, to: f32) {
         self.0.store(to.to_bits(), Ordering::Relaxed);
     }

@@ -27,9 +27,9 @@ use crate::tree::Tree;
 use crate::verdict::{Verdict, Verdicts};
 use crate::view_nodes::ViewNodes;
 
-/// The label of what finding the visible set costs.
+/// The group label of the nodes that find the visible set.
 pub const CULL: &str = "cull";
-/// The label of what drawing it costs.
+/// The group label of the nodes that draw it.
 pub const DRAW: &str = "draw";
 
 /// The graph under declaration, with the steps that culling is made of.
@@ -38,7 +38,7 @@ pub struct FrameGraph<'g> {
     shared: &'g mut Shared,
 }
 
-/// A host value that [`Stage::shown`](crate::Stage::shown) finds: of which view, by which name, its handle.
+/// The handle of a host value that [`Stage::shown`](crate::Stage::shown) finds by view and name.
 pub(crate) struct Shown {
     pub view: usize,
     pub name: &'static str,
@@ -51,9 +51,9 @@ pub(crate) struct Shared {
     pub layout: SceneLayout,
     pub colour_format: wgpu::TextureFormat,
     pub pipelines: Pipelines,
-    /// The trees that are kept, one a shape, for all views.
+    /// The trees, one a shape, for all views.
     pub trees: HashMap<HierarchyShape, Host<Tree>>,
-    /// What strategies show of how they chose.
+    /// What the strategy shows.
     pub shown: Vec<Shown>,
 }
 
@@ -62,9 +62,9 @@ pub(crate) struct Shared {
 pub struct Chosen {
     /// Why each entity is drawn or not.
     pub verdicts: Host<Verdicts>,
-    /// What is drawn without blending, in canonical order.
+    /// The entities that are drawn without blending, in canonical order.
     pub solid: ListDraws,
-    /// What is blended, back to front; `None` for a scene without.
+    /// The blended entities, back to front; `None` for a scene without.
     pub blended: Option<ListDraws>,
 }
 
@@ -73,7 +73,7 @@ impl<'g> FrameGraph<'g> {
         Self { graph, shared }
     }
 
-    /// The graph itself, for nodes of a strategy's own.
+    /// The graph itself, for a strategy's own nodes.
     pub fn graph(&mut self) -> &mut Graph {
         self.graph
     }
@@ -83,12 +83,12 @@ impl<'g> FrameGraph<'g> {
         &self.shared.gpu
     }
 
-    /// What the scene asks of the plan: sizes, classes, transparency.
+    /// What the plan depends on: the scene's sizes, pipeline classes, transparency and lights.
     pub fn scene_layout(&self) -> &SceneLayout {
         &self.shared.layout
     }
 
-    /// Keeps a host value of a view readable after each frame, by name ([`Stage::shown`](crate::Stage::shown)): for whoever wants to see how the visible set was found.
+    /// Makes a host value of a view readable after each frame, by name ([`Stage::shown`](crate::Stage::shown)): to see how the visible set was found.
     pub fn show<T: 'static>(&mut self, view: &ViewNodes, name: &'static str, value: Host<T>) {
         self.graph.output(value);
         self.shared.shown.push(Shown {
@@ -98,8 +98,8 @@ impl<'g> FrameGraph<'g> {
         });
     }
 
-    /// Declares a sub-graph that runs until its host value is true. A loop of more turns than eight an entity fails the frame: a walk has less than two
-    /// nodes an entity, asks about each twice at most, and may find one a turn that cannot be asked about.
+    /// Declares a sub-graph that runs until its host value is true. More than eight turns an entity fail the frame: a traversal visits less than two nodes an
+    /// entity and queries each at most twice, and a turn may find one node without a box.
     pub fn host_loop(
         &mut self,
         name: String,
@@ -119,7 +119,7 @@ impl<'g> FrameGraph<'g> {
         });
     }
 
-    /// How a drawing node is called and what it draws with. Pipelines are made once a kind.
+    /// The name, group and pipelines of a drawing node. Pipelines are made once a stage.
     pub fn pass(&mut self, name: String, group: &'static str, kind: PipelineKind) -> PassSpec {
         let Shared {
             gpu,
@@ -134,7 +134,7 @@ impl<'g> FrameGraph<'g> {
         }
     }
 
-    /// A depth texture of some pixels, cleared to infinitely far by its first writer.
+    /// A depth texture, cleared to infinitely far by its first writer.
     pub fn depth_texture(&mut self, name: String, [width, height]: [u32; 2]) -> Texture {
         self.graph.texture(
             name,
@@ -142,7 +142,7 @@ impl<'g> FrameGraph<'g> {
         )
     }
 
-    /// A draw list of up to every slot, and the buffer its slots go to.
+    /// A draw list with room for every slot, and the buffer that its slots are uploaded to.
     pub fn unsubmitted(&mut self, name: &str) -> ListDraws {
         let list = self.graph.host::<DrawList>(name);
         let ids = self
@@ -151,7 +151,7 @@ impl<'g> FrameGraph<'g> {
         ListDraws { list, slots: ids }
     }
 
-    /// What draws boxes that are asked about.
+    /// The pipeline that draws boxes for queries.
     pub fn box_pipeline(&mut self) -> Arc<BoxPipeline> {
         let Shared { gpu, pipelines, .. } = &mut *self.shared;
         pipelines.boxes(gpu)
@@ -163,7 +163,7 @@ impl<'g> FrameGraph<'g> {
         pipelines.compute(gpu, job, entry)
     }
 
-    /// A list of up to so many boxes, and the buffer they go to.
+    /// A list of at most `most` boxes, and the buffer that they are uploaded to.
     pub fn unsubmitted_boxes(&mut self, name: &str, most: u64) -> BoxDraws {
         let bytes = BufferDesc::new(most * BoxPipeline::BYTES_A_BOX);
         BoxDraws {
@@ -172,12 +172,12 @@ impl<'g> FrameGraph<'g> {
         }
     }
 
-    /// A tree of boxes over all that may be culled, kept in step with the scene; one a shape, however many views ask for it.
+    /// A tree of boxes over all entities that may be culled, updated with the scene. All views share one a shape.
     pub fn tree(&mut self, view: &ViewNodes, shape: HierarchyShape) -> Host<Tree> {
         self.tree_for(view, shape, CULL)
     }
 
-    /// The same; where it was not kept yet, what keeping it costs is accounted to `group`.
+    /// The same. If the tree is new, its cost is accounted to `group`.
     pub(crate) fn tree_for(
         &mut self,
         view: &ViewNodes,
@@ -201,7 +201,7 @@ impl<'g> FrameGraph<'g> {
         tree
     }
 
-    /// Whether a tree of this shape is kept already.
+    /// Whether the plan has a tree of this shape already.
     pub(crate) fn keeps_tree(&self, shape: HierarchyShape) -> bool {
         self.shared.trees.contains_key(&shape)
     }
@@ -211,8 +211,7 @@ impl<'g> FrameGraph<'g> {
         u64::from(self.shared.layout.slots.max(1)) * 4
     }
 
-    /// What of the scene lies in the view's frustum, and, where an outer strategy has [handed on](Self::chain), was left by it. Found once
-    /// a view, however often it is asked for.
+    /// The entities in the view's frustum; in a [chain](Self::chain), those of them that the strategy before has left. Found once a view.
     pub fn in_frustum(&mut self, view: &mut ViewNodes) -> Host<Candidates> {
         if let Some(found) = view.in_frustum {
             return found;
@@ -224,7 +223,7 @@ impl<'g> FrameGraph<'g> {
         found
     }
 
-    /// All of the scene, in the frustum or not, but for what an outer strategy has taken away.
+    /// All entities, in the frustum or not; in a chain, without those that the strategy before has taken out.
     pub fn everything(&mut self, view: &ViewNodes) -> Host<Candidates> {
         let all = self.candidates(view, "everything", |candidates, table, frame| {
             candidates.take_all(table, frame)
@@ -265,8 +264,8 @@ impl<'g> FrameGraph<'g> {
         found
     }
 
-    /// Some of the candidates: `keep` takes away from their slots, in any order. What is left may be the occluders of
-    /// [`Self::proxies_of`], or all that another strategy judges ([`Self::chain`]).
+    /// A part of the candidates: `keep` removes slots, in any order. The rest may be the occluders of [`Self::proxies_of`], or the candidates of the next strategy of a
+    /// [chain](Self::chain).
     pub fn narrowed(
         &mut self,
         view: &ViewNodes,
@@ -290,8 +289,8 @@ impl<'g> FrameGraph<'g> {
         kept
     }
 
-    /// A host node that gives every entity a verdict, makes the draw lists that follow, and uploads them. `reads` declares what
-    /// else the judgement reads; `judge` starts from [`Verdict::OutsideFrustum`] for every entity.
+    /// Adds a host node that gives every entity a verdict, and makes and uploads the draw lists that follow. `reads` declares what else the node reads. `judge` finds
+    /// every entity at [`Verdict::OutsideFrustum`].
     pub fn choose(
         &mut self,
         view: &ViewNodes,
@@ -353,7 +352,7 @@ impl<'g> FrameGraph<'g> {
         chosen
     }
 
-    /// Shades what was chosen: first what is solid, then what is blended.
+    /// Shades the chosen entities: solid ones first, then blended ones.
     pub fn shade(&mut self, view: &mut ViewNodes, chosen: Chosen) -> VisibleSet {
         self.shade_list(view, "shaded", chosen.solid);
         if let Some(blended) = chosen.blended {
@@ -362,13 +361,13 @@ impl<'g> FrameGraph<'g> {
         VisibleSet::drawn(chosen.verdicts)
     }
 
-    /// Shades one list into the view's targets.
+    /// Shades one draw list into the view's targets.
     pub fn shade_list(&mut self, view: &mut ViewNodes, name: &str, list: ListDraws) {
         let spec = self.pass(view.named(name), DRAW, self.shaded_kind());
         view.targets = passes::shaded_pass(self.graph, &spec, view.inputs, list, view.targets);
     }
 
-    /// The pipelines' kind for the view's colour target.
+    /// The kind of pipelines that shade into the view's targets.
     pub fn shaded_kind(&self) -> PipelineKind {
         PipelineKind::Shaded {
             format: self.shared.colour_format,
@@ -378,7 +377,7 @@ impl<'g> FrameGraph<'g> {
         }
     }
 
-    /// Chooses by a rule about each candidate alone, and shades what was chosen.
+    /// Chooses with a rule that looks at one candidate at a time, and shades the chosen entities.
     pub fn visible_by(
         &mut self,
         view: &mut ViewNodes,

@@ -1,9 +1,14 @@
-//! Occlusion culling as a stage of a render graph: strategies that plug in, visible sets, sample counts, and the kit that every
-//! strategy must pass.
+//! The contract of occlusion culling as a stage of a render graph: strategies that plug in, visible sets, sample counts, audits and budgets.
 //!
-//! A [`Strategy`] declares nodes on a [`FrameGraph`] for each view and leaves a [`VisibleSet`]; a [`Stage`] compiles them and runs
-//! frames. When an answer is used is one edge of the graph: read late by a host node, read now by a host node (a sync point), or read
-//! by a compute node that writes indirect draws ([`Latency`]).
+//! A [`Strategy`] declares nodes on a [`FrameGraph`] for each view and returns a [`VisibleSet`]. A [`Stage`] compiles the nodes and runs frames. When a query's answer is
+//! used is one edge of the graph: read a frame late by a host node, read in the same frame by a host node (a sync point), or read by a compute node that writes indirect
+//! draws ([`Latency`]).
+//!
+//! - To write a strategy: [`Strategy`], the steps of [`FrameGraph`], [`indirect`] for strategies on the GPU, [`Tunable`] for settings.
+//! - To run one: [`Stage`], [`ViewInput`], [`Registry`].
+//! - To bound its error or time without settings: [`Budget`], which goes by the [`Audit`].
+//!
+//! The built-in strategies are in `antumbra-strategies`, the oracle and the conformance kit in `antumbra-verify`.
 
 mod adaptive_threshold;
 mod audit;

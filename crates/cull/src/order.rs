@@ -1,9 +1,9 @@
-//! Orders of drawing: near before far, to spare fragments; far before near, to blend.
+//! Orders of drawing: front to back to save fragments, back to front to blend.
 
 use antumbra_draw::{DrawList, MeshDetail, SceneTable, ViewFrame};
 
-/// Orders slots by the distance of their bounds' centres, nearest first, ties by slot. Each entry holds its slot in the low half and the
-/// distance above it, so that sorting is sorting whole numbers.
+/// Orders slots by the distance of their bounds' centres, nearest first, ties by slot. Each entry holds the slot in its low half and the
+/// distance in its high half, so that integers are sorted.
 pub fn front_to_back(
     order: &mut Vec<u64>,
     table: &SceneTable,

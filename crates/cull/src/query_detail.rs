@@ -1,4 +1,4 @@
-//! What a hardware query draws to ask about an entity: the cheapest geometry that can hide no sample of it.
+//! The geometry of an entity's query: the cheapest one that covers every sample of the mesh.
 
 use antumbra_draw::{MeshDetail, SceneTable, ViewFrame};
 use antumbra_scene::Topology;
@@ -6,11 +6,11 @@ use antumbra_scene::Topology;
 /// Triangles of a box.
 const BOX_TRIANGLES: u32 = 12;
 
-/// How many pixels a box must be wider than its mesh on every side: twice what snapping to 1/256 of a pixel moves two vertices apart.
+/// The least margin of a box around its mesh, in pixels: twice the distance that snapping to 1/256 of a pixel can move two vertices apart.
 const MARGIN_PIXELS: f64 = 1.0 / 128.0;
 
-/// The detail to ask about a slot with: its box. A mesh that is no dearer than its box stands for itself. So do lines and points, which
-/// cover pixels that their boxes do not, and what is so small or so thin on the screen that the box's margin is less than a rasteriser may snap.
+/// The detail that a query draws for a slot: its box, or the mesh itself. Meshes with no more triangles than a box are drawn as they are. So are lines and points, which
+/// cover pixels outside their boxes, and meshes that are so small or thin on the screen that a rasteriser's snapping could exceed the box's margin.
 pub fn query_detail(table: &SceneTable, frame: &ViewFrame, slot: u32) -> MeshDetail {
     let boxed = table.class_of(slot).topology() == Topology::Triangles
         && table.primitives_of(slot, MeshDetail::Level(0)) > BOX_TRIANGLES

@@ -1,4 +1,4 @@
-//! Strategies by name, for command lines and reports. A stranger's strategy registers like the built-in ones.
+//! Strategies by name, for command lines and reports. Strategies of other crates register like the built-in ones.
 
 use thiserror::Error;
 
@@ -13,16 +13,16 @@ pub struct Registry {
     makers: Vec<(String, Maker)>,
 }
 
-/// Why a strategy could not be made as asked for.
+/// Why a strategy could not be made.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum RegistryError {
     /// No strategy of that name.
     #[error("there is no strategy '{name}' (there are: {})", known.join(", "))]
     Unknown {
-        /// What was asked for.
+        /// The name.
         name: String,
-        /// Those there are.
+        /// The known names.
         known: Vec<String>,
     },
     /// A setting that is not `key=value`.
@@ -43,7 +43,7 @@ impl std::fmt::Debug for Registry {
 }
 
 impl Registry {
-    /// One that knows no strategy yet.
+    /// An empty registry.
     pub fn new() -> Self {
         Self::default()
     }
@@ -80,7 +80,7 @@ impl Registry {
     /// Makes a strategy from `name` or `name:key=value:key=value`.
     ///
     /// # Errors
-    /// [`RegistryError`]: what is unknown, with what is known instead.
+    /// [`RegistryError`], with the known names or settings.
     pub fn parse(&self, text: &str) -> Result<Box<dyn Strategy>, RegistryError> {
         let mut parts = text.split(':');
         let mut strategy = self.make(parts.next().unwrap_or_default())?;

@@ -1,6 +1,6 @@
 //! The culling stage: a strategy's nodes between a scene and its image, compiled into a plan and run frame by frame.
 //!
-//! It runs on its own (it submits), or inside somebody else's frame (it records into their encoder, into their textures).
+//! A stage runs on its own and submits, or it records into a host's encoder and draws into the host's textures.
 
 mod built;
 mod kept;
@@ -16,7 +16,7 @@ use thiserror::Error;
 
 use crate::adaptive_threshold::GpuThreshold;
 use crate::audit::{Audit, AuditOptions};
-use crate::budget::{Budget, BudgetState, Keeping};
+use crate::budget::{Budget, BudgetController, BudgetState};
 use crate::candidates::Queried;
 use crate::narrowing::{Narrowing, hide};
 use crate::pipelines::Pipelines;
@@ -25,7 +25,7 @@ use crate::strategy::{DeclareError, Strategy, VerdictSource};
 use crate::tuning::Step;
 use crate::verdict::Verdicts;
 
-/// A view of a stage: it keeps its name and size for the stage's life.
+/// A view of a stage. Its name and size are fixed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ViewSpec {
     /// Its name: `main`, `left`, `right`.
@@ -35,7 +35,7 @@ pub struct ViewSpec {
 }
 
 impl ViewSpec {
-    /// The one view of a stage that has one.
+    /// The view of a stage that has only one.
     pub fn main(width: u32, height: u32) -> Self {
         Self {
             name: "main".to_owned(),
@@ -47,17 +47,17 @@ impl ViewSpec {
 /// How a stage is built.
 #[derive(Debug, Clone)]
 pub struct StageOptions {
-    /// Whether it runs on its own or records into somebody else's encoder.
+    /// Whether it submits on its own, or records into a host's encoder.
     pub mode: Mode,
     /// The format of the colour targets.
     pub colour_format: wgpu::TextureFormat,
-    /// What lies behind everything; not used when targets are imported.
+    /// The clear colour; unused where targets are imported.
     pub background: wgpu::Color,
-    /// Whether the GPU's time is measured pass by pass, where the device can.
+    /// Whether GPU time is measured per pass, on devices with timestamps.
     pub timing: bool,
-    /// Whether each frame audits itself, and how; `None` for no such nodes.
+    /// How frames audit themselves; `None`: they do not, and the plan has no such nodes.
     pub audit: Option<AuditOptions>,
-    /// What is to be kept in place of settings. For wrong pixels it audits itself, by default as [`AuditOptions::default`] says.
+    /// The budget that replaces settings. A budget of wrong pixels turns the audit on, with [`AuditOptions::default`] unless `audit` says otherwise.
     pub budget: Option<Budget>,
 }
 
@@ -84,16 +84,16 @@ impl Default for StageOptions {
 pub struct ViewInput<'a> {
     /// The camera.
     pub camera: Camera,
-    /// Whether the camera jumped since the last frame: answers from before say nothing now.
+    /// Whether the camera jumped since the last frame: earlier answers are then not used.
     pub cut: bool,
-    /// The slots that own a pixel, ascending, for a strategy that needs to be told.
+    /// The slots that own a pixel of the reference, ascending, for a strategy that [needs them](Strategy::needs_reference).
     pub reference: Option<Arc<Vec<u32>>>,
-    /// In [`Mode::Embedded`]: where to draw. Both keep what they hold.
+    /// In [`Mode::Embedded`]: the targets. Their contents are kept and drawn over.
     pub targets: Option<ImportedTargets<'a>>,
 }
 
 impl ViewInput<'_> {
-    /// A camera, and nothing special.
+    /// A camera without a cut, reference or targets.
     pub fn new(camera: Camera) -> Self {
         Self {
             camera,
@@ -104,7 +104,7 @@ impl ViewInput<'_> {
     }
 }
 
-/// Somebody else's textures: render attachments of the view's size. Depth is [`DEPTH_FORMAT`](antumbra_draw::DEPTH_FORMAT), reversed.
+/// The host's textures, of the view's size, usable as render attachments. Depth is [`DEPTH_FORMAT`](antumbra_draw::DEPTH_FORMAT), reversed.
 #[derive(Debug, Clone, Copy)]
 pub struct ImportedTargets<'a> {
     /// Colour, of the stage's format.
@@ -120,7 +120,7 @@ pub enum StageError {
     /// The strategy's settings, or the device.
     #[error(transparent)]
     Declare(#[from] DeclareError),
-    /// The graph the strategy declared does not hold together.
+    /// The graph that the strategy declared does not compile.
     #[error("the graph of strategy '{strategy}' does not compile:\n{errors}")]
     Compile {
         /// The strategy.
@@ -137,7 +137,7 @@ pub enum StageError {
     /// The device.
     #[error(transparent)]
     Device(#[from] DeviceError),
-    /// A camera that cannot see.
+    /// An invalid camera.
     #[error("view '{view}': {error}")]
     Camera {
         /// The view.
@@ -163,7 +163,7 @@ pub struct Stage {
     /// Frames drawn so far, by all plans.
     frames: u64,
     audits: Vec<Audit>,
-    keeping: Option<Keeping>,
+    controller: Option<BudgetController>,
 }
 
 impl std::fmt::Debug for Stage {
@@ -207,12 +207,9 @@ impl Stage {
         {
             options.audit.get_or_insert_default();
         }
-        let keeping = options
+        let controller = options
             .budget
-            .map(|budget| {
-                let may_wait = options.mode == Mode::Owned;
-                Keeping::new(budget, strategy.as_mut(), may_wait)
-            })
+            .map(|budget| BudgetController::new(budget, strategy.as_mut(), options.mode))
             .transpose()?;
         let mut pipelines = Pipelines::default();
         let inherited = Inherited {
@@ -234,7 +231,7 @@ impl Stage {
             cuts,
             frames: 0,
             audits,
-            keeping,
+            controller,
         })
     }
 
@@ -253,8 +250,8 @@ impl Stage {
         &mut self.built.plan
     }
 
-    /// Runs a frame and submits it. The scene must have been [synced](GpuScene::sync). Another scene than the last frame's begins anew: nothing
-    /// that was found out about the last one is used.
+    /// Runs a frame and submits it. The scene must have been [synced](GpuScene::sync). With another scene than in the last frame the stage starts over: nothing
+    /// that it knows of the last one is used.
     ///
     /// # Errors
     /// [`StageError::Input`] when the inputs are not one a view; otherwise what failed.
@@ -270,7 +267,7 @@ impl Stage {
         Ok(report)
     }
 
-    /// Records a frame into somebody else's encoder; for a stage of [`Mode::Embedded`].
+    /// Records a frame into a host's encoder; for a stage of [`Mode::Embedded`].
     ///
     /// # Errors
     /// As for [`Self::frame`].
@@ -287,20 +284,20 @@ impl Stage {
         Ok(report)
     }
 
-    /// Says how long the last frame took, in milliseconds: what a [`Budget::FrameTime`] is kept by. Time is whatever its user takes it for: serialised
-    /// frames, or the interval between them.
+    /// Tells the stage how long the last frame took, in milliseconds: a [`Budget::FrameTime`] goes by this. The caller decides what is timed, the frame itself or the
+    /// interval between frames.
     pub fn note_time(&mut self, milliseconds: f64) {
-        if let Some(keeping) = &mut self.keeping {
-            keeping.note_time(milliseconds);
+        if let Some(controller) = &mut self.controller {
+            controller.note_time(milliseconds);
         }
     }
 
-    /// Where the trade between accuracy and speed stands, for a stage with a budget: the step, its settings and its dial.
+    /// The step that the budget is on, with its settings and its dial; `None` without a budget.
     pub fn budget_state(&self) -> Option<(BudgetState, &Step)> {
-        self.keeping.as_ref()?.state()
+        self.controller.as_ref()?.state()
     }
 
-    /// Takes over what audits have come in, and lets the controller know.
+    /// Takes over the audits that have come in, and passes them to the budget's controller.
     fn collect(&mut self) {
         self.frames += 1;
         self.built.frames += 1;
@@ -317,8 +314,8 @@ impl Stage {
             for found in of_plan.frames().skip(skipped) {
                 let mut found = found.clone();
                 found.frame = self.built.stage_frame(found.frame);
-                if let Some(keeping) = &mut self.keeping {
-                    keeping.note_audit(&found, self.frames);
+                if let Some(controller) = &mut self.controller {
+                    controller.note_audit(&found, self.frames);
                 }
                 audit.take(found);
             }
@@ -351,7 +348,7 @@ impl Stage {
         build(scene, strategy, &self.specs, &self.options, inherited)
     }
 
-    /// A kept plan, ready to go on. For its nodes the time since is a camera cut: answers from before it are not used.
+    /// A kept plan, ready to go on. Its nodes see a camera cut: answers from before the pause are not used.
     fn resumed(&mut self, mut kept: Built) -> Built {
         kept.resume(self.frames);
         for cuts in &mut self.cuts {
@@ -372,8 +369,8 @@ impl Stage {
             )));
         }
         let step = self.step();
-        let moved = match &mut self.keeping {
-            Some(keeping) => keeping.follow(self.strategy.as_mut())?,
+        let moved = match &mut self.controller {
+            Some(controller) => controller.follow(self.strategy.as_mut())?,
             None => false,
         };
         if scene.number() != self.built.number || scene.layout() != self.built.layout {
@@ -434,27 +431,27 @@ impl Stage {
         Ok(())
     }
 
-    /// A view's colour texture of the last frame; `None` for one that does not exist, or whose targets are imported.
+    /// A view's colour texture of the last frame; `None` for a view that does not exist, or whose targets are imported.
     pub fn colour(&self, view: usize) -> Option<&wgpu::Texture> {
         self.built
             .plan
             .texture(self.built.views.get(view)?.targets.colour)
     }
 
-    /// What the strategy [shows](crate::FrameGraph::show) of how it chose in the last frame: a view's value of this name and type.
+    /// A value that the strategy [shows](crate::FrameGraph::show), as of the last frame; `None` where it shows none of this name and type.
     pub fn shown<T: 'static>(&self, view: usize, name: &str) -> Option<&T> {
         let mut shown = self.built.shown.iter();
         let shown = shown.find(|shown| shown.view == view && shown.name == name)?;
         self.built.plan.get(*shown.value.downcast_ref::<Host<T>>()?)
     }
 
-    /// What a view's audit has found so far, where the stage was told to audit itself.
+    /// What a view's audit has found so far; `None` for a stage without audit.
     pub fn audit(&self, view: usize) -> Option<&Audit> {
         self.options.audit?;
         self.audits.get(view)
     }
 
-    /// A view's verdicts of the last frame. Where they only exist on the GPU they are fetched, and waited for: this is for measuring.
+    /// A view's verdicts of the last frame. Verdicts that exist on the GPU alone are read back, which waits: for measuring, not for every frame.
     ///
     /// # Errors
     /// [`StageError::Device`] when the device is lost meanwhile; [`StageError::Input`] for a view that does not exist or no frame yet.

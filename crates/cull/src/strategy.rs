@@ -172,7 +172,7 @@ pub enum DeclareError {
 #[derive(Debug, Clone, Copy)]
 pub struct VisibleSet {
     pub(crate) verdicts: VerdictSource,
-    /// What was left to whoever found it, where another strategy came before.
+    /// The candidates before and after the strategy before narrowed them, in a chain.
     pub(crate) narrowing: Option<Narrowing>,
 }
 

@@ -1,10 +1,10 @@
-//! The tree of boxes that hierarchical strategies walk, kept in step with the scene's table.
+//! The tree of boxes that hierarchical strategies traverse, updated with the scene's table.
 
 use antumbra_draw::{MeshDetail, SceneTable};
 use antumbra_scene::Aabb;
 use antumbra_scene::hierarchy::{GroupedLeaf, Hierarchy, HierarchyError, HierarchyShape};
 
-/// A hierarchy over all slots that a test may cull, with what each node weighs.
+/// A hierarchy over all slots that a test may cull, with the number of triangles below each node.
 #[derive(Debug, Clone, Default)]
 pub struct Tree {
     hierarchy: Hierarchy,
@@ -33,12 +33,12 @@ impl Tree {
         self.weights.get(node as usize).copied().unwrap_or(0)
     }
 
-    /// Counts how often the tree was made anew: what is remembered by node is worth nothing after that.
+    /// Counts the rebuilds of the tree: what is remembered by node is void after one.
     pub fn generation(&self) -> u64 {
         self.generation
     }
 
-    /// Brings it in step with the table: fits what moved, takes in who came and lets go who left, and is made anew where that is better.
+    /// Updates the tree from the table: refits what moved, inserts and removes entities, and rebuilds where that is better.
     ///
     /// # Errors
     /// [`HierarchyError`] where the table's groups are no tree.
@@ -78,7 +78,7 @@ impl Tree {
         Ok(())
     }
 
-    /// Weighs the nodes that have come.
+    /// Adds up the triangles of new nodes.
     fn weigh(&mut self, table: &SceneTable) {
         let nodes = self.hierarchy.nodes();
         let first = self.weights.len();
@@ -103,7 +103,7 @@ impl Tree {
             self.untested.sort_unstable();
             self.untested.dedup();
         }
-        // Who came into a slot since is somebody else than who was there: out, and in again as a node that nothing is known of.
+        // A slot's new entity is another one than before: remove the node, and insert a new one without history.
         let came = |slot: &u32| {
             table
                 .occupant(*slot)
@@ -120,7 +120,7 @@ impl Tree {
     }
 }
 
-/// A leaf's box: along the world's axes, around the one that is asked about.
+/// A leaf's box: axis-aligned, around the oriented box that queries use.
 fn bounds(table: &SceneTable, slot: u32) -> Aabb {
     table.oriented(slot).bounds()
 }

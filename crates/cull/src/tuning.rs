@@ -110,7 +110,7 @@ pub enum SettingError {
     Unknown {
         /// The strategy.
         strategy: String,
-        /// What was asked for.
+        /// The name that was given.
         key: String,
         /// The settings there are.
         known: Vec<&'static str>,
@@ -120,7 +120,7 @@ pub enum SettingError {
     Strategy {
         /// The setting.
         key: String,
-        /// What was asked for.
+        /// The name that was given.
         name: String,
         /// The strategies there are.
         known: Vec<String>,

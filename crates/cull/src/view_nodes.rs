@@ -1,4 +1,4 @@
-//! What a strategy is given of one view while it declares its nodes.
+//! One view as a strategy sees it while it declares its nodes.
 
 use std::sync::Arc;
 
@@ -20,7 +20,7 @@ pub struct ViewNodes {
     pub targets: Targets,
     pub(crate) reference: Option<Host<Arc<Vec<u32>>>>,
     pub(crate) in_frustum: Option<Host<Candidates>>,
-    /// What an outer strategy has left to the one that is declared.
+    /// What the strategy before has left, in a chain.
     pub(crate) narrowing: Option<Narrowing>,
 }
 
@@ -55,8 +55,8 @@ impl ViewNodes {
         self.reference
     }
 
-    /// The candidates that an outer strategy has left to the one that is declared; `None` where it is the only one. A strategy that finds its entities
-    /// by other ways than [`FrameGraph::in_frustum`](crate::FrameGraph::in_frustum), as by a tree, keeps to these.
+    /// In a chain, the candidates that the strategy before has left; otherwise `None`. A strategy that does not start from
+    /// [`FrameGraph::in_frustum`](crate::FrameGraph::in_frustum), for example one that traverses a tree, must keep to these.
     pub fn narrowed_to(&self) -> Option<Host<Candidates>> {
         self.narrowing.map(|narrowing| narrowing.left)
     }

@@ -1,5 +1,5 @@
-//! From what a sample of patches showed to an interval for the whole: the bound that auditors use for account books in which few entries are
-//! wrong, and those mostly in part (Stringer, *Practical Aspects of Statistical Sampling in Auditing*, 1963; Bickel, *Inference and Auditing:
+//! From a sample of patches to an interval for the whole: the bound that auditors use for account books in which few entries are wrong, and
+//! those mostly in part (Stringer, *Practical Aspects of Statistical Sampling in Auditing*, 1963; Bickel, *Inference and Auditing:
 //! The Stringer Bound*, 1992). A normal interval would be of no width where a sample found nothing, which most samples do.
 
 use super::FrameAudit;
@@ -7,24 +7,24 @@ use super::FrameAudit;
 /// A share of wrong pixels, in percent of a view's pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
-    /// Unbiased: its mean over all plan is the truth.
+    /// Unbiased: its expectation is the truth.
     pub percent: f64,
-    /// With [`Self::CONFIDENCE`] the truth lies at or above this,
+    /// The lower end of the interval that holds the truth with [`Self::CONFIDENCE`].
     pub low: f64,
-    /// and at or below this. 100 where nothing was looked at.
+    /// The upper end; 100 where nothing was sampled.
     pub high: f64,
 }
 
 /// The normal quantile of each side of [`Estimate::CONFIDENCE`].
 const Z: f64 = 1.959_964;
-/// What each side leaves out.
+/// The probability beyond each end.
 const LEFT_OUT: f64 = 0.025;
 
 impl Estimate {
-    /// How often the truth lies within, at least.
+    /// The least probability that the interval holds the truth.
     pub const CONFIDENCE: f64 = 0.95;
 
-    /// Whether a truth lies within.
+    /// Whether the interval holds a value.
     pub fn holds(&self, percent: f64) -> bool {
         // A count is a sum of fractions by the time it is compared.
         let slack = 1e-9 * percent.abs();
@@ -43,7 +43,7 @@ impl Estimate {
                 pixels: frame.pixels,
             });
             let found = frame.hits.iter().map(|hit| hit.pixels);
-            // Where a lot decides about whole frames, all that is found in one is found or missed together.
+            // Where whole frames are sampled, all hits of a frame are found or missed together.
             match frame.frame_share < 1.0 && !frame.hits.is_empty() {
                 true => hits.push(found.sum()),
                 false => hits.extend(found),
@@ -67,7 +67,7 @@ impl Estimate {
                 high: all,
             };
         }
-        // The j-th largest hit counts by what a j-th hit adds to the bound of a Poisson count; largest first is the careful way for both sides.
+        // The j-th largest hit is weighted by what a j-th hit adds to the bound of a Poisson count. Largest first is the conservative order for both ends.
         let (mut low, mut high) = (0.0, unseen(sizes));
         for (hit, number) in hits.iter().zip(1u32..) {
             low += hit * (least(number) - least(number - 1));
@@ -81,8 +81,8 @@ impl Estimate {
     }
 }
 
-/// Wrong pixels of a frame that are hit once on average, or hide as well as if they were: what a wholly wrong patch stands for where each frame is looked
-/// at. Where a part p of the frames is, W wrong ones go unhit with a chance of 1 - p + p exp(-W / (p M)); its logarithm is convex in W, so its chord over all of
+/// Wrong pixels of a frame that are hit once on average, or that hide as well as if they were: where each frame is sampled, what a wholly wrong patch stands for.
+/// Where a part p of the frames is sampled, W wrong ones go unhit with a chance of 1 - p + p exp(-W / (p M)); its logarithm is convex in W, so its chord over all of
 /// a frame's pixels bounds it.
 fn unit(frame: &FrameAudit) -> f64 {
     let (frame_share, pixels) = (frame.frame_share, frame.pixels);
@@ -93,14 +93,14 @@ fn unit(frame: &FrameAudit) -> f64 {
     pixels / -unhit.ln()
 }
 
-/// What a frame may hide: pixels that are hit once on average, and pixels there are.
+/// What a frame may hide: the pixels that are hit once on average, and all its pixels.
 #[derive(Debug, Clone, Copy)]
 struct Size {
     heaviest: f64,
     pixels: f64,
 }
 
-/// The most wrong pixels that all frames together may have with a chance of [`LEFT_OUT`] that nobody sees any. W of them in a frame are hit W / heaviest
+/// The most wrong pixels that all frames together may have with a probability of [`LEFT_OUT`] that none is found. W of them in a frame are hit W / heaviest
 /// times on average, so they hide best where patches are heaviest; but no frame holds more than it has pixels. (Stringer takes the heaviest
 /// of all for every frame: the same where all are alike.)
 fn unseen(mut frames: Vec<Size>) -> f64 {
@@ -118,7 +118,7 @@ fn unseen(mut frames: Vec<Size>) -> f64 {
     wrong
 }
 
-/// The largest mean of a Poisson count that would still bring so few with a chance of [`LEFT_OUT`]: exact for none, else by Wilson and
+/// The largest mean of a Poisson count with which so small a count still has a probability of [`LEFT_OUT`]: exact for none, else by Wilson and
 /// Hilferty's cube root (*The Distribution of Chi-Square*, 1931), good to a third of a percent.
 fn most(count: u32) -> f64 {
     match count {
@@ -127,7 +127,7 @@ fn most(count: u32) -> f64 {
     }
 }
 
-/// The least mean that would still bring so many, never too large.
+/// The smallest mean with which so large a count still has that probability; never too large.
 fn least(count: u32) -> f64 {
     match count {
         0 => 0.0,

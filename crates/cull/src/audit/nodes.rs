@@ -22,9 +22,9 @@ use crate::strategy::{VerdictSource, VisibleSet};
 use crate::tree::Tree;
 use crate::view_nodes::ViewNodes;
 
-/// Instances there is room for.
+/// The number of entries there is room for.
 const ENTRIES: u64 = 65_536;
-/// In a census, instances a patch there is room for.
+/// The number of entries a patch there is room for in a census.
 const ENTRIES_A_PATCH: u64 = 64;
 /// After the marks of all patches: the visible samples of the entities that an adaptive threshold left out.
 const LEFT_OUT_BYTES: u64 = size_of::<u32>() as u64;

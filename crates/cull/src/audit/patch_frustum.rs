@@ -1,4 +1,4 @@
-//! Who may be seen through a patch: the tree's leaves in the small part of the frustum behind it.
+//! The entities that may be seen through a patch: the tree's leaves in the part of the frustum behind it.
 
 use antumbra_draw::ViewFrame;
 use antumbra_draw::patches::PATCH_SIDE;
@@ -7,10 +7,10 @@ use glam::{DVec2, UVec2};
 
 use crate::tree::Tree;
 
-/// Pixels by which the part of the frustum is wider than the patch: what snapping and the width of lines bring in from outside.
+/// The margin of the patch's frustum in pixels: snapping and the width of lines bring in entities from outside.
 const MARGIN: f64 = 2.0;
 
-/// What the camera sees through a patch.
+/// The part of the view frustum behind a patch.
 pub(super) fn frustum(view: &ViewFrame, [column, row]: [u32; 2]) -> Frustum {
     let from = UVec2::new(column, row) * PATCH_SIDE;
     let size = UVec2::from(view.size).as_dvec2();
@@ -24,7 +24,7 @@ pub(super) fn frustum(view: &ViewFrame, [column, row]: [u32; 2]) -> Frustum {
     )
 }
 
-/// Appends the slots of all tested entities whose boxes touch it, and says how many nodes of the tree that took.
+/// Appends the slots of all tested entities whose boxes touch the frustum to `found`. Returns the number of visited nodes.
 pub(super) fn visit(
     tree: &Tree,
     frustum: &Frustum,

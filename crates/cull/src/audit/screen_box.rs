@@ -1,4 +1,4 @@
-//! What of the image an entity may cover, and how near it comes: by its box, widened as boxes are that are asked about.
+//! The part of the image that an entity may cover, and its nearest depth: the projection of its box, widened as the boxes of queries are.
 
 use antumbra_draw::boxes::{BoxContents, Widening};
 use antumbra_draw::patches::{Cover, PATCH_SIDE};
@@ -6,7 +6,7 @@ use antumbra_draw::{SceneTable, ViewFrame};
 use antumbra_scene::Topology;
 use glam::{DMat4, DVec2, DVec3};
 
-/// A view, ready to see where boxes fall.
+/// Projects boxes into a view's image.
 #[derive(Debug)]
 pub(super) struct ScreenProjector {
     clip_from_relative: DMat4,
@@ -15,7 +15,7 @@ pub(super) struct ScreenProjector {
     thin: Widening,
 }
 
-/// Where a box falls on the image.
+/// The projection of a box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ScreenBox {
     /// In pixels from the upper left corner, on the image or not.
@@ -26,20 +26,20 @@ pub(super) struct ScreenBox {
 }
 
 impl ScreenBox {
-    /// Anywhere, and before all else.
+    /// Unbounded: covers everything, in front of everything.
     const EVERYWHERE: Self = Self {
         least: DVec2::NEG_INFINITY,
         greatest: DVec2::INFINITY,
         nearest: f64::INFINITY,
     };
 
-    /// Whether it falls anywhere, for nobody knows where.
+    /// Whether it is unbounded.
     pub fn is_everywhere(&self) -> bool {
         *self == Self::EVERYWHERE
     }
 }
 
-/// What f32 may lose of a depth: a share of it, and where depth is linear a part of the whole. Two places above that of one operation.
+/// The error of an f32 depth: relative, and where depth is linear absolute. A hundred times that of one operation.
 const ROUNDING: f64 = 1e-5;
 
 impl ScreenProjector {
@@ -52,7 +52,7 @@ impl ScreenProjector {
         }
     }
 
-    /// Where an entity's box falls.
+    /// Projects an entity's box.
     pub fn project(&self, table: &SceneTable, slot: u32) -> ScreenBox {
         let widening = match table.class_of(slot).topology() {
             Topology::Triangles => &self.solid,
@@ -65,7 +65,7 @@ impl ScreenProjector {
         let (mut least, mut greatest) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for corner in corners {
             let clip = self.clip_from_relative * corner.as_dvec3().extend(1.0);
-            // What is beside or behind the eye is seen anywhere; so is what has left the range of numbers.
+            // A corner beside or behind the eye, or beyond f32, may project anywhere.
             if !(clip.w > 0.0 && clip.is_finite()) {
                 return ScreenBox::EVERYWHERE;
             }
@@ -85,13 +85,13 @@ impl ScreenProjector {
         }
     }
 
-    /// The patches that it falls on: columns and rows, as far as the image goes; `None` for none.
+    /// The patches that it covers, as ranges of columns and rows within the image; `None` for none.
     pub fn patches(&self, screen_box: &ScreenBox) -> Option<[[u32; 2]; 2]> {
         let [x, y] = self.on_image(screen_box, [0, 0], self.size)?;
         Some([x, y].map(|[least, greatest]| [least / PATCH_SIDE, greatest / PATCH_SIDE]))
     }
 
-    /// What it may cover of a patch; `None` for nothing.
+    /// The part of a patch that it may cover; `None` for none.
     pub fn cover(&self, screen_box: &ScreenBox, [column, row]: [u32; 2]) -> Option<Cover> {
         let corner = [column * PATCH_SIDE, row * PATCH_SIDE];
         let end = |at: usize| self.size[at].min(corner[at] + PATCH_SIDE);
@@ -112,7 +112,7 @@ impl ScreenProjector {
         to: [u32; 2],
     ) -> Option<[[u32; 2]; 2]> {
         let along = |least: f64, greatest: f64, from: u32, to: u32| {
-            // Casts of what is out of range end at the range's ends.
+            // Casts saturate.
             let (first, last) = (least.floor() as u32, greatest.floor() as u32);
             let inside = greatest >= f64::from(from) && last >= from && first < to;
             inside.then(|| [first.max(from), last.min(to - 1)])

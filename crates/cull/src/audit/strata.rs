@@ -1,6 +1,6 @@
-//! Two kinds of patches: those on which an entity lies that was culled though a sample of it showed, and all others. The first are few and hold
-//! most of what an aggressive setting gets wrong, so they are looked at more frame_share, by as much as it pays (Neyman, *On the Two Different
-//! Aspects of the Representative Method*, 1934).
+//! Two strata of patches: *uncertain* ones, with an entity that was culled although samples of it are visible, and *plain* ones. Uncertain patches are few and hold most
+//! of the wrong pixels of an aggressive setting, so they are sampled more densely, by Neyman's optimal allocation (*On the Two Different Aspects of the Representative
+//! Method*, 1934).
 
 use antumbra_draw::SceneTable;
 use antumbra_draw::patches::PATCH_SIDE;
@@ -9,7 +9,7 @@ use super::screen_box::ScreenProjector;
 
 /// Kinds of patches.
 pub(super) const STRATA: usize = 2;
-/// Any other patch.
+/// A patch without an entity below the threshold.
 pub(super) const PLAIN: usize = 0;
 /// A patch with an entity below the threshold.
 pub(super) const UNCERTAIN: usize = 1;
@@ -58,7 +58,7 @@ impl Patches {
         self.part();
     }
 
-    /// Parts them by kind.
+    /// Sorts them by kind.
     fn part(&mut self) {
         for kind in &mut self.kinds {
             kind.clear();
@@ -68,7 +68,7 @@ impl Patches {
         }
     }
 
-    /// Marks the patches that entities below the threshold lie on. What is left unmarked is merely looked at less frame_share, so boxes do for meshes.
+    /// Marks the patches that entities below the threshold lie on, by their boxes: a wrong mark only changes how densely a patch is sampled.
     pub fn mark_uncertain(
         &mut self,
         table: &SceneTable,
@@ -77,7 +77,7 @@ impl Patches {
     ) {
         let columns_a_row = self.columns;
         let screen_boxes = left_out.map(|slot| projector.project(table, slot));
-        // What is seen anywhere says nothing about where to look.
+        // An unbounded projection says nothing about where the entity is.
         let somewhere = screen_boxes.filter(|screen_box| !screen_box.is_everywhere());
         let places = somewhere.filter_map(|screen_box| projector.patches(&screen_box));
         self.mark(places.flat_map(|[columns, rows]| {
@@ -88,17 +88,17 @@ impl Patches {
     }
 }
 
-/// How much of a patch is wrong, squared, on average: by kind, with what was found lately weighing more.
+/// The mean of the squared wrong part of a patch, by kind; recent frames weigh more.
 #[derive(Debug, Clone)]
 pub(super) struct Moments {
     squares: [f64; STRATA],
     weights: [f64; STRATA],
 }
 
-/// What is believed before anything was looked at, as if from so many patches.
+/// The prior before anything was sampled; it weighs as much as `BELIEF` patches.
 const BELIEVED: [f64; STRATA] = [1e-4, 3e-3];
 const BELIEF: f64 = 100.0;
-/// What is left of an older frame's weight.
+/// The factor by which a frame's weight decays a frame.
 const FADES: f64 = 0.98;
 
 impl Default for Moments {
@@ -117,7 +117,7 @@ impl Moments {
         }
     }
 
-    /// Takes in how much of a patch of this kind was wrong, 0 to 1.
+    /// Adds a patch: the wrong part of it, 0 to 1.
     pub fn note(&mut self, kind: usize, wrong: f64) {
         if let (Some(square), Some(weight)) =
             (self.squares.get_mut(kind), self.weights.get_mut(kind))

@@ -1,6 +1,6 @@
-//! What is believed of the error of a step: a rate of hits, each of a mean weight, from few of them (the Gamma posterior of a Poisson rate).
+//! The estimated error of a step: a rate of hits of a mean weight, from few hits (the Gamma posterior of a Poisson rate).
 
-/// Wrong pixels in percent of the image, from a prior and from what the audit has found.
+/// Wrong pixels in percent of the image, from a prior and from the audit's results.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Belief {
     /// Percent, added up over frames.
@@ -9,15 +9,15 @@ pub(super) struct Belief {
     hits: f64,
 }
 
-/// The prior counts as so many hits.
+/// The weight of the prior, in hits.
 const PRIOR_HITS: f64 = 1.5;
-/// What a frame is worth to a belief a frame later: about 4,000 frames are remembered,
+/// The factor by which a frame's weight decays a frame: about 4,000 frames are remembered.
 const FADES: f64 = 1.0 - 1.0 / 4_000.0;
-/// and of a step that is not stood on about 800, for what was seen of it then may be gone.
+/// The same for a step that is not in use: about 800 frames, since the view may have changed.
 const FORGETS: f64 = 1.0 - 1.0 / 800.0;
 
 impl Belief {
-    /// Takes in a frame.
+    /// Adds a frame.
     pub fn note(&mut self, percent: f64, hits: f64) {
         self.keep(FADES);
         self.found += percent;
@@ -25,7 +25,7 @@ impl Belief {
         self.hits += hits;
     }
 
-    /// Lets a frame pass that says nothing about it.
+    /// Passes a frame that says nothing about this step.
     pub fn fade(&mut self) {
         self.keep(FORGETS);
     }
@@ -36,15 +36,15 @@ impl Belief {
         self.hits *= part;
     }
 
-    /// The mean, in percent; `a_hit` is what one hit stands for in a frame, `prior` what was believed before anything was found.
+    /// The mean, in percent. `a_hit` is what one hit stands for in a frame, `prior` the assumed mean before any result.
     pub fn mean(&self, a_hit: f64, prior: f64) -> f64 {
         let hits = PRIOR_HITS * a_hit;
-        // As many frames as bring the prior's hits at the prior's rate.
+        // The frames in which the prior's rate brings the prior's hits.
         let frames = hits / prior.max(1e-9);
         (hits + self.found) / (frames + self.frames)
     }
 
-    /// The mean and so many standard deviations.
+    /// The mean plus this many standard deviations.
     pub fn careful(&self, a_hit: f64, prior: f64, deviations: f64) -> f64 {
         self.mean(a_hit, prior) * (1.0 + deviations / (PRIOR_HITS + self.hits).sqrt())
     }

@@ -1,5 +1,5 @@
-//! Keeps the mean of the wrong pixels under a budget: the fastest step whose error is believed to fit, its dial turned to what is left. What a frame
-//! leaves out by its own count is known at once; what else goes wrong, and how wrong that count is, the audit has to say.
+//! Keeps the mean of the wrong pixels within a budget: the fastest step whose estimated error fits, with the dial at what is left of the budget. What a frame leaves out by
+//! its own count is known at once; all other errors, and the error of that count, come from the audit.
 
 use super::BudgetState;
 use super::belief::Belief;
@@ -8,74 +8,74 @@ use crate::tuning::Step;
 
 /// Chooses steps by error.
 #[derive(Debug)]
-pub(super) struct ErrorKeeper {
+pub(super) struct ErrorController {
     budget: f64,
     steps: Vec<Known>,
     at: BudgetState,
-    /// The frame from which on the answers are about where it stands.
+    /// The first frame whose results belong to the present step.
     since: u64,
-    /// Frames in a row in which another step looked better.
+    /// Consecutive frames in which another step looked better.
     patience: u32,
-    /// Percent that was not used up, added up over frames; below 0: overdrawn. By the audit, and so of this variance.
+    /// The unused part of the budget, in percent summed over frames; negative: overdrawn. An estimate of the audit, with this variance.
     saved: f64,
     variance: f64,
-    /// What was found of what was meant to be left out, and what was meant.
+    /// Wrong pixels found on uncertain patches, and what frames meant to leave out.
     uncertain: [f64; 2],
-    /// What a frame may leave out by its own count on average, in percent.
+    /// What a frame may leave out by its own count, on average, in percent.
     share: f64,
-    /// What frames did not leave out of their shares, for want of anything small, added up; below 0: what they left out beyond them.
+    /// The parts of their shares that frames did not leave out, because nothing was small enough, summed up; negative: what they left out beyond their shares.
     unspent: f64,
-    /// What a patch stands for that is wrong all over, in percent of the image, and how much of one a hit mostly is.
+    /// What a wholly wrong patch stands for, in percent of the image, and the usual wrong part of a hit patch.
     patch: f64,
     taint: f64,
     frames: u64,
 }
 
-/// What is known of a step.
+/// What is known about a step.
 #[derive(Debug)]
 struct Known {
     has_dial: bool,
-    /// What goes wrong that is not meant to.
+    /// The unintended error.
     base: Belief,
 }
 
-/// The first step is conservative by contract; of the next nothing is known but that its author found it worth while. A part of the budget.
+/// The assumed error of the second step, as a part of the budget. The first step is conservative by contract; of the second one nothing is known.
 const PRIOR: f64 = 0.35;
-/// By how much a step that was never stood on is believed to err more than the one before.
+/// The factor by which an untried step is assumed to err more than the one before.
 const WORSENS: f64 = 2.0;
-/// So many times what is allowed is too much for patience.
+/// An error of this many budgets is corrected without patience.
 const URGENT: f64 = 4.0;
-/// How careful it is: standard deviations above the mean that must still fit.
+/// Standard deviations above the mean that must still fit.
 const CAREFUL: f64 = 0.5;
-/// The part of the budget that is meant to be used.
+/// The part of the budget that the controller aims to use.
 const MEANT: f64 = 0.85;
-/// Frames in a row that another step must look better: changing costs a frame or two in which all is drawn.
+/// Consecutive frames in which another step must look better: after a change everything is drawn for a frame or two.
 const PATIENCE: u32 = 8;
-/// How much of a patch a hit is believed to be before there was any.
+/// The assumed wrong part of a hit patch before there was any hit.
 const TAINT: f64 = 0.05;
-/// So many hits' worth may come any moment; what is saved or overdrawn counts from there on, and from a standard deviation.
+/// This many hits may come at any moment: savings and debts count beyond their worth, and beyond a standard deviation.
 const SURELY: f64 = 2.0;
-/// Frames over which what was saved or overdrawn is made good.
+/// Frames over which savings and debts are evened out.
 const HORIZON: f64 = 200.0;
-/// Frames until answers are about a new step.
+/// Frames until results belong to a new step.
 const SETTLES: u64 = 4;
-/// Frames that are remembered of what was meant to be left out and what it came to, and of how much what is found varies: what is left of an older frame's weight.
+/// The factor by which a frame's weight decays a frame, for what was meant to be left out and what it came to, and for the variance of what is found.
 const FADES: f64 = 1.0 - 1.0 / 1_000.0;
-/// Hits' worth that are believed to be wrong as counted.
+/// The weight of the prior that counts are right, in hits.
 const BELIEF: f64 = 3.0;
-/// What was not left out is made up for over about so many frames, and none may leave out more than so many times its share. An entity costs a frame as much wherever it
-/// is seen, so the same count should be too small everywhere: frames with much to leave out pay with what those with little have over.
+/// A frame's unused share is spent over about this many frames, and no frame leaves out more than this many times its share. An entity costs the same in every frame, so the
+/// same count should be too small in every frame: frames with many small entities use what frames with few have left over.
 const SPREAD: f64 = 16.0;
 const BURST: f64 = 3.0;
 
-impl ErrorKeeper {
-    /// For these steps, of which there is one at least.
+impl ErrorController {
+    /// For these steps, at least one.
     pub fn new(budget: f64, steps: &[Step]) -> Self {
         let known = |step: &Step| Known {
             has_dial: step.dial.is_some(),
             base: Belief::default(),
         };
-        let mut keeper = Self {
+        let mut controller = Self {
             budget,
             steps: steps.iter().map(known).collect(),
             at: BudgetState::default(),
@@ -90,23 +90,23 @@ impl ErrorKeeper {
             taint: TAINT,
             frames: 0,
         };
-        keeper.stand(keeper.best().0);
-        keeper
+        controller.stand(controller.best().0);
+        controller
     }
 
-    /// Where it stands.
+    /// The present step and dial.
     pub fn state(&self) -> BudgetState {
         self.at
     }
 
-    /// Takes in what the audit found in a frame; `now` is the frame that is about to be drawn. Says where to stand from now on.
+    /// Adds the audit's result for a frame; `now` is the frame that is drawn next. Returns the step and dial from now on.
     pub fn note(&mut self, found: &FrameAudit, now: u64) -> BudgetState {
         let [plain, uncertain] = found.by_kind();
         self.saved += self.budget - plain.percent - uncertain.percent;
-        // More than a horizon's worth of frugality is not handed down, nor of debts.
+        // Savings and debts are limited.
         let most = self.budget * HORIZON;
         self.saved = self.saved.clamp(-4.0 * most, most);
-        // What is found rarely, each by itself, varies by the sum of the squares (Poisson).
+        // The variance of rare independent hits is the sum of their squares (Poisson).
         self.variance = self.variance * FADES + (plain.percent + uncertain.percent).powi(2);
         let hits = plain.hits + uncertain.hits;
         let patch = found.heaviest_percent();
@@ -150,7 +150,7 @@ impl ErrorKeeper {
         self.at
     }
 
-    /// Goes there, with what earlier frames did not spend.
+    /// Goes to a step, with the dial raised by what earlier frames did not spend.
     fn stand(&mut self, at: BudgetState) {
         self.share = at.allow;
         let most = SPREAD * self.share;
@@ -161,9 +161,9 @@ impl ErrorKeeper {
         };
     }
 
-    /// What a frame may have wrong now.
+    /// The wrong pixels that a frame may have now, in percent.
     fn allowed(&self) -> f64 {
-        // Where hits are rare and heavy, a row of frames without one has saved nothing yet, nor has one of them overdrawn anything.
+        // With rare and heavy hits, a run of frames without one has saved nothing yet, and a single one has overdrawn nothing.
         let chance = (SURELY * self.a_hit()).max(self.variance.sqrt());
         let surely = self.saved - self.saved.clamp(-chance, chance);
         self.budget * MEANT + (surely / HORIZON).clamp(-self.budget, 0.1 * self.budget)
@@ -174,7 +174,7 @@ impl ErrorKeeper {
         (self.patch * self.taint).max(1e-6)
     }
 
-    /// The fastest step that is believed to fit, among those up to the one after where it stands; and whether where it stands is far from fitting.
+    /// The fastest step that fits by estimate, up to the one after the present step; and whether the present step is far from fitting.
     fn best(&self) -> (BudgetState, bool) {
         let mut best = BudgetState::default();
         if self.budget <= 0.0 {
@@ -201,7 +201,7 @@ impl ErrorKeeper {
         (best, urgent)
     }
 
-    /// What may be left out by a frame's own count, of which the audit says how wrong it is.
+    /// What a frame may leave out by its own count, corrected by the audit's estimate of that count's error.
     fn left(&self, percent: f64) -> f64 {
         let [found, meant] = self.uncertain;
         let believed = BELIEF * self.a_hit();
@@ -229,12 +229,12 @@ mod tests {
         if dial && let Some(last) = steps.last_mut() {
             last.dial = Some("allow");
         }
-        let mut keeper = ErrorKeeper::new(budget, &steps);
+        let mut controller = ErrorController::new(budget, &steps);
         let mut random = Pcg64Mcg::seed_from_u64(seed);
         let mut stood = vec![0; errors.len()];
         let mut wrong = 0.0;
         for frame in 0..frames {
-            let at = keeper.state();
+            let at = controller.state();
             stood[at.step] += 1;
             let (base, meant) = (errors[at.step], at.allow);
             wrong += base + meant * times;
@@ -246,7 +246,7 @@ mod tests {
             let hits = [hit(base, false), hit(meant * times, true)];
             let found =
                 FrameAudit::made_up(frame, a_hit * 20.0, hits.into_iter().flatten(), Some(meant));
-            keeper.note(&found, frame + 1);
+            controller.note(&found, frame + 1);
         }
         (wrong / frames as f64, stood)
     }
@@ -284,20 +284,20 @@ mod tests {
 
     #[test]
     fn one_heavy_hit_does_not_drive_it_to_the_exact_step() {
-        let mut keeper = ErrorKeeper::new(0.1, &vec![Step::default(); 3]);
+        let mut controller = ErrorController::new(0.1, &vec![Step::default(); 3]);
         let mut heavy = 0;
         for frame in 0..600 {
             // Two hundredths on average on the second step; on the third nothing, and once a quarter of the image.
-            let percent = match keeper.state().step {
+            let percent = match controller.state().step {
                 2 if frame > 100 && heavy == 0 => 26.0,
                 1 if frame % 12 == 6 => 0.25,
                 _ => 0.0,
             };
             heavy += u32::from(percent > 1.0);
             let hits = (percent > 0.0).then_some((percent, false)).into_iter();
-            keeper.note(&FrameAudit::made_up(frame, 10.0, hits, None), frame + 1);
-            let step = keeper.state().step;
-            assert!(frame < 20 || step > 0, "{frame}: {keeper:?}");
+            controller.note(&FrameAudit::made_up(frame, 10.0, hits, None), frame + 1);
+            let step = controller.state().step;
+            assert!(frame < 20 || step > 0, "{frame}: {controller:?}");
         }
         assert_eq!(heavy, 1);
     }
@@ -305,19 +305,19 @@ mod tests {
     #[test]
     fn what_frames_do_not_leave_out_later_ones_may() {
         let steps = [Step::default(), Step::default().with_dial("allow")];
-        let mut keeper = ErrorKeeper::new(0.1, &steps);
+        let mut controller = ErrorController::new(0.1, &steps);
         let (mut meant, mut most, mut shares) = (0.0, 0.0f64, 0.0);
         let frames = 4_000;
         for frame in 0..frames {
             // Twenty frames with hardly anything that is small, and twenty with much.
             let room = if frame / 20 % 2 == 0 { 0.001 } else { 1.0 };
-            let left_out = keeper.state().allow.min(room);
+            let left_out = controller.state().allow.min(room);
             meant += left_out;
-            shares += keeper.share;
-            most = most.max(left_out / keeper.share.max(1e-9));
+            shares += controller.share;
+            most = most.max(left_out / controller.share.max(1e-9));
             let found =
                 FrameAudit::made_up(frame, 0.4, [(left_out, true)].into_iter(), Some(left_out));
-            keeper.note(&found, frame + 1);
+            controller.note(&found, frame + 1);
         }
         assert!(meant > 0.8 * shares, "{meant} of {shares}");
         assert!(

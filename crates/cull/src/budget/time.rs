@@ -1,34 +1,34 @@
-//! Keeps the time of a frame under a budget: a step, or a turn of the dial, towards speed while frames take too long, and back while they leave room.
+//! Keeps frame times within a budget: one step or dial value towards speed while frames take too long, and back while there is room.
 
 use super::BudgetState;
 use crate::tuning::Step;
 
 /// Chooses steps by time.
 #[derive(Debug)]
-pub(super) struct TimeKeeper {
+pub(super) struct TimeController {
     budget: f64,
-    /// All it may stand at, from the most accurate to the fastest, with the last time known of each.
+    /// All steps and dial values, from the most accurate to the fastest, each with its last known time.
     stands: Vec<(BudgetState, Option<f64>)>,
     at: usize,
     mean: Option<f64>,
     frames: u32,
 }
 
-/// What a dial may stand at, in percent.
+/// The values of a dial, in percent.
 const DIAL: [f64; 9] = [0.0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0];
-/// Frames after a change before anything is judged: at first all is drawn.
+/// Frames after a change that are ignored: at first everything is drawn.
 const SETTLES: u32 = 4;
-/// Frames that are averaged before it moves.
+/// Frames that are averaged before a change.
 const AVERAGES: u32 = 8;
-/// It goes back to what is more accurate only where a frame takes less than this part of the budget.
+/// It becomes more accurate only while a frame takes less than this part of the budget.
 const ROOM: f64 = 0.85;
-/// How many stands it goes at once where a frame takes less than half or more than one and a half of the budget.
+/// How many values it moves at once where a frame takes less than 0.5 or more than 1.5 budgets.
 const FAR: usize = 3;
-/// What an old time is worth beside the budget, a frame later: what was too slow is tried again some day.
+/// The factor by which a known time decays a frame, so that a value that was too slow is tried again later.
 const FORGETS: f64 = 0.999;
 
-impl TimeKeeper {
-    /// For these steps, of which there is one at least; it starts in the middle.
+impl TimeController {
+    /// For these steps, at least one. It starts in the middle.
     pub fn new(budget: f64, steps: &[Step]) -> Self {
         let mut stands = Vec::new();
         for (step, known) in steps.iter().enumerate() {
@@ -56,7 +56,7 @@ impl TimeKeeper {
         }
     }
 
-    /// Where it stands.
+    /// The present step and dial.
     pub fn state(&self) -> BudgetState {
         self.stands
             .get(self.at)
@@ -64,7 +64,7 @@ impl TimeKeeper {
             .unwrap_or_default()
     }
 
-    /// Takes in a frame's milliseconds, and says where to stand from now on.
+    /// Adds a frame's time in milliseconds. Returns the step and dial from now on.
     pub fn note(&mut self, time: f64) -> BudgetState {
         for (_, known) in &mut self.stands {
             if let Some(known) = known {
@@ -89,7 +89,7 @@ impl TimeKeeper {
             let known = self.stands.get(at).and_then(|stand| stand.1);
             known.is_none_or(|time| time <= self.budget)
         };
-        // Far off, it goes further at a time.
+        // Far from the budget it moves further at a time.
         let far = match mean / self.budget {
             part if (0.5..1.5).contains(&part) => 1,
             _ => FAR,
@@ -115,11 +115,11 @@ mod tests {
     /// Six steps, each a fifth faster than the one before.
     fn stands_after(budget: f64, frames: u32) -> f64 {
         let steps = vec![Step::default(); 6];
-        let mut keeper = TimeKeeper::new(budget, &steps);
+        let mut controller = TimeController::new(budget, &steps);
         let mut time = 0.0;
         for _ in 0..frames {
-            time = 20.0 * 0.8f64.powi(keeper.state().step as i32);
-            keeper.note(time);
+            time = 20.0 * 0.8f64.powi(controller.state().step as i32);
+            controller.note(time);
         }
         time
     }

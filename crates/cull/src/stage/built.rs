@@ -19,7 +19,7 @@ use crate::view_nodes::ViewNodes;
 
 /// What a stage runs: the plan, and handles into it.
 pub(super) struct Built {
-    /// The scene it was built for: what it remembers is about that one's slots and epochs.
+    /// The scene it was built for: its memory is about slots and epochs of that scene.
     pub number: u64,
     pub layout: SceneLayout,
     pub plan: Plan,
@@ -32,7 +32,7 @@ pub(super) struct Built {
     pub shown: Vec<Shown>,
 }
 
-/// One view of it.
+/// One view of a plan.
 pub(super) struct BuiltView {
     pub frame: Host<ViewFrame>,
     pub reference: Option<Host<Arc<Vec<u32>>>>,
@@ -48,7 +48,7 @@ pub(super) struct BuiltView {
 }
 
 impl Built {
-    /// The stage's number of a frame, from the plan's own.
+    /// The stage's number of a frame that has this number in the plan.
     pub fn stage_frame(&self, frame: u64) -> u64 {
         match frame < self.resumed.plan_frame {
             true => self.earlier.stage_frame(frame),
@@ -68,7 +68,7 @@ impl Built {
     }
 }
 
-/// Frames that a plan ran without a break: the first one by the plan's count and by the stage's.
+/// A run of frames without a pause: the first one's number in the plan and in the stage.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Stretch {
     plan_frame: u64,
@@ -118,7 +118,7 @@ pub(super) fn build(
         options,
         inherited.audits,
     );
-    // Whatever came of it, what was compiled is kept.
+    // Also on failure: what was compiled stays compiled.
     *inherited.pipelines = std::mem::take(&mut shared.pipelines);
     let views = declared?;
     let compile = CompileOptions {
@@ -185,7 +185,7 @@ fn declare(
         let audit = options
             .audit
             .map(|options| declared.audit(&nodes, &set, options, lessons.clone()));
-        // Writing an import keeps its writers; an output would ask more usages of its owner's texture.
+        // An import keeps its writers anyway. As an output it would need more usages of the host's texture.
         if imported.is_none() {
             graph.output(nodes.targets.colour);
         }
@@ -228,7 +228,7 @@ fn declare(
     Ok(views)
 }
 
-/// The view's textures: the plan's own, or its owner's.
+/// The view's targets: textures of the plan, or imports from the host.
 fn targets(
     graph: &mut Graph,
     spec: &ViewSpec,

@@ -1,8 +1,8 @@
-//! Plans of steps that a budget has left and may come back to: a step that it was on before keeps its plan and what its nodes remember.
+//! Plans of the steps that a budget has left. A step that the budget comes back to has its plan at once, with the memory of its nodes.
 
 use super::built::Built;
 
-/// Plans that are kept beside the present one. A controller moves between neighbouring steps, and each plan holds its own textures and buffers.
+/// The number of plans that are kept beside the present one. A controller moves between neighbouring steps, and each plan holds textures and buffers of its own.
 const MOST: usize = 3;
 
 /// The kept plans, each with the step it was made for.
@@ -10,7 +10,7 @@ const MOST: usize = 3;
 pub(super) struct KeptPlans(Vec<(usize, Built)>);
 
 impl KeptPlans {
-    /// Keeps a plan; the one that was kept longest makes room for it.
+    /// Keeps a plan. The one that has been kept longest is dropped if there are too many.
     pub fn keep(&mut self, step: usize, plan: Built) {
         if self.0.len() == MOST {
             self.0.remove(0);

@@ -1,36 +1,38 @@
-//! A budget at work: the controller says where to stand, and the strategy is set to it.
+//! Applies a budget: the controller chooses a step, and the strategy's settings follow.
 
-use super::error::ErrorKeeper;
-use super::time::TimeKeeper;
+use antumbra_graph::Mode;
+
+use super::error::ErrorController;
+use super::time::TimeController;
 use super::{Budget, BudgetState};
 use crate::audit::FrameAudit;
 use crate::latency::Latency;
 use crate::strategy::{DeclareError, Strategy};
 use crate::tuning::{Step, Value};
 
-/// A budget that is kept.
+/// A budget at work.
 #[derive(Debug)]
-pub(crate) struct Keeping {
-    keeper: Keeper,
+pub(crate) struct BudgetController {
+    goal: Goal,
     steps: Vec<Step>,
-    /// What the strategy was set to by its user.
+    /// The user's settings.
     user: Vec<(&'static str, Value)>,
     at: BudgetState,
 }
 
-/// Who keeps it.
+/// The controller of each kind of budget.
 #[derive(Debug)]
-enum Keeper {
-    Error(ErrorKeeper),
-    Time(TimeKeeper),
+enum Goal {
+    Error(ErrorController),
+    Time(TimeController),
 }
 
-impl Keeping {
-    /// Puts the strategy on the step to begin with. `may_wait`: frames may have sync points; steps that need one are left out where they may not.
+impl BudgetController {
+    /// Puts the strategy on its first step. In [`Mode::Embedded`] steps that need a sync point are left out.
     pub fn new(
         budget: Budget,
         strategy: &mut dyn Strategy,
-        may_wait: bool,
+        mode: Mode,
     ) -> Result<Self, DeclareError> {
         let settings = strategy.settings().into_iter();
         let user: Vec<_> = settings
@@ -47,7 +49,7 @@ impl Keeping {
                     "it is set to be aggressive, and has no steps to trade accuracy for speed";
                 return Err(refused(strategy, why));
             }
-            // It keeps any budget of errors as it is.
+            // A conservative strategy keeps any budget of errors.
             steps.push(Step::default());
         }
         let mut fit = Vec::with_capacity(steps.len());
@@ -56,58 +58,58 @@ impl Keeping {
                 set(strategy, key, value)?;
             }
             let waits = strategy.latency() == Some(Latency::SameFrame);
-            if may_wait || !waits {
+            if mode == Mode::Owned || !waits {
                 fit.push((step, strategy.conservative()));
             }
         }
         if !fit.first().is_some_and(|(_, conservative)| *conservative) {
             let why =
-                "its conservative step waits within the frame, and this frame is somebody else's";
+                "its conservative step waits within the frame, and this frame belongs to the host";
             return Err(refused(strategy, why));
         }
         let steps: Vec<Step> = fit.into_iter().map(|(step, _)| step).collect();
-        let keeper = match budget {
-            Budget::WrongPixels(percent) => Keeper::Error(ErrorKeeper::new(percent, &steps)),
-            Budget::FrameTime(time) => Keeper::Time(TimeKeeper::new(time, &steps)),
+        let goal = match budget {
+            Budget::WrongPixels(percent) => Goal::Error(ErrorController::new(percent, &steps)),
+            Budget::FrameTime(time) => Goal::Time(TimeController::new(time, &steps)),
         };
-        let mut keeping = Self {
-            keeper,
+        let mut controller = Self {
+            goal,
             steps,
             user,
             at: BudgetState::default(),
         };
-        keeping.at = keeping.wanted();
-        keeping.apply(strategy)?;
-        Ok(keeping)
+        controller.at = controller.wanted();
+        controller.apply(strategy)?;
+        Ok(controller)
     }
 
-    /// Where it stands, and the settings of that step.
+    /// The present step and dial, and the settings of that step.
     pub fn state(&self) -> Option<(BudgetState, &Step)> {
         Some((self.at, self.steps.get(self.at.step)?))
     }
 
-    /// Takes in what the audit found in a frame; `now` is the next frame's number.
+    /// Adds the audit's result for a frame; `now` is the next frame's number.
     pub fn note_audit(&mut self, found: &FrameAudit, now: u64) {
-        if let Keeper::Error(keeper) = &mut self.keeper {
-            keeper.note(found, now);
+        if let Goal::Error(goal) = &mut self.goal {
+            goal.note(found, now);
         }
     }
 
-    /// Takes in a frame's milliseconds.
+    /// Adds a frame's time in milliseconds.
     pub fn note_time(&mut self, milliseconds: f64) {
-        if let Keeper::Time(keeper) = &mut self.keeper {
-            keeper.note(milliseconds);
+        if let Goal::Time(goal) = &mut self.goal {
+            goal.note(milliseconds);
         }
     }
 
     fn wanted(&self) -> BudgetState {
-        match &self.keeper {
-            Keeper::Error(keeper) => keeper.state(),
-            Keeper::Time(keeper) => keeper.state(),
+        match &self.goal {
+            Goal::Error(goal) => goal.state(),
+            Goal::Time(goal) => goal.state(),
         }
     }
 
-    /// Goes where the controller wants to stand; whether the strategy has to be declared anew.
+    /// Follows the controller. Returns whether the step has changed, so that another plan is needed.
     pub fn follow(&mut self, strategy: &mut dyn Strategy) -> Result<bool, DeclareError> {
         let wanted = self.wanted();
         let before = std::mem::replace(&mut self.at, wanted);
@@ -141,7 +143,7 @@ impl Keeping {
     }
 }
 
-/// Where a dial stands that allows nothing, in percent of the image: above 0, so that the plan has what the dial turns, and below a pixel of any image.
+/// The dial's value for "nothing", in percent of the image: above 0, so that the plan has the node that the dial controls, and below a pixel of any image.
 const LEAST: f64 = 1e-9;
 
 fn set(strategy: &mut dyn Strategy, key: &str, value: &Value) -> Result<(), DeclareError> {
