@@ -15,7 +15,7 @@ use antumbra::cull::{
     DeclareError, FrameGraph, Stage, StageOptions, Strategy, ViewNodes, VisibleSet,
 };
 use antumbra::draw::{GpuScene, PipelineClass, PipelineKind};
-use antumbra::graph::Picture;
+use antumbra::graph::PlanFormat;
 use antumbra::scene::Scene;
 use antumbra::strategies::registry;
 use antumbra_testing::{stage_with, views, vulkan};
@@ -65,7 +65,7 @@ fn stage(scene: &GpuScene, strategy: Box<dyn Strategy>, names: &[&str]) -> Stage
 fn plan(scene: &mut Scene, text: &str, views: &[&str]) -> Plan {
     let scene = GpuScene::new(vulkan(), scene).unwrap();
     let stage = stage(&scene, registry().parse(text).unwrap(), views);
-    let picture = stage.plan().picture(Picture::Json);
+    let picture = stage.plan().export(PlanFormat::Json);
     let picture: serde_json::Value = serde_json::from_str(&picture).unwrap();
     let names = |of: &str, is: &dyn Fn(&serde_json::Value) -> bool| {
         let all = picture[of].as_array().unwrap().iter();

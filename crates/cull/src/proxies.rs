@@ -180,5 +180,5 @@ impl FrameGraph<'_> {
 fn deviates(table: &SceneTable, view: &ViewFrame, slot: u32, pixels: f64) -> bool {
     let metres = f64::from(table.deviation(slot));
     // Without a limit, or for a mesh without a proxy, the projection is not needed.
-    metres > 0.0 && pixels.is_finite() && view.pixels_at_most(metres, &table.bounds(slot)) > pixels
+    metres > 0.0 && pixels.is_finite() && view.max_pixels(metres, &table.bounds(slot)) > pixels
 }

@@ -14,7 +14,7 @@ const MARGIN_PIXELS: f64 = 1.0 / 128.0;
 pub fn query_detail(table: &SceneTable, frame: &ViewFrame, slot: u32) -> MeshDetail {
     let boxed = table.class_of(slot).topology() == Topology::Triangles
         && table.primitives_of(slot, MeshDetail::Level(0)) > BOX_TRIANGLES
-        && frame.pixels_of(table.box_margin(slot), &table.bounds(slot)) > MARGIN_PIXELS;
+        && frame.min_pixels(table.box_margin(slot), &table.bounds(slot)) > MARGIN_PIXELS;
     if boxed {
         MeshDetail::Box
     } else {

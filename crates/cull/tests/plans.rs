@@ -3,7 +3,7 @@
 
 use antumbra_cull::{Stage, ViewInput};
 use antumbra_draw::GpuScene;
-use antumbra_graph::Picture;
+use antumbra_graph::PlanFormat;
 use antumbra_scene::{Camera, Drawable, Scene};
 use antumbra_testing::{add, balls, glass, look_at, perspective, vulkan};
 use glam::{DAffine3, DVec3};
@@ -78,10 +78,13 @@ fn stop_and_wait_waits_for_every_batch_and_once_more_to_find_the_end() {
     let scene = GpuScene::new(gpu, &mut small_grid()).unwrap();
     for (batch, turns) in [(1, 28), (9, 4), (10, 4), (27, 2), (4096, 2)] {
         let mut stage = stage(&scene, &format!("stop-and-wait:batch={batch}"), &["main"]);
-        assert_eq!(stage.plan().loop_sync_points(), [("stop and wait", 1)]);
+        let [looped] = stage.plan().loop_sync_points()[..] else {
+            panic!("one host loop");
+        };
+        assert_eq!((looped.name, looped.sync_points), ("stop and wait", 1));
         let report = stage.frame(&scene, &[ViewInput::new(camera())]).unwrap();
         assert_eq!(
-            (report.loop_turns, report.sync_points),
+            (report.loop_iterations, report.sync_points),
             (turns, turns),
             "batch {batch}"
         );
@@ -101,11 +104,11 @@ fn the_picture_shows_what_looks_back_and_what_waits() {
         ("frustum", false, false),
     ] {
         let stage = stage(&scene, text, &["main"]);
-        let dot = stage.plan().picture(Picture::Dot);
+        let dot = stage.plan().export(PlanFormat::Dot);
         assert_eq!(dot.contains("style=dashed"), looks_back, "{text}:\n{dot}");
         let json: String = stage
             .plan()
-            .picture(Picture::Json)
+            .export(PlanFormat::Json)
             .split_whitespace()
             .collect();
         assert_eq!(
@@ -217,6 +220,6 @@ fn a_threshold_is_turned_on_the_gpu_and_nothing_read_back_for_it() {
     assert_eq!(turns("three-pass:latency=same-frame:allow=0.1"), [0, 0]);
     let allowing = stage(&scene, "three-pass:latency=on-gpu:allow=0.1", &["main"]);
     assert_eq!(allowing.plan().sync_points(), 0);
-    let picture = allowing.plan().picture(Picture::Dot);
+    let picture = allowing.plan().export(PlanFormat::Dot);
     assert!(!picture.contains("style=dashed"), "{picture}");
 }

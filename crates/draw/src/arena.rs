@@ -1,4 +1,4 @@
-//! A growing GPU buffer of one kind of element: appended to, never shrunk, copied when it must grow.
+//! A growing GPU buffer of elements of one type. It never shrinks, and is copied into a larger buffer when it grows.
 
 use std::marker::PhantomData;
 
@@ -22,7 +22,7 @@ impl<T: Pod> Arena<T> {
     /// An arena with room for `capacity` elements (at least one, since empty buffers cannot be bound).
     ///
     /// # Errors
-    /// When the device cannot hold a buffer of that size.
+    /// [`DrawError::TooLarge`] where the device cannot hold a buffer of that size.
     pub fn new(
         gpu: &Gpu,
         label: &'static str,
@@ -42,20 +42,20 @@ impl<T: Pod> Arena<T> {
         })
     }
 
-    /// The buffer; another one after it has grown.
+    /// The buffer. After the arena has grown it is another one.
     pub fn buffer(&self) -> &wgpu::Buffer {
         &self.buffer
     }
 
-    /// Elements it can hold before it grows.
+    /// Capacity in elements.
     pub fn capacity(&self) -> u64 {
         self.capacity
     }
 
-    /// Appends elements and returns the place of the first.
+    /// Appends elements and returns the index of the first.
     ///
     /// # Errors
-    /// When it must grow beyond what the device allows.
+    /// [`DrawError::TooLarge`] where it would have to grow beyond the device's limits.
     pub fn append(&mut self, gpu: &Gpu, elements: &[T]) -> Result<u64, DrawError> {
         let first = self.len;
         self.reserve(gpu, first + elements.len() as u64)?;
@@ -63,7 +63,7 @@ impl<T: Pod> Arena<T> {
         Ok(first)
     }
 
-    /// Makes room for `wanted` elements in all, keeping what is there.
+    /// Grows to a capacity of at least `wanted` elements. The contents are kept.
     ///
     /// # Errors
     /// As for [`Self::append`].
@@ -102,7 +102,7 @@ impl<T: Pod> Arena<T> {
     }
 }
 
-/// Copies move whole words.
+/// Bytes of `len` elements, rounded up to the alignment of copies.
 fn bytes_of<T>(len: u64) -> u64 {
     (len * size_of::<T>() as u64).next_multiple_of(wgpu::COPY_BUFFER_ALIGNMENT)
 }

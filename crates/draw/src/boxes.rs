@@ -1,7 +1,7 @@
-//! Boxes that are asked about: a pass of hardware queries over boxes that need be nobody's mesh, such as those around whole sub-trees.
+//! Hardware occlusion queries over boxes that belong to no mesh, such as the bounding boxes of hierarchy nodes.
 //!
-//! A rasteriser snaps vertices, and f32 rounds them; so that no sample of what a box holds is outside its picture, each box is widened by a
-//! share of a pixel as seen from the eye, and no more than that.
+//! A rasteriser snaps vertices, and f32 rounds them. So that a rasterised box covers every sample of its contents, each box is widened by a
+//! fraction of a pixel as seen from the eye, and by no more.
 
 use antumbra_graph::{Bind, Buffer, Graph, Host, HostBuilder, Texture};
 use antumbra_scene::{Aabb, Projection};
@@ -16,7 +16,7 @@ use crate::view::ViewFrame;
 use antumbra_shaders::jobs::boxes::JOB;
 use std::sync::Arc;
 
-/// A box as the GPU draws it: middle and half edges, relative to the eye.
+/// A box as the GPU draws it: centre and half edges in metres, relative to the eye.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 pub struct GpuBox {
@@ -37,16 +37,16 @@ pub enum BoxContents {
 #[derive(Debug, Clone, Copy)]
 pub struct Widening {
     eye: DVec3,
-    /// Metres at a distance of a metre, or anywhere where all keeps its size.
+    /// Metres of widening at a distance of one metre; in a parallel view, at any distance.
     share: f64,
     parallel: bool,
 }
 
-/// By how many pixels a box is wider than what it holds: sixteen times what snapping to 1/256 of a pixel moves two vertices apart.
+/// Widening in pixels: sixteen times the distance by which snapping to 1/256 of a pixel moves two vertices apart.
 const TRIANGLE_PIXELS: f64 = 1.0 / 16.0;
-/// Lines and points cover pixels that they do not touch.
+/// Widening in pixels where there are lines and points, which cover pixels that they do not touch.
 const LINE_PIXELS: f64 = 1.5;
-/// What f32 may be off, as a share of the distance.
+/// The error of f32 positions, as a fraction of the distance.
 const ROUNDING: f64 = 1e-6;
 
 impl Widening {
@@ -56,17 +56,17 @@ impl Widening {
             BoxContents::Triangles => TRIANGLE_PIXELS,
             BoxContents::AnyTopology => LINE_PIXELS,
         };
-        let a_metre = f64::from(view.camera.projection_matrix(view.aspect()).y_axis.y)
+        let pixels_a_metre = f64::from(view.camera.projection_matrix(view.aspect()).y_axis.y)
             * 0.5
             * f64::from(view.size[1]);
         Self {
             eye: view.camera.position,
-            share: pixels / a_metre + ROUNDING,
+            share: pixels / pixels_a_metre + ROUNDING,
             parallel: matches!(view.camera.projection, Projection::Orthographic { .. }),
         }
     }
 
-    /// By how many metres a box is widened that reaches so far from the eye.
+    /// By how many metres a box is widened whose farthest point is `reach` metres from the eye.
     pub fn margin(&self, reach: f64) -> f64 {
         match self.parallel {
             true => self.share + reach * ROUNDING,
@@ -80,7 +80,7 @@ impl Widening {
         let reach = centre.length() + f64::from(what.half.length());
         let half = what.half + Vec3::splat(self.margin(reach) as f32);
         let [x, y, z] = [0, 1, 2].map(|i| what.axes[i] * half[i]);
-        // A strip shows its front outside only where the axes are right-handed; a box is its own mirror image.
+        // The strip's front faces point outwards only for right-handed axes. Mirroring a box does not change it.
         let z = if x.cross(y).dot(z) < 0.0 { -z } else { z };
         let made = GpuBox {
             centre: centre.as_vec3().to_array(),
@@ -102,22 +102,22 @@ impl Widening {
         }))
     }
 
-    /// The same for a box along the world's axes.
+    /// The widened box around world bounds; `None` where f32 cannot hold it.
     pub fn aligned(&self, bounds: &Aabb) -> Option<GpuBox> {
         self.oriented(&OrientedBox::aligned(bounds))
     }
 }
 
-/// Boxes in the order of the questions about them: a box each, or several neighbours together.
+/// Boxes in the order of their queries. A query covers one box, or several neighbours.
 #[derive(Debug, Clone, Default)]
 pub struct BoxList {
     boxes: Vec<GpuBox>,
-    /// Where each question's boxes end.
+    /// Where each query's boxes end.
     ends: Vec<u32>,
 }
 
 impl BoxList {
-    /// Forgets all, keeping the memory.
+    /// Empties the list. The memory is kept.
     pub fn clear(&mut self) {
         self.boxes.clear();
         self.ends.clear();
@@ -140,23 +140,23 @@ impl BoxList {
         &self.boxes
     }
 
-    /// Where each question's boxes end.
+    /// Where each query's boxes end.
     pub fn query_ends(&self) -> &[u32] {
         &self.ends
     }
 
-    /// How many questions there are.
+    /// Number of queries.
     pub fn query_count(&self) -> u32 {
         self.ends.len() as u32
     }
 }
 
-/// Boxes that are on the GPU.
+/// A list of boxes, with the boxes on the GPU.
 #[derive(Debug, Clone, Copy)]
 pub struct BoxDraws {
-    /// The boxes.
+    /// The list.
     pub list: Host<BoxList>,
-    /// The same, for the GPU.
+    /// [`BoxList::boxes`], uploaded.
     pub buffer: Buffer,
 }
 
@@ -178,7 +178,7 @@ pub struct BoxPipeline {
 }
 
 impl BoxPipeline {
-    /// Bytes a box takes in [`BoxDraws::buffer`].
+    /// Bytes of a box in [`BoxDraws::buffer`].
     pub const BYTES_A_BOX: u64 = size_of::<GpuBox>() as u64;
 
     /// Compiles the pipeline.
@@ -240,8 +240,8 @@ pub struct BoxPassSpec {
     pub pipeline: Arc<BoxPipeline>,
 }
 
-/// Asks one hardware query a question, in order, against a depth that stays as it is. The answers are u64: zero, or something else. The eye must not
-/// be in a box, nor the near plane cut one: of such a box the front faces are not there to be seen.
+/// Draws the list's boxes with one hardware query for each of its queries, in order, against a depth that is not written. The results are
+/// u64: zero, or something else. Only front faces are drawn, so the eye must not be inside of a box and the near plane must not cut one.
 pub fn box_query_pass(
     g: &mut Graph,
     spec: BoxPassSpec,
@@ -261,7 +261,7 @@ pub fn box_query_pass(
         .vertex(boxes.buffer)
         .uniform(inputs.uniform)
         .depth_read(depth)
-        // A value that cannot be read is the body's to complain of.
+        // The node's body reports a value that cannot be read.
         .only_if(move |host| {
             host.get(boxes.list)
                 .map_or(true, |list| list.query_count() > 0)
@@ -292,5 +292,5 @@ pub fn box_query_pass(
     answers
 }
 
-/// Corners of a box's strip of triangles.
+/// Vertices of a box's triangle strip.
 const CORNERS: u32 = 14;

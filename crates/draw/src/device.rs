@@ -1,7 +1,7 @@
-//! Opening a device: which adapter, which features, and what to say when there is none.
+//! Opens a device: chooses an adapter and features, and explains failures.
 //!
-//! Adapters are asked for by backend on purpose: where Vulkan is missing, wgpu would fall back to a GL driver without
-//! a word, and every timing would be another machine's.
+//! Adapters are chosen by backend on purpose. Where Vulkan is missing, wgpu would silently fall back to a GL driver, and timings would not be
+//! comparable.
 
 use std::fmt;
 use std::str::FromStr;
@@ -9,17 +9,17 @@ use std::sync::{Arc, Mutex};
 
 use thiserror::Error;
 
-/// Which adapter to open.
+/// The choice of an adapter.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub enum AdapterChoice {
-    /// The fastest kind there is: discrete, integrated, virtual, then software; never GL.
+    /// The first available of discrete, integrated, virtual, software; never GL.
     #[default]
     Auto,
     /// A software adapter.
     Cpu,
     /// A hardware adapter.
     Gpu,
-    /// The first adapter whose `name (backend)` contains this text, whatever its case: `llvmpipe`, `H200`, `gl`.
+    /// The first adapter whose `name (backend)` contains this text, ignoring case: `llvmpipe`, `H200`, `gl`.
     Named(String),
 }
 
@@ -47,31 +47,31 @@ impl fmt::Display for AdapterChoice {
     }
 }
 
-/// Why no device could be opened, or what became of it.
+/// Why a device could not be opened, or why it failed.
 #[derive(Debug, Clone, Error)]
 #[non_exhaustive]
 pub enum DeviceError {
-    /// No adapter answers to the choice.
+    /// No adapter matches the choice.
     #[error(
         "no adapter found for '{choice}' (found: {}). A software Vulkan driver comes with the packages \
          libvulkan1 and mesa-vulkan-drivers on Debian and Ubuntu; `antumbra doctor` lists what is there",
         if found.is_empty() { "none".to_owned() } else { found.join(", ") }
     )]
     NoAdapter {
-        /// What was asked for.
+        /// The choice.
         choice: AdapterChoice,
         /// The adapters that exist, as `name (backend)`.
         found: Vec<String>,
     },
-    /// The adapter exists, yet gives no device.
+    /// The adapter exists but provides no device.
     #[error("adapter '{adapter}' gives no device: {reason}")]
     NoDevice {
         /// The adapter's name.
         adapter: String,
-        /// wgpu's words.
+        /// wgpu's message.
         reason: String,
     },
-    /// The adapter lacks something that drawing here cannot do without.
+    /// The adapter lacks a capability that drawing needs.
     #[error("adapter '{adapter}' cannot be used: it lacks {what}")]
     Lacking {
         /// The adapter's name.
@@ -79,17 +79,17 @@ pub enum DeviceError {
         /// The missing capability.
         what: String,
     },
-    /// The device went away; whatever was being made is incomplete and was not written.
+    /// The device was lost. Unfinished output was not written.
     #[error(
         "the device was lost ({0}); nothing was half-written. Restart the program, or choose another adapter with --adapter"
     )]
     Lost(String),
-    /// wgpu refused a call: a defect of this program or of its driver.
+    /// wgpu reported an error: a defect of this program or of the driver.
     #[error("the device reported an error: {0}")]
     Refused(String),
 }
 
-/// An open device with what is worth knowing about it.
+/// An open device with its queue and adapter facts.
 #[derive(Debug, Clone)]
 pub struct Gpu {
     /// The device.
@@ -100,16 +100,17 @@ pub struct Gpu {
     pub info: wgpu::AdapterInfo,
     /// What the adapter can do beyond or below WebGPU.
     pub downlevel: wgpu::DownlevelCapabilities,
-    troubles: Arc<Mutex<Troubles>>,
+    failures: Arc<Mutex<Failures>>,
 }
 
+/// Failures that wgpu's callbacks have reported.
 #[derive(Debug, Default)]
-struct Troubles {
+struct Failures {
     lost: Option<String>,
     refused: Option<String>,
 }
 
-/// Features taken whenever the adapter has them; nothing needs all of them.
+/// Features that are enabled where the adapter has them. None is required.
 pub const WANTED_FEATURES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY
     .union(wgpu::Features::SHADER_EARLY_DEPTH_TEST)
     .union(wgpu::Features::INDIRECT_FIRST_INSTANCE);
@@ -118,7 +119,7 @@ impl Gpu {
     /// Opens a device on the chosen adapter.
     ///
     /// # Errors
-    /// [`DeviceError::NoAdapter`] with the adapters there are, or what the chosen one lacks.
+    /// [`DeviceError::NoAdapter`] with the available adapters, or an error about what the chosen one lacks.
     pub fn open(choice: &AdapterChoice) -> Result<Self, DeviceError> {
         pollster::block_on(Self::open_async(choice))
     }
@@ -132,7 +133,10 @@ impl Gpu {
         let mut adapters = adapters(backends).await;
         let position = pick(&adapters, choice);
         let Some(position) = position else {
-            let found = adapters.iter().map(|a| title(&a.get_info())).collect();
+            let found = adapters
+                .iter()
+                .map(|a| adapter_title(&a.get_info()))
+                .collect();
             return Err(DeviceError::NoAdapter {
                 choice: choice.clone(),
                 found,
@@ -141,10 +145,10 @@ impl Gpu {
         Self::from_adapter(&adapters.swap_remove(position)).await
     }
 
-    /// Opens a device on a given adapter with every feature of [`WANTED_FEATURES`] and every limit it has.
+    /// Opens a device on an adapter, with its features among [`WANTED_FEATURES`] and all of its limits.
     ///
     /// # Errors
-    /// When the adapter gives no device, or cannot read storage buffers in vertex shaders.
+    /// [`DeviceError::NoDevice`], or [`DeviceError::Lacking`] where the adapter cannot read storage buffers in vertex shaders.
     pub async fn from_adapter(adapter: &wgpu::Adapter) -> Result<Self, DeviceError> {
         let info = adapter.get_info();
         let downlevel = adapter.get_downlevel_capabilities();
@@ -154,7 +158,7 @@ impl Gpu {
         {
             let what = "storage buffers in vertex shaders".to_owned();
             return Err(DeviceError::Lacking {
-                adapter: title(&info),
+                adapter: adapter_title(&info),
                 what,
             });
         }
@@ -167,27 +171,27 @@ impl Gpu {
             })
             .await
             .map_err(|error| DeviceError::NoDevice {
-                adapter: title(&info),
+                adapter: adapter_title(&info),
                 reason: error.to_string(),
             })?;
         Ok(Self::adopt(device, queue, info, downlevel))
     }
 
-    /// Takes a device that the caller opened. Its error and loss callbacks are set to be asked for by [`Gpu::check`].
+    /// Takes a device that the caller opened. Sets its error and loss callbacks; [`Gpu::check`] returns what they report.
     pub fn adopt(
         device: wgpu::Device,
         queue: wgpu::Queue,
         info: wgpu::AdapterInfo,
         downlevel: wgpu::DownlevelCapabilities,
     ) -> Self {
-        let troubles = Arc::new(Mutex::new(Troubles::default()));
-        let on_loss = Arc::clone(&troubles);
+        let failures = Arc::new(Mutex::new(Failures::default()));
+        let on_loss = Arc::clone(&failures);
         device.set_device_lost_callback(move |reason, message| {
             if reason != wgpu::DeviceLostReason::Destroyed {
                 note(&on_loss, |t| t.lost = Some(message));
             }
         });
-        let on_error = Arc::clone(&troubles);
+        let on_error = Arc::clone(&failures);
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             tracing::error!(%error, "wgpu");
             note(&on_error, |t| {
@@ -199,33 +203,33 @@ impl Gpu {
             queue,
             info,
             downlevel,
-            troubles,
+            failures,
         }
     }
 
     /// The adapter as `name (backend)`.
     pub fn title(&self) -> String {
-        title(&self.info)
+        adapter_title(&self.info)
     }
 
-    /// Whether the adapter is a software one.
+    /// Whether the adapter is a software adapter.
     pub fn is_cpu(&self) -> bool {
         self.info.device_type == wgpu::DeviceType::Cpu
     }
 
-    /// Says whether the device was lost or refused something since it was opened. Cheap; call it once a frame.
+    /// Returns the failures that were reported since the device was opened. Cheap; call it once a frame.
     ///
     /// # Errors
-    /// [`DeviceError::Lost`] for ever after a loss; [`DeviceError::Refused`] once for the first refusal.
+    /// [`DeviceError::Lost`] on every call after a loss; [`DeviceError::Refused`] once, for the first wgpu error since the last call.
     pub fn check(&self) -> Result<(), DeviceError> {
-        let mut troubles = self
-            .troubles
+        let mut failures = self
+            .failures
             .lock()
             .unwrap_or_else(std::sync::PoisonError::into_inner);
-        if let Some(message) = &troubles.lost {
+        if let Some(message) = &failures.lost {
             return Err(DeviceError::Lost(message.clone()));
         }
-        troubles
+        failures
             .refused
             .take()
             .map_or(Ok(()), |message| Err(DeviceError::Refused(message)))
@@ -234,7 +238,7 @@ impl Gpu {
     /// Blocks until all submitted work is done.
     ///
     /// # Errors
-    /// [`DeviceError::Lost`] when it never will be.
+    /// [`DeviceError::Lost`] after a loss, and as for [`Self::check`].
     pub fn wait(&self) -> Result<(), DeviceError> {
         self.device
             .poll(wgpu::PollType::wait_indefinitely())
@@ -253,13 +257,13 @@ pub async fn adapters(backends: wgpu::Backends) -> Vec<wgpu::Adapter> {
 }
 
 /// An adapter as `name (backend)`.
-pub fn title(info: &wgpu::AdapterInfo) -> String {
+pub fn adapter_title(info: &wgpu::AdapterInfo) -> String {
     format!("{} ({})", info.name, info.backend)
 }
 
-fn note(troubles: &Mutex<Troubles>, write: impl FnOnce(&mut Troubles)) {
+fn note(failures: &Mutex<Failures>, write: impl FnOnce(&mut Failures)) {
     write(
-        &mut troubles
+        &mut failures
             .lock()
             .unwrap_or_else(std::sync::PoisonError::into_inner),
     );
@@ -284,7 +288,7 @@ fn pick(adapters: &[wgpu::Adapter], choice: &AdapterChoice) -> Option<usize> {
         AdapterChoice::Named(name) => {
             let wanted = name.to_lowercase();
             all.clone().find(|i| {
-                title(&adapters[*i].get_info())
+                adapter_title(&adapters[*i].get_info())
                     .to_lowercase()
                     .contains(&wanted)
             })

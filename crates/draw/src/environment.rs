@@ -1,7 +1,7 @@
-//! The environment as the shaded pass reads it: a sphere folded into a square, with smaller copies blurred as rough surfaces blur it.
+//! The environment map of the shaded pass: an octahedral map whose mip levels are prefiltered for rough surfaces.
 //!
-//! The fold is the octahedral map of Praun and Hoppe, *Spherical Parametrization and Remeshing*, 2003: unlike longitudes and latitudes it
-//! needs no angles, and unlike a cube it is one plain texture. All light is linear until it is stored, as its square root.
+//! The octahedral map is that of Praun and Hoppe, *Spherical Parametrization and Remeshing*, 2003. Unlike longitude and latitude it needs no
+//! angles, and unlike a cube map it is one plain texture. All light is linear until it is stored, as its square root.
 
 use std::f32::consts::TAU;
 
@@ -13,34 +13,34 @@ use crate::device::Gpu;
 use crate::pipeline::ENVIRONMENT_GROUP;
 use crate::texture::{halved, to_linear};
 
-/// Texels of the sharpest copy, each way. A texel is 0.7 degrees wide.
+/// Width and height of level 0 in texels. A texel is 0.7 degrees wide.
 const TEXELS: u32 = 256;
-/// How sharp the copies are: exponents of the cosine lobes that blur them, from a mirror to what a matt surface gathers. For roughness r
-/// they are about those of a microfacet lobe of width r squared, seen about the mirrored eye.
+/// The exponents of the cosine lobes that blur the levels, from a mirror to a matt surface. For roughness r they are about those of a
+/// microfacet lobe of width r squared around the mirrored direction of the eye.
 const LOBES: [f32; 6] = [f32::INFINITY, 300.0, 20.0, 5.0, 2.0, 1.0];
-/// The roughest copy that others are made of.
+/// The roughest level from which others are made.
 const NARROW: usize = 2;
-/// Looks into a lobe, for each texel.
-const LOOKS: u32 = 64;
+/// Samples of a lobe, for each texel.
+const SAMPLES: u32 = 64;
 
-/// The copy that a surface of this roughness (0 to 1) reflects.
+/// The level that a surface of this roughness (0 to 1) reflects.
 pub fn level(roughness: f32) -> u32 {
     (roughness * (LOBES.len() - 1) as f32).round() as u32
 }
 
-/// How far the outermost texels' centres lie from a copy's middle, in parts of its width.
+/// The distance of the outermost texels' centres from a level's middle, as a fraction of its width.
 pub fn inset(level: u32) -> f32 {
     let texels = (TEXELS >> level) as f32;
     0.5 * (texels - 1.0) / texels
 }
 
-/// A scene's environment, uploaded and bound; `None` where it has none.
-pub fn of(gpu: &Gpu, scene: &Scene) -> Option<wgpu::BindGroup> {
+/// The bind group of a scene's environment, uploaded; `None` where it has none.
+pub fn bind_group(gpu: &Gpu, scene: &Scene) -> Option<wgpu::BindGroup> {
     let image = scene.image(scene.environment()?.image)?;
-    Some(upload(gpu, &copies(image)))
+    Some(upload(gpu, &levels(image)))
 }
 
-fn upload(gpu: &Gpu, copies: &[Copy]) -> wgpu::BindGroup {
+fn upload(gpu: &Gpu, levels: &[Level]) -> wgpu::BindGroup {
     let extent = |texels| wgpu::Extent3d {
         width: texels,
         height: texels,
@@ -56,20 +56,20 @@ fn upload(gpu: &Gpu, copies: &[Copy]) -> wgpu::BindGroup {
         usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
         view_formats: &[],
     });
-    for (copy, mip_level) in copies.iter().zip(0..) {
+    for (level, mip_level) in levels.iter().zip(0..) {
         let place = wgpu::TexelCopyTextureInfo {
             mip_level,
             ..texture.as_image_copy()
         };
         let layout = wgpu::TexelCopyBufferLayout {
             offset: 0,
-            bytes_per_row: Some(copy.texels * 4),
+            bytes_per_row: Some(level.texels * 4),
             rows_per_image: None,
         };
         gpu.queue
-            .write_texture(place, &copy.stored(), layout, extent(copy.texels));
+            .write_texture(place, &level.stored(), layout, extent(level.texels));
     }
-    // A surface reflects one copy, so none are mixed.
+    // A surface reflects one level, so levels are not interpolated.
     let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
         label: Some("environment"),
         mag_filter: wgpu::FilterMode::Linear,
@@ -100,15 +100,15 @@ fn upload(gpu: &Gpu, copies: &[Copy]) -> wgpu::BindGroup {
     })
 }
 
-/// The sphere in linear light, folded into a square of texels whose outermost centres lie on the fold.
+/// A level: the sphere in linear light as an octahedral map. The centres of the outermost texels are on the map's edge.
 #[derive(Debug, Clone, PartialEq)]
-struct Copy {
+struct Level {
     texels: u32,
     light: Vec<Vec3>,
 }
 
-impl Copy {
-    /// Asks for the light of every texel's direction.
+impl Level {
+    /// Evaluates the light of every texel's direction.
     fn of(texels: u32, light: impl Fn(Vec3) -> Vec3 + Sync) -> Self {
         let last = (texels - 1) as f32;
         let at = |i: u32| Vec2::new((i % texels) as f32, (i / texels) as f32) / last;
@@ -121,41 +121,41 @@ impl Copy {
         }
     }
 
-    /// What the shader finds in a direction.
-    fn look(&self, towards: Vec3) -> Vec3 {
+    /// The light that the shader samples in a direction.
+    fn sample(&self, towards: Vec3) -> Vec3 {
         let last = self.texels - 1;
         let place = (folded(towards) * 0.5 + Vec2::splat(0.5)) * last as f32;
-        mixed(place, |x, y| {
+        bilinear(place, |x, y| {
             let at = y.min(last) * self.texels + x.min(last);
             self.light.get(at as usize).copied().unwrap_or_default()
         })
     }
 
-    /// A copy of some size, blurred until lobes of one exponent have become lobes of another.
+    /// A level of some size, blurred so that lobes of exponent `from` become lobes of exponent `to`.
     fn blurred(&self, from: f32, to: f32, texels: u32) -> Self {
-        // One after the other their widths add up, and a width is about one over the exponent.
+        // The widths of successive blurs add up, and a width is about one over the exponent.
         let exponent = 1.0 / (1.0 / to - 1.0 / from);
-        let looks: Vec<Vec3> = (0..LOOKS)
-            .map(|look| {
-                // A sunflower's seeds: even, and the same in every run.
-                let part = (look as f32 + 0.5) / LOOKS as f32;
+        let samples: Vec<Vec3> = (0..SAMPLES)
+            .map(|sample| {
+                // A Fibonacci spiral: evenly spread, and the same in every run.
+                let part = (sample as f32 + 0.5) / SAMPLES as f32;
                 let cosine = part.powf(1.0 / (exponent + 1.0));
-                let (sin, cos) = (look as f32 * TAU * 0.618_034).sin_cos();
+                let (sin, cos) = (sample as f32 * TAU * 0.618_034).sin_cos();
                 let side = (1.0 - cosine * cosine).max(0.0).sqrt();
                 Vec3::new(side * cos, side * sin, cosine)
             })
             .collect();
         Self::of(texels, |towards| {
             let (right, up) = towards.any_orthonormal_pair();
-            let seen = looks.iter().map(|look| {
-                let direction = right * look.x + up * look.y + towards * look.z;
-                self.look(direction)
+            let light = samples.iter().map(|sample| {
+                let direction = right * sample.x + up * sample.y + towards * sample.z;
+                self.sample(direction)
             });
-            seen.sum::<Vec3>() / LOOKS as f32
+            light.sum::<Vec3>() / SAMPLES as f32
         })
     }
 
-    /// As the texture keeps it: square roots.
+    /// The texture's bytes: square roots of the light.
     fn stored(&self) -> Vec<u8> {
         let byte = |light: f32| (light.clamp(0.0, 1.0).sqrt() * 255.0).round() as u8;
         let texels = self.light.iter();
@@ -165,14 +165,15 @@ impl Copy {
     }
 }
 
-/// All copies of an equirectangular image, the sharpest first.
-fn copies(image: &Image) -> Vec<Copy> {
+/// All levels of an equirectangular image, the sharpest first.
+fn levels(image: &Image) -> Vec<Level> {
     let (mut width, mut height) = (image.width, image.height);
     let mut pixels = std::borrow::Cow::Borrowed(&image.rgba);
-    // Once its pixels are smaller than texels, more of them would be passed over.
+    // Pixels that are much smaller than texels would be skipped by the sampling below.
     while width >= 4 * TEXELS {
-        let (w, h, smaller) = halved(width, height, &pixels);
-        (width, height, pixels) = (w, h, std::borrow::Cow::Owned(smaller));
+        let smaller = halved(width, height, &pixels);
+        (width, height) = (smaller.width, smaller.height);
+        pixels = std::borrow::Cow::Owned(smaller.rgba);
     }
     let linear: Vec<Vec3> = (pixels.chunks_exact(4))
         .map(|pixel| {
@@ -183,29 +184,31 @@ fn copies(image: &Image) -> Vec<Copy> {
             )
         })
         .collect();
-    let sharp = Copy::of(TEXELS, |towards| {
+    let sharp = Level::of(TEXELS, |towards| {
         let turn = towards.x.atan2(-towards.z) / TAU + 0.5;
         let down = towards.y.clamp(-1.0, 1.0).acos() / (TAU / 2.0);
         let place = Vec2::new(turn * width as f32, down * height as f32) - Vec2::splat(0.5);
-        // Shifted by a row and a turn, so that corners are never below 0.
-        mixed(place + Vec2::new(width as f32, 1.0), |x, y| {
+        // Shifted by one row and one full width, so that coordinates are never below 0.
+        bilinear(place + Vec2::new(width as f32, 1.0), |x, y| {
             let y = y.saturating_sub(1).min(height.saturating_sub(1));
             let at = y as usize * width as usize + (x % width.max(1)) as usize;
             linear.get(at).copied().unwrap_or_default()
         })
     });
     let mut all = vec![sharp];
-    for (level, to) in LOBES.iter().enumerate().skip(1) {
-        // Widths of wide lobes add up but roughly: the widest are made of what is still narrow, and wide enough for so few looks.
-        let source = (level - 1).min(NARROW);
-        let next = (all.get(source)).map(|copy| copy.blurred(LOBES[source], *to, TEXELS >> level));
+    for (number, to) in LOBES.iter().enumerate().skip(1) {
+        // The widths of wide lobes add up only roughly. So the widest are made from a level that is narrow, yet wide enough for this number of
+        // samples.
+        let source = (number - 1).min(NARROW);
+        let next =
+            (all.get(source)).map(|level| level.blurred(LOBES[source], *to, TEXELS >> number));
         all.extend(next);
     }
     all
 }
 
-/// Bilinear between four neighbours.
-fn mixed(place: Vec2, at: impl Fn(u32, u32) -> Vec3) -> Vec3 {
+/// Interpolates between four neighbours.
+fn bilinear(place: Vec2, at: impl Fn(u32, u32) -> Vec3) -> Vec3 {
     let low = place.floor();
     let part = place - low;
     let (x, y) = (low.x as u32, low.y as u32);
@@ -213,7 +216,7 @@ fn mixed(place: Vec2, at: impl Fn(u32, u32) -> Vec3) -> Vec3 {
     upper.lerp(at(x, y + 1).lerp(at(x + 1, y + 1), part.x), part.y)
 }
 
-/// Where a direction lies in the square from -1 to 1; as in `shared/environment.wgsl`.
+/// The octahedral map of a direction, -1 to 1. CPU twin of `shared/environment.wgsl`.
 fn folded(towards: Vec3) -> Vec2 {
     let flat = Vec2::new(towards.x, towards.z) / towards.abs().element_sum();
     if towards.y >= 0.0 {
@@ -223,7 +226,7 @@ fn folded(towards: Vec3) -> Vec2 {
     }
 }
 
-/// The direction, of unit length, of a place in the square from -1 to 1.
+/// The unit direction of a point of the octahedral map, -1 to 1.
 fn unfolded(place: Vec2) -> Vec3 {
     let up = 1.0 - place.abs().element_sum();
     let flat = if up >= 0.0 {
@@ -294,17 +297,17 @@ mod tests {
 
     #[test]
     fn blurring_keeps_light_and_evens_it_out() {
-        let copies = copies(&image(64, 32, |x, y| [(x * 4) as u8, 200, (y * 8) as u8]));
+        let levels = levels(&image(64, 32, |x, y| [(x * 4) as u8, 200, (y * 8) as u8]));
         let mut spread = f32::INFINITY;
-        for copy in &copies {
-            let lights: Vec<Vec3> = directions().map(|towards| copy.look(towards)).collect();
+        for level in &levels {
+            let lights: Vec<Vec3> = directions().map(|towards| level.sample(towards)).collect();
             let mean = lights.iter().sum::<Vec3>() / lights.len() as f32;
-            let first: Vec3 = directions().map(|towards| copies[0].look(towards)).sum();
+            let first: Vec3 = directions().map(|towards| levels[0].sample(towards)).sum();
             let off = mean - first / lights.len() as f32;
             assert!(
                 off.abs().max_element() < 0.02,
                 "{} texels: {off}",
-                copy.texels
+                level.texels
             );
             assert!(
                 lights
@@ -312,18 +315,18 @@ mod tests {
                     .all(|light| (light.y - to_linear(200)).abs() < 1e-4)
             );
             let now: f32 = lights.iter().map(|light| (light.x - mean.x).powi(2)).sum();
-            assert!(now < spread * 1.001, "{} texels", copy.texels);
+            assert!(now < spread * 1.001, "{} texels", level.texels);
             spread = now;
         }
     }
 
     #[test]
     fn nothing_jumps_at_the_fold_or_where_the_image_ends() {
-        let copies = copies(&image(128, 64, |x, y| {
+        let levels = levels(&image(128, 64, |x, y| {
             let round = (x as f32 / 128.0 * TAU).cos() * 0.5 + 0.5;
             [(round * 255.0) as u8, (y * 4) as u8, 0]
         }));
-        for copy in &copies {
+        for level in &levels {
             for turn in 0..90 {
                 let (sin, cos) = (turn as f32 * TAU / 90.0).sin_cos();
                 // Either side of the horizon, of the lower half's seams, and of the image's ends.
@@ -336,8 +339,8 @@ mod tests {
                     [Vec3::new(1e-4, sin, 1.0), Vec3::new(-1e-4, sin, 1.0)],
                 ];
                 for [a, b] in pairs {
-                    let step = (copy.look(a) - copy.look(b)).abs().max_element();
-                    assert!(step < 0.01, "{} texels, {a}: {step}", copy.texels);
+                    let step = (level.sample(a) - level.sample(b)).abs().max_element();
+                    assert!(step < 0.01, "{} texels, {a}: {step}", level.texels);
                 }
             }
         }
@@ -345,12 +348,12 @@ mod tests {
 
     #[test]
     fn large_and_empty_images_are_environments_too() {
-        let large = copies(&image(2048, 8, |_, y| [255 * u8::from(y < 4), 0, 0]));
-        assert!(large[0].look(Vec3::Y).x > 0.99 && large[0].look(Vec3::NEG_Y).x < 0.01);
-        let none = copies(&image(0, 0, |_, _| [255; 3]));
+        let large = levels(&image(2048, 8, |_, y| [255 * u8::from(y < 4), 0, 0]));
+        assert!(large[0].sample(Vec3::Y).x > 0.99 && large[0].sample(Vec3::NEG_Y).x < 0.01);
+        let none = levels(&image(0, 0, |_, _| [255; 3]));
         assert!(
             none.iter()
-                .all(|copy| copy.light.iter().all(|light| *light == Vec3::ZERO))
+                .all(|level| level.light.iter().all(|light| *light == Vec3::ZERO))
         );
     }
 }

@@ -1,4 +1,4 @@
-//! What can go wrong between a scene and the GPU.
+//! Why a scene cannot be drawn.
 
 use thiserror::Error;
 
@@ -8,19 +8,19 @@ use crate::device::DeviceError;
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum DrawError {
-    /// A buffer would exceed what the device can hold.
+    /// A buffer would exceed the device's limits.
     #[error(
         "{what} need {bytes} bytes, and this device's buffers end at {most}: split the scene or simplify its meshes"
     )]
     TooLarge {
-        /// Which buffer.
+        /// The buffer's contents.
         what: &'static str,
-        /// How large it would be, in bytes.
+        /// Its size in bytes.
         bytes: u64,
         /// The device's limit, in bytes.
         most: u64,
     },
-    /// A transform's numbers do not fit what the GPU computes with.
+    /// A world transform does not fit 32-bit floats.
     #[error(
         "entity '{entity}': its world transform holds {number}, which does not fit 32-bit floats; bring its scale and position below 3e38"
     )]
@@ -33,7 +33,7 @@ pub enum DrawError {
     /// A texture is larger than the device allows.
     #[error("image {image}: {width} x {height} pixels exceed this device's {most}: scale it down")]
     Image {
-        /// Which image, counted from 0.
+        /// The image's index.
         image: usize,
         /// Its width in pixels.
         width: u32,
@@ -42,7 +42,7 @@ pub enum DrawError {
         /// The device's limit in pixels a side.
         most: u32,
     },
-    /// The device.
+    /// The device failed.
     #[error(transparent)]
     Device(#[from] DeviceError),
 }

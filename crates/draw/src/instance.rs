@@ -1,8 +1,8 @@
-//! One drawn entity as the GPU sees it: 64 bytes, relative to no camera.
+//! The instance data of an entity: 64 bytes, independent of the camera.
 //!
-//! The origin is split into two f32 (high and low parts), so a static entity is uploaded once however the camera moves,
-//! and the shader's subtraction of the eye is still exact to about 48 bits. (Relative to the eye with two floats a
-//! coordinate: Cozzi and Ring, *3D Engine Design for Virtual Globes*, 2011, section 5.4.)
+//! Each coordinate of the origin is split into two f32, a high and a low part. A static entity is uploaded once, however the camera moves, and
+//! the shader's subtraction of the eye is exact to about 48 bits. (Rendering relative to the eye with two floats a coordinate: Cozzi and
+//! Ring, *3D Engine Design for Virtual Globes*, 2011, section 5.4.)
 
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
@@ -18,7 +18,7 @@ pub struct Instance {
     pub row_y: [f32; 4],
     /// Row z, likewise.
     pub row_z: [f32; 4],
-    /// What the high parts leave of the origin.
+    /// The low part of the origin.
     pub origin_low: [f32; 3],
     /// Index into the materials.
     pub material: u32,
@@ -28,7 +28,7 @@ impl Instance {
     /// Packs a world transform that [fits](Self::misfit).
     pub fn new(world: &DAffine3, material: u32) -> Self {
         let m = world.matrix3;
-        let (high, low) = split(world.translation);
+        let SplitPoint { high, low } = SplitPoint::new(world.translation);
         let row = |i: usize, high: f32| {
             [
                 m.x_axis[i] as f32,
@@ -54,11 +54,24 @@ impl Instance {
     }
 }
 
-/// A point as the sum of two f32: the nearest f32, and the nearest f32 to what is left.
-pub fn split(point: DVec3) -> ([f32; 3], [f32; 3]) {
-    let high = point.as_vec3();
-    let low = (point - high.as_dvec3()).as_vec3();
-    (high.to_array(), low.to_array())
+/// A point as the sum of two f32 a coordinate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SplitPoint {
+    /// The nearest f32.
+    pub high: [f32; 3],
+    /// The nearest f32 to the remainder.
+    pub low: [f32; 3],
+}
+
+impl SplitPoint {
+    pub fn new(point: DVec3) -> Self {
+        let high = point.as_vec3();
+        let low = (point - high.as_dvec3()).as_vec3();
+        Self {
+            high: high.to_array(),
+            low: low.to_array(),
+        }
+    }
 }
 
 assert_layout!(Instance, "depth", "Instance", { row_x, row_y, row_z, origin_low, material });
@@ -73,11 +86,12 @@ mod tests {
         let origin = DVec3::new(6_378_137.123_456_7, -0.000_001, 1e9 + 1e-3);
         let eye = origin + DVec3::new(3.25, -7.5, 0.125);
         let instance = Instance::new(&DAffine3::from_translation(origin), 0);
-        let (eye_high, eye_low) = split(eye);
+        let eye_parts = SplitPoint::new(eye);
         let highs = [instance.row_x[3], instance.row_y[3], instance.row_z[3]];
         for axis in 0..3 {
             // What the shader computes, in its order.
-            let seen = (highs[axis] - eye_high[axis]) + (instance.origin_low[axis] - eye_low[axis]);
+            let seen = (highs[axis] - eye_parts.high[axis])
+                + (instance.origin_low[axis] - eye_parts.low[axis]);
             assert!(
                 (f64::from(seen) - (origin - eye)[axis]).abs() < 4e-6,
                 "axis {axis}: {seen}"

@@ -1,9 +1,9 @@
-//! Meshes on the GPU, draw lists, pipelines, and the depth, shaded and transparent passes.
+//! The built-in renderer: meshes on the GPU, draw lists, pipelines, and the passes that draw.
 //!
 //! - [`Gpu`] opens a device.
-//! - [`GpuScene`] keeps a [`Scene`](antumbra_scene::Scene)'s drawables on it: shared vertex and index arenas, one instance
+//! - [`GpuScene`] holds a [`Scene`](antumbra_scene::Scene)'s drawable entities on the device: shared vertex and index arenas, one instance
 //!   buffer, and the [`SceneTable`] that culling reads.
-//! - [`DrawList`] says what to draw; [`PassPipelines`] and [`Recorder`] draw it.
+//! - [`DrawList`] says what to draw. [`PassPipelines`] and [`Recorder`] draw it; [`passes`] are graph nodes that do so.
 
 mod arena;
 pub mod boxes;
@@ -33,10 +33,10 @@ mod view;
 
 pub use class::{Alpha, PipelineClass, PipelineTraits};
 pub use detail::MeshDetail;
-pub use device::{AdapterChoice, DeviceError, Gpu, WANTED_FEATURES, adapters, title};
+pub use device::{AdapterChoice, DeviceError, Gpu, WANTED_FEATURES, adapter_title, adapters};
 pub use error::DrawError;
 pub use instance::Instance;
-pub use light::{GpuLights, LIGHTS_MOST, SceneLights};
+pub use light::{GpuLights, MAX_LIGHTS, SceneLights};
 pub use list::{DrawList, Run};
 pub use oriented::OrientedBox;
 pub use pipeline::{DEPTH_FORMAT, IDENTITY_FORMAT, PassPipelines, PipelineKind};
@@ -45,4 +45,4 @@ pub use record::{INDIRECT_DRAW_BYTES, Recorder, begin};
 pub use scene::{GpuScene, SceneFrame, SceneLayout};
 pub use slot_groups::SlotGroups;
 pub use table::{Batch, Occupant, SceneTable};
-pub use view::{GpuView, ViewFrame};
+pub use view::{GpuView, ViewAxes, ViewFrame};

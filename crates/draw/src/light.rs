@@ -1,29 +1,31 @@
-//! The scene's lights as the shaded pass reads them, relative to the eye.
+//! The scene's lights for the shaded pass, relative to the eye.
 //!
-//! Photometric strengths are brought to a common exposure: the strongest directional light becomes 1, and a positional
-//! light is given its full strength at the distance of the scene's radius, so that scenes in any unit are lit alike.
+//! Photometric intensities are normalised to a common exposure: the strongest directional light becomes 1, and a positional light has its
+//! full intensity at the distance of the scene's radius. Scenes in any unit are therefore lit alike.
 
 use antumbra_scene::{Light, Scene};
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
 use glam::{DAffine3, DVec3};
 
-/// How many lights the shaded pass knows; further ones are left out (the strongest come first).
-pub const LIGHTS_MOST: usize = 8;
+use crate::view::ViewAxes;
 
-/// A light in world space with f64 position.
+/// The most lights that the shaded pass uses. Of more lights, the strongest are taken.
+pub const MAX_LIGHTS: usize = 8;
+
+/// A light with its world position in f64.
 #[derive(Debug, Clone, Copy)]
 struct Placed {
     light: GpuLight,
     position: DVec3,
 }
 
-/// The lights of a scene, ready to be placed around any eye.
+/// The lights of a scene.
 #[derive(Debug, Clone, Default)]
 pub struct SceneLights {
     placed: Vec<Placed>,
-    /// The environment's strength.
-    around: Option<f32>,
+    /// The environment's intensity.
+    environment: Option<f32>,
 }
 
 /// Mirrors `Light` of `shared/light.wgsl`.
@@ -47,7 +49,7 @@ struct GpuLight {
 pub struct GpuLights {
     ambient: [f32; 3],
     count: u32,
-    lights: [GpuLight; LIGHTS_MOST],
+    lights: [GpuLight; MAX_LIGHTS],
 }
 
 assert_layout!(GpuLight, "shaded", "Light", { colour, kind, direction, range, position, cos_outer, cos_inner, reference_distance, padding });
@@ -58,7 +60,7 @@ const POINT: u32 = 1;
 const SPOT: u32 = 2;
 
 impl SceneLights {
-    /// Gathers a scene's lights; a scene without any is lit from above the viewer's left shoulder.
+    /// Gathers a scene's lights. A scene without lights is lit from behind the upper left of the eye.
     pub fn gather(scene: &Scene) -> Self {
         let radius = scene
             .bounds()
@@ -71,15 +73,19 @@ impl SceneLights {
         let peak = |directional: bool| {
             found
                 .iter()
-                .map(|(light, _)| strength(light))
-                .filter(|(_, kind)| (*kind == DIRECTIONAL) == directional)
-                .map(|(value, _)| value)
+                .map(|(light, _)| Strength::of(light))
+                .filter(|strength| (strength.kind == DIRECTIONAL) == directional)
+                .map(|strength| strength.value)
                 .fold(f32::MIN_POSITIVE, f32::max)
         };
-        let (sun, lamp) = (peak(true), peak(false));
+        let exposure = Exposure {
+            directional: peak(true),
+            positional: peak(false),
+            radius,
+        };
         let mut placed: Vec<Placed> = found
             .iter()
-            .map(|(light, world)| place(light, world, radius, sun, lamp))
+            .map(|(light, world)| place(light, world, exposure))
             .collect();
         // Stable, so that equal lights keep the scene's order.
         placed.sort_by(|a, b| {
@@ -89,22 +95,25 @@ impl SceneLights {
                 .sum::<f32>()
                 .total_cmp(&a.light.colour.iter().sum())
         });
-        placed.truncate(LIGHTS_MOST);
-        let around = scene.environment().map(|around| around.intensity);
-        Self { placed, around }
+        placed.truncate(MAX_LIGHTS);
+        let environment = scene.environment().map(|environment| environment.intensity);
+        Self {
+            placed,
+            environment,
+        }
     }
 
-    /// Whether any of them has a place.
+    /// Whether any of them is a point or a spot light.
     pub fn any_positional(&self) -> bool {
         self.placed
             .iter()
             .any(|placed| placed.light.kind != DIRECTIONAL)
     }
 
-    /// The lights around an eye; `right` and `up` are the camera's, for the light of scenes that have none.
-    pub fn around(&self, eye: DVec3, forward: DVec3, right: DVec3, up: DVec3) -> GpuLights {
+    /// The lights relative to an eye. `axes` is the camera's, for the light of scenes that have none.
+    pub fn relative_to(&self, eye: DVec3, axes: ViewAxes) -> GpuLights {
         let mut lights = GpuLights {
-            ambient: [self.around.unwrap_or(0.18); 3],
+            ambient: [self.environment.unwrap_or(0.18); 3],
             count: self.placed.len() as u32,
             lights: Default::default(),
         };
@@ -113,7 +122,8 @@ impl SceneLights {
             out.position = (placed.position - eye).as_vec3().to_array();
         }
         if self.placed.is_empty() {
-            let direction = (forward + right * 0.4 - up * 0.6).normalize_or(DVec3::NEG_Z);
+            let direction =
+                (axes.forward + axes.right * 0.4 - axes.up * 0.6).normalize_or(DVec3::NEG_Z);
             lights.count = 1;
             lights.lights[0] = GpuLight {
                 colour: [0.9; 3],
@@ -125,17 +135,41 @@ impl SceneLights {
     }
 }
 
-fn strength(light: &Light) -> (f32, u32) {
-    match light {
-        Light::Directional { illuminance, .. } => (*illuminance, DIRECTIONAL),
-        Light::Point { intensity, .. } => (*intensity, POINT),
-        Light::Spot { intensity, .. } => (*intensity, SPOT),
+/// A light's strength in the unit of its kind: lux or candela.
+struct Strength {
+    value: f32,
+    kind: u32,
+}
+
+impl Strength {
+    fn of(light: &Light) -> Self {
+        let (value, kind) = match light {
+            Light::Directional { illuminance, .. } => (*illuminance, DIRECTIONAL),
+            Light::Point { intensity, .. } => (*intensity, POINT),
+            Light::Spot { intensity, .. } => (*intensity, SPOT),
+        };
+        Self { value, kind }
     }
 }
 
-fn place(light: &Light, world: &DAffine3, radius: f32, sun: f32, lamp: f32) -> Placed {
-    let (value, kind) = strength(light);
-    let scale = value / if kind == DIRECTIONAL { sun } else { lamp };
+/// What lights are normalised by.
+#[derive(Debug, Clone, Copy)]
+struct Exposure {
+    /// The strongest directional light.
+    directional: f32,
+    /// The strongest positional light.
+    positional: f32,
+    /// The scene's radius in metres.
+    radius: f32,
+}
+
+fn place(light: &Light, world: &DAffine3, exposure: Exposure) -> Placed {
+    let Strength { value, kind } = Strength::of(light);
+    let scale = value
+        / match kind {
+            DIRECTIONAL => exposure.directional,
+            _ => exposure.positional,
+        };
     let (colour, range) = match light {
         Light::Directional { colour, .. } => (*colour, 0.0),
         Light::Point { colour, range, .. } | Light::Spot { colour, range, .. } => {
@@ -156,9 +190,9 @@ fn place(light: &Light, world: &DAffine3, radius: f32, sun: f32, lamp: f32) -> P
         range,
         position: [0.0; 3],
         cos_outer: outer.cos(),
-        // smoothstep needs its edges apart.
+        // smoothstep needs different edges.
         cos_inner: inner.cos().max(outer.cos() + 1e-4),
-        reference_distance: radius,
+        reference_distance: exposure.radius,
         padding: [0.0; 2],
     };
     Placed {

@@ -1,4 +1,4 @@
-//! Materials as the shaded pass reads them: one storage buffer for the scene.
+//! Materials for the shaded pass: one storage buffer for the scene.
 
 use antumbra_scene::{AlphaMode, Material};
 use antumbra_shaders::assert_layout;
@@ -6,7 +6,7 @@ use bytemuck::{Pod, Zeroable};
 
 use crate::environment;
 
-/// Mirrors `Material` of `shared/material.wgsl`.
+/// A material's shader data. Mirrors `Material` of `shared/material.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 pub struct GpuMaterial {

@@ -1,7 +1,7 @@
 //! Meshes in three shared arenas: positions (all that a depth pass reads), the other attributes, and indices.
 //!
-//! Every mesh also gets its bounding box as a geometry of twelve triangles, so that box tests go through the same
-//! position function as everything else. The box is widened a little: it must cover what rounding lets its contents cover.
+//! Every mesh also gets its bounding box as a geometry of twelve triangles, so that box tests use the same position function as all other
+//! passes. The box is widened a little: it must cover every sample that its contents cover after rounding.
 
 use antumbra_scene::{Aabb, Geometry, Mesh};
 use bytemuck::{Pod, Zeroable};
@@ -24,7 +24,7 @@ pub struct Attributes {
     pub colour: [u8; 4],
 }
 
-/// The arenas all meshes lie in.
+/// The arenas of all meshes.
 #[derive(Debug)]
 pub struct MeshArenas {
     positions: Arena<[f32; 3]>,
@@ -32,11 +32,21 @@ pub struct MeshArenas {
     indices: Arena<u32>,
 }
 
+/// The buffers of the arenas.
+pub struct MeshBuffers<'a> {
+    /// Positions, three f32 each.
+    pub positions: &'a wgpu::Buffer,
+    /// [`Attributes`].
+    pub attributes: &'a wgpu::Buffer,
+    /// Indices, u32.
+    pub indices: &'a wgpu::Buffer,
+}
+
 impl MeshArenas {
     /// Empty arenas.
     ///
     /// # Errors
-    /// When the device cannot even hold empty ones.
+    /// [`DrawError::TooLarge`] where the device cannot hold their initial capacity.
     pub fn new(gpu: &Gpu) -> Result<Self, DrawError> {
         Ok(Self {
             positions: Arena::new(gpu, "vertex positions", wgpu::BufferUsages::VERTEX, 1 << 12)?,
@@ -50,19 +60,19 @@ impl MeshArenas {
         })
     }
 
-    /// Position, attribute and index buffers.
-    pub fn buffers(&self) -> [&wgpu::Buffer; 3] {
-        [
-            self.positions.buffer(),
-            self.attributes.buffer(),
-            self.indices.buffer(),
-        ]
+    /// The buffers.
+    pub fn buffers(&self) -> MeshBuffers<'_> {
+        MeshBuffers {
+            positions: self.positions.buffer(),
+            attributes: self.attributes.buffer(),
+            indices: self.indices.buffer(),
+        }
     }
 
-    /// Uploads all of a mesh's geometries; by `deviation` its proxy deviates from it.
+    /// Uploads all geometries of a mesh. `deviation` is that of its proxy, in the mesh's own units.
     ///
     /// # Errors
-    /// When an arena would exceed what the device can hold.
+    /// [`DrawError::TooLarge`] where an arena would exceed the device's limits.
     pub fn add(&mut self, gpu: &Gpu, mesh: &Mesh, deviation: f64) -> Result<MeshRanges, DrawError> {
         let levels = mesh
             .levels
@@ -116,15 +126,15 @@ impl MeshArenas {
     }
 }
 
-/// How much wider a box is than its contents on every side, in the mesh's own units: a hundredth of half the largest extent, so that flat boxes
-/// get a thickness too, and what f32 can lose at these coordinates.
+/// By how much a box is wider than its contents on every side, in the mesh's own units: a hundredth of half the largest extent, so that flat
+/// boxes get a thickness too, plus the rounding error of f32 at these coordinates.
 fn box_margin(bounds: &Aabb) -> f64 {
     let largest = (bounds.max - bounds.min).max_element() * 0.5;
     let reach = bounds.min.abs().max(bounds.max.abs()).max_element();
     largest * 1e-2 + reach * f64::from(f32::EPSILON) * 8.0
 }
 
-/// A rasteriser snaps each vertex for itself: a box must be wider than its contents by more than that.
+/// Widens bounds by a margin. A rasteriser snaps each vertex by itself, so a box must be wider than its contents by more than that.
 fn widened(bounds: &Aabb, margin: f64) -> Aabb {
     let end = DVec3::splat(f64::from(f32::MAX));
     Aabb {
@@ -156,14 +166,14 @@ pub const POSITION_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBuffe
     attributes: &wgpu::vertex_attr_array![0 => Float32x3],
 };
 
-/// Vertex buffer 1: the instance slot, one an instance.
+/// Vertex buffer 1: the slot of each instance.
 pub const SLOT_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     array_stride: size_of::<u32>() as u64,
     step_mode: wgpu::VertexStepMode::Instance,
     attributes: &wgpu::vertex_attr_array![1 => Uint32],
 };
 
-/// Vertex buffer 1 of what is drawn into patches: the instance slot and the patch's number, one pair an instance.
+/// Vertex buffer 1 of draws into patches: the slot and the patch number of each instance.
 pub const SLOT_PATCH_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     array_stride: 2 * size_of::<u32>() as u64,
     step_mode: wgpu::VertexStepMode::Instance,

@@ -1,17 +1,17 @@
-//! The box of an entity in its own space, turned and stretched into the world: tighter than its box in the world's axes.
+//! Oriented bounding boxes: the box of an entity's mesh after rotation and scale, which is tighter than its box along the world's axes.
 
 use antumbra_scene::Aabb;
 use antumbra_scene::bounds::round_up;
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 
-/// A box along axes of its own, at right angles.
+/// A box along axes of its own, which are at right angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OrientedBox {
-    /// Its middle, in metres.
+    /// The centre, in metres.
     pub centre: DVec3,
     /// Unit vectors along its edges.
     pub axes: [Vec3; 3],
-    /// Half its size along each axis in metres, with what f32 can lose of the mesh's coordinates.
+    /// Half the size along each axis, in metres, with the rounding error of the mesh's f32 coordinates added.
     pub half: Vec3,
 }
 
@@ -25,14 +25,14 @@ impl OrientedBox {
         }
     }
 
-    /// The box around it along the world's axes.
+    /// The bounds along the world's axes.
     pub fn bounds(&self) -> Aabb {
         let edges = [0, 1, 2].map(|i| (self.axes[i].abs() * self.half[i]).as_dvec3());
         Aabb::from_centre(self.centre, edges[0] + edges[1] + edges[2])
     }
 
-    /// The box around what lies in `local` once it is in the `world`; `bounds` is the one along the world's axes, for transforms that turn no
-    /// box into a box.
+    /// The box around the contents of `local` after the transform `world`. `bounds` are the bounds along the world's axes, used where a
+    /// transform shears or flattens, so that a box does not stay a box.
     pub(crate) fn new(local: &Aabb, world: &DAffine3, bounds: &Aabb) -> Self {
         let DMat3 {
             x_axis,
@@ -45,11 +45,11 @@ impl OrientedBox {
         let lost = reach * lengths.max_element() * f64::from(f32::EPSILON) * 8.0;
         let units = [0, 1, 2].map(|i| columns[i] / lengths[i]);
         let cosines = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| units[i].dot(units[j]).abs());
-        // NaN, of an axis without length, is not below anything.
+        // An axis without length gives NaN, which does not compare as less.
         if !cosines.iter().all(|cosine| *cosine < 1e-6) {
             return Self::aligned(&bounds.grown(DVec3::splat(lost)));
         }
-        // What the angles may be off, and the rounding to f32.
+        // The error of the angles, and the rounding to f32.
         let half = local.half_extents() * lengths;
         let slack = lost + half.max_element() * 4e-6;
         Self {
@@ -65,7 +65,7 @@ mod tests {
     use super::*;
     use glam::DQuat;
 
-    /// How far outside the box a point is, as a multiple of its half size.
+    /// The distance of a point from the centre, as a multiple of the half size; above 1 it is outside.
     fn outside(oriented: &OrientedBox, point: DVec3) -> f64 {
         let from = point - oriented.centre;
         let along =
@@ -76,9 +76,10 @@ mod tests {
     #[test]
     fn it_holds_its_mesh_and_little_more() {
         let local = Aabb::new(DVec3::new(3.0, -1.0, 0.0), DVec3::new(5.0, 1.0, 0.25));
-        let turned = DQuat::from_rotation_x(0.4) * DQuat::from_rotation_z(1.1);
+        let rotation = DQuat::from_rotation_x(0.4) * DQuat::from_rotation_z(1.1);
         let stretch = DVec3::new(2.0, 0.5, -3.0);
-        let placed = DAffine3::from_scale_rotation_translation(stretch, turned, DVec3::splat(1e6));
+        let placed =
+            DAffine3::from_scale_rotation_translation(stretch, rotation, DVec3::splat(1e6));
         let sheared = DAffine3::from_scale(DVec3::new(1.0, 0.1, 1.0)) * placed;
         let flat = DAffine3::from_scale(DVec3::new(1.0, 0.0, 1.0));
         for (world, tight) in [
@@ -105,7 +106,7 @@ mod tests {
         // Rounding to f32 never makes a box smaller.
         let odd = Aabb::new(DVec3::splat(-1e6), DVec3::new(1.1, 0.1, 1e6 / 3.0));
         assert!(OrientedBox::aligned(&odd).bounds().contains_box(&odd));
-        // A flat mesh keeps a thickness, however little.
+        // A flat mesh gets a small thickness.
         let sheet = Aabb::new(DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0));
         let oriented = OrientedBox::new(&sheet, &placed, &sheet.transformed(&placed));
         assert!(oriented.half.z > 0.0 && oriented.half.z < 1e-4);

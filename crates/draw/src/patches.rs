@@ -1,5 +1,5 @@
-//! Patches: small squares of the image into which some meshes are drawn again against the finished depth, to see in which pixels anything of
-//! them would show. A mark a pixel, whoever leaves it: what covers a pixel twice is seen once.
+//! Patches: small squares of the image into which meshes are drawn again against the finished depth, to find the pixels in which any of them
+//! is visible. Each pixel has one mark, whichever mesh sets it.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -14,11 +14,12 @@ use crate::passes::{DepthTest, PassSpec, ViewInputs, bind, group};
 use crate::record::Recorder;
 use crate::table::SceneTable;
 
-/// Pixels along a side of a patch. The image is divided into patches from its upper left corner; those at its far ends may reach beyond it.
+/// Pixels along a side of a patch. The image is divided into patches from its upper left corner; those at the right and lower edges may
+/// extend beyond it.
 pub const PATCH_SIDE: u32 = 16;
-/// Bytes of marks a patch: a bit a pixel, row by row.
+/// Bytes of the marks of a patch: one bit a pixel, row by row.
 pub const MARK_BYTES: u64 = (PATCH_SIDE * PATCH_SIDE / 8) as u64;
-/// Bytes that are kept of a patch: its marks, and in one word how many indices were drawn into it.
+/// Bytes of the result of a patch: its marks, and one u32 with the number of indices that were drawn into it.
 pub const PATCH_BYTES: u64 = MARK_BYTES + size_of::<u32>() as u64;
 
 /// The part of a patch that an entity's bounding box may cover.
@@ -41,7 +42,7 @@ pub struct PatchMember {
     pub cover: Cover,
 }
 
-/// Mirrors `Entry` of `cull_patches.wgsl`: an entity in a patch.
+/// An entity in a patch. Mirrors `Entry` of `cull_patches.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 pub struct GpuPatchEntry {
@@ -55,7 +56,7 @@ pub struct GpuPatchEntry {
 
 assert_layout!(GpuPatchEntry, "cull_patches", "Entry", { slot, patch_number, draw, nearest, least, greatest });
 
-/// An indexed indirect draw.
+/// An indexed indirect draw. Mirrors `Draw` of `compact.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Pod, Zeroable)]
 pub struct GpuDraw {
@@ -68,14 +69,15 @@ pub struct GpuDraw {
 
 assert_layout!(GpuDraw, "compact", "Draw", { index_count, instance_count, first_index, base_vertex, first_instance });
 
-/// One patch and what may be drawn into it.
+/// One patch and the runs that may be drawn into it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Patch {
+    /// Upper left pixel.
     corner: [u32; 2],
     runs: Range<usize>,
 }
 
-/// What may be drawn into which patches.
+/// Patches, and the entities that may be drawn into each.
 #[derive(Debug, Clone, Default)]
 pub struct PatchList {
     patches: Vec<Patch>,
@@ -85,7 +87,7 @@ pub struct PatchList {
 }
 
 impl PatchList {
-    /// Forgets all, keeping the memory.
+    /// Empties the list. The memory is kept.
     pub fn clear(&mut self) {
         self.patches.clear();
         self.runs.clear();
@@ -93,8 +95,8 @@ impl PatchList {
         self.entries.clear();
     }
 
-    /// Adds a patch by its column and row, with the full meshes of these live slots, which are sorted by batch on the way; says in how many
-    /// draws. It takes the next number.
+    /// Adds a patch by its column and row, with the full meshes of its members, which are sorted by batch in place. Returns the number of
+    /// draws. Patches are numbered in the order in which they are added.
     pub fn push(
         &mut self,
         table: &SceneTable,
@@ -147,17 +149,17 @@ impl PatchList {
         draws
     }
 
-    /// Patches, with or without anything to draw into them.
+    /// Number of patches, empty ones included.
     pub fn patches(&self) -> usize {
         self.patches.len()
     }
 
-    /// All that may show in any patch.
+    /// The entities of all patches.
     pub fn entries(&self) -> &[GpuPatchEntry] {
         &self.entries
     }
 
-    /// A draw for each patch and batch, of no instance yet, with room for all entries there are.
+    /// A draw for each patch and batch. Its instance count is 0, and its instances have room for all entries of that patch and batch.
     pub fn draws(&self) -> &[GpuDraw] {
         &self.draws
     }
@@ -168,24 +170,28 @@ impl PatchList {
     }
 }
 
-/// A list that is on the GPU, and what was kept of it.
+/// A patch list with the entries that a compute node kept of it.
 #[derive(Debug, Clone, Copy)]
 pub struct PatchDraws {
     /// The list.
     pub list: Host<PatchList>,
-    /// Slot and patch of each instance, 8 bytes, where its draw says.
+    /// Slot and patch number of each instance, two u32, at the instances of its draw.
     pub kept: Buffer,
-    /// Its draws, with instances.
+    /// The list's draws, with their instance counts.
     pub draws: Buffer,
 }
 
-/// Marks in which pixels of its patches anything that was kept of a list lies at or before a finished depth: [`PATCH_BYTES`] a patch, of which
-/// the marks must be zero before. With a `scratch` depth of the image's size it compares in the shader, without one it needs a forced early depth test.
+/// Draws kept entries into their patches and marks the pixels in which any of them is at or in front of a finished depth. `shown` has
+/// [`PATCH_BYTES`] for each patch; the marks must be zero before. The pipelines are [`PipelineKind::PatchEarly`] for [`DepthTest::Early`] and
+/// [`PipelineKind::PatchCompare`] for [`DepthTest::InShader`].
+///
+/// [`PipelineKind::PatchEarly`]: crate::PipelineKind::PatchEarly
+/// [`PipelineKind::PatchCompare`]: crate::PipelineKind::PatchCompare
 pub fn patch_pass(
     g: &mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
-    what: PatchDraws,
+    source: PatchDraws,
     test: DepthTest,
     shown: Buffer,
 ) -> Buffer {
@@ -193,21 +199,21 @@ pub fn patch_pass(
     node.group(spec.group)
         .read(inputs.scene)
         .read(inputs.view)
-        .read(what.list)
-        .vertex(what.kept)
-        .indirect(what.draws)
+        .read(source.list)
+        .vertex(source.kept)
+        .indirect(source.draws)
         .uniform(inputs.uniform)
         .requires(wgpu::Features::INDIRECT_FIRST_INSTANCE)
-        // A value that cannot be read is the body's to complain of.
-        .only_if(move |host| host.get(what.list).map_or(true, |list| !list.is_empty()));
+        // The node's body reports a value that cannot be read.
+        .only_if(move |host| host.get(source.list).map_or(true, |list| !list.is_empty()));
     test.declare(&mut node);
     let marked = node.storage_write(shown);
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
-        let list = ctx.get(what.list)?;
+        let list = ctx.get(source.list)?;
         let [width, height] = ctx.get(inputs.view)?.size;
-        let draws = ctx.buffer(what.draws)?;
-        let scene = bind(ctx, inputs, &pipelines, what.kept)?;
+        let draws = ctx.buffer(source.draws)?;
+        let scene = bind(ctx, inputs, &pipelines, source.kept)?;
         let mut binds = vec![Bind::Buffer(0, marked)];
         binds.extend(test.bind(1));
         group(ctx, &pipelines, 3, &binds)?;

@@ -1,4 +1,4 @@
-//! Pipelines, made for just the classes that a scene has.
+//! Render pipelines, created only for the pipeline classes that a scene has.
 
 use antumbra_scene::Topology as Primitive;
 use antumbra_shaders::Job;
@@ -12,37 +12,37 @@ use crate::mesh::{ATTRIBUTE_LAYOUT, POSITION_LAYOUT, SLOT_LAYOUT, SLOT_PATCH_LAY
 
 /// The format of every depth buffer: reversed, infinite far plane.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-/// The format of entity-id buffers: slot + 1, 0 for nothing.
+/// The format of entity-id buffers: slot + 1; 0 where nothing is drawn.
 pub const IDENTITY_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 
 /// The bind group of the environment in the shaded pass.
 pub(crate) const ENVIRONMENT_GROUP: u32 = 3;
 
-/// What a pass writes, and so what its pipelines do.
+/// What the pipelines of a pass test and write.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum PipelineKind {
     /// Writes depth.
     Depth,
     /// Tests depth and writes nothing: the geometry of occlusion queries.
     Query,
-    /// Tests depth and counts the fragments that pass, by entity.
+    /// Tests depth and counts the fragments that pass, by slot.
     CountAtomic,
-    /// Compares with a depth texture in the shader and counts, by entity.
+    /// Compares with a depth texture in the shader and counts the fragments that pass, by slot.
     CountCompare,
     /// Writes depth and entity ids.
     Identity,
-    /// Writes depth and shaded colour; blended classes leave the depth alone.
+    /// Writes depth and shaded colour. Blended classes do not write depth.
     Shaded {
         /// The colour target's format.
         format: wgpu::TextureFormat,
-        /// Whether any light has a place.
+        /// Whether any light is a point or a spot light.
         positional_lights: bool,
         /// Whether the scene has an environment to reflect.
         environment: bool,
-        /// Whether a second target takes entity ids, of all that is not blended.
+        /// Whether a second target takes entity ids; blended classes do not write it.
         identified: bool,
     },
-    /// Adds the ids of transparent fragments up, by pixel.
+    /// Adds up the hashed ids of visible transparent fragments, by pixel, and their number by slot.
     Signature,
     /// Marks the pixels of image patches in which anything passes a forced early depth test.
     PatchEarly,
@@ -64,7 +64,7 @@ impl PipelineKind {
         }
     }
 
-    /// The same with entity ids in a second target, where it is shaded.
+    /// A shaded kind with entity ids in a second target; any other kind unchanged.
     #[must_use]
     pub fn identified(mut self) -> Self {
         if let Self::Shaded { identified, .. } = &mut self {
@@ -97,9 +97,9 @@ impl PipelineKind {
         )
     }
 
-    /// The entry points that a class's pipeline runs.
-    fn entries(self, class: PipelineClass) -> (&'static str, &'static str) {
-        match (self.identifies(), self.reflects()) {
+    /// The entry points of a class's pipeline.
+    fn entries(self, class: PipelineClass) -> EntryPoints {
+        let (vertex, fragment) = match (self.identifies(), self.reflects()) {
             _ if self.masked(class) => ("masked_vertex", "masked_fragment"),
             _ if self.is_patch() && self.textured(class) => {
                 ("textured_vertex", "textured_fragment")
@@ -108,10 +108,11 @@ impl PipelineKind {
             (false, true) => ("vertex", "reflecting_fragment"),
             (true, false) => ("identified_vertex", "identified_fragment"),
             (true, true) => ("identified_vertex", "identified_reflecting_fragment"),
-        }
+        };
+        EntryPoints { vertex, fragment }
     }
 
-    /// Bind groups: the environment's, which is the last, only where there is one.
+    /// Number of bind groups. The environment's is the last, and exists only where there is an environment.
     fn groups(self) -> u32 {
         match self {
             Self::Shaded {
@@ -125,20 +126,26 @@ impl PipelineKind {
         self == Self::Identity && class.alpha() == Alpha::Mask
     }
 
-    /// Whether a class's pipeline reads vertex attributes, materials and textures.
+    /// Whether a class's pipeline reads vertex attributes, materials and a texture.
     pub fn textured(self, class: PipelineClass) -> bool {
         matches!(self, Self::Shaded { .. } | Self::Signature)
             || self.masked(class)
             || self.is_patch() && class.alpha() != Alpha::Opaque
     }
 
-    /// Whether its bind groups hold materials, and, where the class wants one, a texture.
+    /// Whether its bind groups hold materials and a texture.
     pub(crate) fn has_materials(self) -> bool {
         matches!(self, Self::Shaded { .. } | Self::Identity | Self::Signature) || self.is_patch()
     }
 }
 
-/// One kind of pass's pipelines, by class.
+/// The entry points of a pipeline.
+struct EntryPoints {
+    vertex: &'static str,
+    fragment: &'static str,
+}
+
+/// The pipelines of one kind, by class.
 #[derive(Debug)]
 pub struct PassPipelines {
     kind: PipelineKind,
@@ -147,7 +154,7 @@ pub struct PassPipelines {
 }
 
 impl PassPipelines {
-    /// Makes the pipelines for these classes.
+    /// Creates the pipelines for these classes.
     pub fn new(
         gpu: &Gpu,
         kind: PipelineKind,
@@ -199,17 +206,17 @@ impl PassPipelines {
         }
     }
 
-    /// What the pass writes.
+    /// The kind.
     pub fn kind(&self) -> PipelineKind {
         self.kind
     }
 
-    /// The pipeline of a class; `None` for one it was not made for.
+    /// The pipeline of a class; `None` for a class without one.
     pub fn get(&self, class: PipelineClass) -> Option<&wgpu::RenderPipeline> {
         self.by_class.get(class.index())?.as_ref()
     }
 
-    /// The bind group layouts, by group.
+    /// The layout of a bind group.
     pub fn layout(&self, group: usize) -> Option<&wgpu::BindGroupLayout> {
         self.layouts.get(group)
     }
@@ -223,7 +230,7 @@ fn create(
     layout: &wgpu::PipelineLayout,
 ) -> wgpu::RenderPipeline {
     let blended = class.alpha() == Alpha::Blend;
-    let (vertex, fragment) = kind.entries(class);
+    let EntryPoints { vertex, fragment } = kind.entries(class);
     let slots = match kind.is_patch() {
         true => SLOT_PATCH_LAYOUT,
         false => SLOT_LAYOUT,
@@ -265,7 +272,7 @@ fn create(
     let has_fragment = !matches!(kind, PipelineKind::Depth | PipelineKind::Query);
     let writes_depth = matches!(kind, PipelineKind::Depth | PipelineKind::Identity)
         || matches!(kind, PipelineKind::Shaded { .. }) && !blended;
-    // The comparing passes bring a depth attachment of their own only because a pass needs one.
+    // The comparing passes have a depth attachment only because a pass needs an attachment.
     let compares = !matches!(
         kind,
         PipelineKind::CountCompare | PipelineKind::Signature | PipelineKind::PatchCompare

@@ -1,11 +1,11 @@
-//! Bringing buffers and textures to the host, waiting for them: for oracles, images and tests; never for a frame.
+//! Reads buffers and textures back to the host and waits for them: for oracles, images and tests, never within a frame.
 
 use crate::device::{DeviceError, Gpu};
 
 /// All bytes of a buffer, which must be a copy source.
 ///
 /// # Errors
-/// [`DeviceError::Lost`] when the device goes away meanwhile.
+/// [`DeviceError::Lost`] where the device is lost meanwhile.
 pub fn buffer(gpu: &Gpu, source: &wgpu::Buffer) -> Result<Vec<u8>, DeviceError> {
     let staging = staging(gpu, source.size());
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
@@ -14,11 +14,11 @@ pub fn buffer(gpu: &Gpu, source: &wgpu::Buffer) -> Result<Vec<u8>, DeviceError> 
     mapped(gpu, &staging)
 }
 
-/// The texels of a texture's first mip and layer, row after row without padding. It must be a copy source of a
-/// format without blocks.
+/// The texels of a texture's first mip and layer, row after row without padding. The texture must be a copy source, and its format must not
+/// be a block format.
 ///
 /// # Errors
-/// [`DeviceError::Lost`] when the device goes away meanwhile.
+/// [`DeviceError::Lost`] where the device is lost meanwhile.
 pub fn texture(gpu: &Gpu, source: &wgpu::Texture) -> Result<Vec<u8>, DeviceError> {
     let texel = source.format().block_copy_size(None).unwrap_or(4);
     let row = source.width() * texel;

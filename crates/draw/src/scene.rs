@@ -1,7 +1,7 @@
-//! A scene on the GPU, kept in step with its host side.
+//! A scene on the GPU, kept in step with the host's scene.
 //!
-//! Entities get slots in the instance buffer; slots of removed entities are reused, and an epoch stamped on each slot
-//! tells an answer about its former occupant from one about the present one.
+//! Entities get slots in the instance buffer. Slots of removed entities are reused; an epoch stored with each slot tells results about an
+//! earlier occupant from results about the present one.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -23,13 +23,13 @@ use crate::instance::Instance;
 use crate::light::SceneLights;
 use crate::material::GpuMaterial;
 use crate::mesh::MeshArenas;
-use crate::table::{Batch, SceneTable};
+use crate::table::{Batch, NewOccupant, SceneTable};
 use crate::texture;
 
-/// What a frame's passes need of a scene: shared handles, cheap to clone.
+/// What the passes of a frame need of a scene: shared handles, cheap to clone.
 #[derive(Debug, Clone)]
 pub struct SceneFrame {
-    /// Everything drawable, by slot.
+    /// All drawable entities, by slot.
     pub table: Arc<SceneTable>,
     /// Vertex positions.
     pub positions: wgpu::Buffer,
@@ -43,26 +43,26 @@ pub struct SceneFrame {
     pub materials: wgpu::Buffer,
     /// Bind groups of the base-colour textures.
     pub textures: Arc<Vec<wgpu::BindGroup>>,
-    /// Lights.
+    /// The lights.
     pub lights: Arc<SceneLights>,
-    /// The environment that surfaces reflect, with the group it is bound as.
+    /// The bind group of the environment that surfaces reflect.
     pub environment: Option<wgpu::BindGroup>,
 }
 
-/// What a compiled plan depends on; when it changes, plans are compiled anew.
+/// What a compiled plan depends on. When it changes, plans must be compiled again.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SceneLayout {
-    /// Slots there is room for: the size of sample counts.
+    /// Capacity in slots: the size of buffers of counts by slot.
     pub slots: u32,
-    /// Runs a draw list may have: the size of indirect draws.
+    /// Capacity in batches: the number of indirect draws.
     pub batches: u32,
     /// Classes in use, as a bit mask by [`PipelineClass::index`].
     pub classes: u128,
-    /// Whether there is anything to blend.
+    /// Whether any entity is blended.
     pub transparent: bool,
-    /// Whether any light has a place; without one, lighting needs no distances.
+    /// Whether any light is a point or a spot light. Without one, lighting needs no distances.
     pub positional_lights: bool,
-    /// Whether there is an environment to reflect.
+    /// Whether the scene has an environment to reflect.
     pub environment: bool,
 }
 
@@ -73,7 +73,7 @@ impl SceneLayout {
     }
 }
 
-/// A scene's drawable side on one device.
+/// A scene's drawable entities on one device.
 #[derive(Debug)]
 pub struct GpuScene {
     number: u64,
@@ -93,17 +93,17 @@ pub struct GpuScene {
     batch_index: HashMap<Batch, u32>,
     slot_of: SecondaryMap<EntityKey, u32>,
     group_of: SecondaryMap<EntityKey, u32>,
-    /// How many groups there may be before those of entities that are gone are cleared away.
+    /// The number of groups above which those of removed entities are removed.
     most_groups: usize,
     free: Vec<u32>,
     classes: u128,
 }
 
 impl GpuScene {
-    /// Puts a whole scene on a device. Calls [`Scene::update`]: from then on this is the one consumer of its changes.
+    /// Uploads a scene. Calls [`Scene::update`]; from then on this must be the only consumer of the scene's changes.
     ///
     /// # Errors
-    /// When it does not fit the device, or a transform does not fit 32-bit floats.
+    /// [`DrawError`] where the scene does not fit the device, or a transform does not fit 32-bit floats.
     pub fn new(gpu: &Gpu, scene: &mut Scene) -> Result<Self, DrawError> {
         scene.update();
         let layout = gpu
@@ -125,7 +125,7 @@ impl GpuScene {
             textures: Arc::new(vec![white]),
             texture_layout: layout,
             lights: Arc::default(),
-            environment: environment::of(gpu, scene),
+            environment: environment::bind_group(gpu, scene),
             mesh_index: SecondaryMap::new(),
             material_index: SecondaryMap::new(),
             texture_index: SecondaryMap::new(),
@@ -145,28 +145,28 @@ impl GpuScene {
         Ok(this)
     }
 
-    /// Takes over what changed in the scene since the last call. Call it once a frame, before the frame is drawn.
+    /// Takes over the scene's changes since the last call. Call it once a frame, before drawing.
     ///
     /// # Errors
     /// As for [`Self::new`].
     pub fn sync(&mut self, scene: &mut Scene) -> Result<(), DrawError> {
         let changes = scene.update();
         self.repaint(scene, &changes.images)?;
-        let repainted = |around: Environment| changes.images.contains(&around.image);
+        let repainted = |environment: Environment| changes.images.contains(&environment.image);
         if changes.environment || scene.environment().is_some_and(repainted) {
-            self.environment = environment::of(&self.gpu, scene);
+            self.environment = environment::bind_group(&self.gpu, scene);
         }
         self.apply(scene, &changes)
     }
 
-    /// The handles that a frame's passes use.
+    /// The handles that the passes of a frame use.
     pub fn frame(&self) -> SceneFrame {
-        let [positions, attributes, indices] = self.arenas.buffers();
+        let buffers = self.arenas.buffers();
         SceneFrame {
             table: Arc::clone(&self.table),
-            positions: positions.clone(),
-            attributes: attributes.clone(),
-            indices: indices.clone(),
+            positions: buffers.positions.clone(),
+            attributes: buffers.attributes.clone(),
+            indices: buffers.indices.clone(),
             instances: self.instances.buffer().clone(),
             materials: self.materials.buffer().clone(),
             textures: Arc::clone(&self.textures),
@@ -175,7 +175,7 @@ impl GpuScene {
         }
     }
 
-    /// What plans over this scene depend on.
+    /// What plans for this scene depend on.
     pub fn layout(&self) -> SceneLayout {
         SceneLayout {
             slots: self.instances.capacity() as u32,
@@ -187,28 +187,28 @@ impl GpuScene {
         }
     }
 
-    /// Tells it from every other scene of this program: slots and epochs mean nothing beyond their own.
+    /// An id, unique in this process. Slots and epochs are meaningful only together with it.
     pub fn number(&self) -> u64 {
         self.number
     }
 
-    /// Everything drawable, by slot.
+    /// All drawable entities, by slot.
     pub fn table(&self) -> &Arc<SceneTable> {
         &self.table
     }
 
-    /// The slot of an entity.
+    /// The slot of an entity; `None` for one that is not drawn.
     pub fn slot(&self, entity: EntityKey) -> Option<u32> {
         self.slot_of.get(entity).copied()
     }
 
-    /// The device it lies on.
+    /// The device.
     pub fn gpu(&self) -> &Gpu {
         &self.gpu
     }
 
     fn apply(&mut self, scene: &Scene, changes: &SceneChanges) -> Result<(), DrawError> {
-        // A light has no bounds and few exist: they are gathered anew each time.
+        // Lights are few, so they are gathered anew each time.
         self.lights = Arc::new(SceneLights::gather(scene));
         let SceneChanges {
             removed,
@@ -225,8 +225,8 @@ impl GpuScene {
         }
         let mut shared = std::mem::take(&mut self.table);
         let table = Arc::make_mut(&mut shared);
-        table.forget_changes();
-        self.rehang(table, scene, reparented);
+        table.clear_changes();
+        self.reparent(table, scene, reparented);
         let outcome = self.change(table, scene, removed, added, moved);
         self.clear_groups(table, scene);
         self.table = shared;
@@ -234,24 +234,24 @@ impl GpuScene {
         self.upload(dirty)
     }
 
-    /// Follows entities to other parents.
-    fn rehang(&mut self, table: &mut SceneTable, scene: &Scene, reparented: &[EntityKey]) {
+    /// Applies changed parents.
+    fn reparent(&mut self, table: &mut SceneTable, scene: &Scene, reparented: &[EntityKey]) {
         for key in reparented {
-            let known = (self.group_of.get(*key).copied(), self.slot(*key));
-            let around = match known {
-                (None, None) => continue,
-                _ => self.group(table, scene, scene.parent(*key)),
-            };
-            if let Some(group) = known.0 {
-                table.groups_mut().move_group(group, around);
+            let (group, slot) = (self.group_of.get(*key).copied(), self.slot(*key));
+            if group.is_none() && slot.is_none() {
+                continue;
             }
-            if let Some(slot) = known.1 {
-                table.groups_mut().move_slot(slot, around);
+            let parent = self.group(table, scene, scene.parent(*key));
+            if let Some(group) = group {
+                table.groups_mut().move_group(group, parent);
+            }
+            if let Some(slot) = slot {
+                table.groups_mut().move_slot(slot, parent);
             }
         }
     }
 
-    /// The group of what hangs below `parent`.
+    /// The group of the children of `parent`.
     fn group(&mut self, table: &mut SceneTable, scene: &Scene, parent: Option<EntityKey>) -> u32 {
         let mut unknown = Vec::new();
         let mut group = NONE;
@@ -271,7 +271,7 @@ impl GpuScene {
         group
     }
 
-    /// Numbers the groups anew once most are those of entities that are gone.
+    /// Numbers the groups anew once most of them belong to removed entities.
     fn clear_groups(&mut self, table: &mut SceneTable, scene: &Scene) {
         if table.groups().parents().len() <= self.most_groups {
             return;
@@ -298,7 +298,7 @@ impl GpuScene {
     ) -> Result<Vec<u32>, DrawError> {
         table.next_epoch();
         let mut dirty = Vec::with_capacity(added.len() + moved.len());
-        // What is removed and added again, dressed otherwise, keeps its slot: numbers that others remember stay right.
+        // An entity that is removed and added again, with another mesh or material, keeps its slot, so that slots stored elsewhere stay valid.
         let mut left: HashMap<EntityKey, u32> = HashMap::new();
         for key in removed {
             if let Some(slot) = self.slot_of.remove(*key) {
@@ -325,7 +325,7 @@ impl GpuScene {
                 continue;
             };
             let Some(bounds) = scene.world_bounds(*key) else {
-                // Nothing to see, or nowhere to see it.
+                // The mesh is empty, or the transform is not finite.
                 fits(scene, *key, &world)?;
                 continue;
             };
@@ -369,25 +369,25 @@ impl GpuScene {
             }
             let group = self.group(table, scene, scene.parent(*key));
             table.groups_mut().place(slot, group);
-            table.occupy(
-                slot,
-                *key,
-                (bounds, &world),
-                Batch {
+            let entity = NewOccupant {
+                key: *key,
+                bounds,
+                world: &world,
+                batch: Batch {
                     class,
                     texture,
                     mesh: mesh_number,
                 },
-                scene.is_tested(*key),
-                &mut self.batch_index,
-            );
+                tested: scene.is_tested(*key),
+            };
+            table.occupy(slot, entity, &mut self.batch_index);
             self.slot_of.insert(*key, slot);
             dirty.push(slot);
         }
-        // Dressed in something that cannot be drawn.
+        // Kept slots of entities that cannot be drawn any more.
         self.free
             .extend(added.iter().filter_map(|key| stay.get(key)));
-        let mut turned = Vec::new();
+        let mut remirrored = Vec::new();
         for key in moved {
             let (Some(slot), Some(world)) = (self.slot(*key), scene.world(*key)) else {
                 continue;
@@ -397,7 +397,7 @@ impl GpuScene {
                 continue;
             };
             if table.class_of(slot).mirrored() != (world.matrix3.determinant() < 0.0) {
-                turned.push(*key);
+                remirrored.push(*key);
                 continue;
             }
             let material = self.host_instances[slot as usize].material;
@@ -406,9 +406,9 @@ impl GpuScene {
             dirty.push(slot);
         }
         table.sort_batches(&mut self.batch_index);
-        if !turned.is_empty() {
-            // Mirrored by its motion: another pipeline, so another slot.
-            dirty.extend(self.change(table, scene, &turned, &turned, &[])?);
+        if !remirrored.is_empty() {
+            // The motion has changed the handedness, so the entity needs another pipeline and batch.
+            dirty.extend(self.change(table, scene, &remirrored, &remirrored, &[])?);
         }
         Ok(dirty)
     }
@@ -439,7 +439,7 @@ impl GpuScene {
         Ok(number as u32)
     }
 
-    /// Uploads images anew that changed since they were uploaded.
+    /// Uploads images again that have changed.
     fn repaint(&mut self, scene: &Scene, images: &[ImageKey]) -> Result<(), DrawError> {
         for key in images {
             let (Some(number), Some(image)) = (self.texture_index.get(*key), scene.image(*key))
@@ -455,7 +455,7 @@ impl GpuScene {
         Ok(())
     }
 
-    /// Writes the changed instances, neighbours together.
+    /// Writes the changed instances, neighbours in one write.
     fn upload(&mut self, mut dirty: Vec<u32>) -> Result<(), DrawError> {
         dirty.sort_unstable();
         dirty.dedup();
@@ -463,7 +463,7 @@ impl GpuScene {
             .reserve(&self.gpu, self.host_instances.len() as u64)?;
         let mut rest = dirty.as_slice();
         while let Some(first) = rest.first() {
-            // A gap of a few unchanged ones is cheaper to write over than another write is.
+            // Writing a few unchanged instances in a gap is cheaper than another write.
             let run = rest
                 .windows(2)
                 .position(|pair| pair[1] - pair[0] > 8)
@@ -488,7 +488,7 @@ fn instance(
     Ok(Instance::new(world, material))
 }
 
-/// By how much the stand-ins of meshes deviate that come with some entities and are not `known` yet.
+/// The proxy deviations of the meshes of added entities, without those that are `known` already.
 fn deviations(
     scene: &Scene,
     added: &[EntityKey],
@@ -503,7 +503,7 @@ fn deviations(
         .collect()
 }
 
-/// Refuses a transform that the GPU cannot be told, naming its entity and the number.
+/// Refuses a transform that does not fit 32-bit floats. The error names the entity and the number.
 fn fits(scene: &Scene, key: EntityKey, world: &DAffine3) -> Result<(), DrawError> {
     let Some(number) = Instance::misfit(world) else {
         return Ok(());
@@ -517,7 +517,7 @@ fn fits(scene: &Scene, key: EntityKey, world: &DAffine3) -> Result<(), DrawError
     Err(DrawError::Transform { entity, number })
 }
 
-/// Twice as many as there are now, and some.
+/// Twice the present number of groups, and some.
 fn most_groups(table: &SceneTable) -> usize {
     table.groups().parents().len() * 2 + 1024
 }

@@ -1,7 +1,7 @@
-//! What the host knows of everything drawable, laid out for culling: one slot an entity, dense arrays by slot.
+//! The host's data of all drawable entities, laid out for culling: one slot for each entity, dense arrays by slot.
 //!
-//! A table is a snapshot shared with the graph's host nodes through an `Arc`; the scene's owner changes it between
-//! frames, when nobody else holds it.
+//! A table is a snapshot. The graph's host nodes share it through an `Arc`; [`GpuScene`](crate::GpuScene) changes it between frames, when no
+//! node holds it.
 
 use std::collections::HashMap;
 
@@ -16,7 +16,7 @@ use crate::ranges::{IndexRange, MeshRanges};
 use crate::scale::{greatest_scale, least_scale};
 use crate::slot_groups::SlotGroups;
 
-/// What can be drawn in one instanced draw: same pipeline, same texture, same mesh. Sorts in drawing order.
+/// What the instances of one instanced draw share: pipeline, texture, mesh. Sorts in drawing order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Batch {
     /// Decides the pipeline.
@@ -27,29 +27,41 @@ pub struct Batch {
     pub mesh: u32,
 }
 
-/// What a slot holds. Slots of removed entities are reused.
+/// The entity in a slot. Slots of removed entities are reused.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Occupant {
     /// The entity.
     pub key: EntityKey,
-    /// The epoch in which it came into this slot: answers of older epochs are not about it.
+    /// The epoch in which it was put into this slot. Query results of older epochs belong to an earlier occupant.
     pub added_epoch: u64,
 }
 
-/// Everything drawable, by slot.
+/// An entity on its way into a slot.
+pub(crate) struct NewOccupant<'a> {
+    pub key: EntityKey,
+    /// World bounds.
+    pub bounds: Aabb,
+    /// World transform.
+    pub world: &'a DAffine3,
+    pub batch: Batch,
+    /// Whether visibility tests may cull it.
+    pub tested: bool,
+}
+
+/// All drawable entities, by slot.
 #[derive(Debug, Clone, Default)]
 pub struct SceneTable {
     occupants: Vec<Option<Occupant>>,
     boxes: BoxArray,
     batch_of: Vec<u32>,
     untested: Vec<bool>,
-    /// The least that a length in the entity's own space grows by on its way into the world.
+    /// The least factor by which the world transform stretches a length.
     least_scales: Vec<f32>,
-    /// By how many metres, at most, the stand-in deviates from the mesh.
+    /// By how many metres, at most, the proxy deviates from the mesh.
     deviations: Vec<f32>,
     oriented: Vec<OrientedBox>,
     groups: SlotGroups,
-    /// Slots that somebody came into, left, or moved in since `changed_since`.
+    /// Slots whose entities were added, removed or moved since `changed_since`.
     changed: Vec<u32>,
     changed_since: u64,
     batches: Vec<Batch>,
@@ -60,7 +72,7 @@ pub struct SceneTable {
 }
 
 impl SceneTable {
-    /// Number of slots, free ones included. Slots are below this.
+    /// Number of slots, free ones included. All slots are below it.
     pub fn slots(&self) -> u32 {
         self.occupants.len() as u32
     }
@@ -70,12 +82,12 @@ impl SceneTable {
         self.live
     }
 
-    /// Counts the changes; every answer is stamped with the epoch it was asked in.
+    /// Increases with each change. Query results carry the epoch in which their query was issued.
     pub fn epoch(&self) -> u64 {
         self.epoch
     }
 
-    /// Who is in a slot; `None` for a free one.
+    /// The entity in a slot; `None` for a free slot.
     pub fn occupant(&self, slot: u32) -> Option<&Occupant> {
         self.occupants.get(slot as usize)?.as_ref()
     }
@@ -88,12 +100,12 @@ impl SceneTable {
             .filter_map(|(occupant, slot)| occupant.as_ref().map(|_| slot))
     }
 
-    /// World bounds by slot, for culling. Those of free slots are empty, yet may pass a test: see [`Self::occupant`].
+    /// World bounds by slot, in metres. Those of free slots are stale and may pass a test: check [`Self::occupant`].
     pub fn boxes(&self) -> &BoxArray {
         &self.boxes
     }
 
-    /// World bounds of a slot; of one that does not exist, the origin.
+    /// World bounds of a slot, in metres; the origin for a slot that does not exist.
     pub fn bounds(&self, slot: u32) -> Aabb {
         self.boxes.get(slot as usize).unwrap_or(Aabb {
             min: DVec3::ZERO,
@@ -116,7 +128,7 @@ impl SceneTable {
         self.class_of(slot).alpha() == Alpha::Blend
     }
 
-    /// Whether a live slot's entity may hide others ([`PipelineClass::occludes`]).
+    /// Whether a live slot's entity may be an occluder ([`PipelineClass::occludes`]).
     pub fn is_occluder(&self, slot: u32) -> bool {
         self.class_of(slot).occludes()
     }
@@ -139,13 +151,13 @@ impl SceneTable {
             .unwrap_or_default()
     }
 
-    /// Triangles (or lines, or points) of an entity in some detail.
+    /// Triangles (or lines, or points) of a live slot's entity in some detail.
     pub fn primitives_of(&self, slot: u32, detail: MeshDetail) -> u32 {
         self.range(self.batches[self.batch_of(slot) as usize].mesh, detail)
             .primitives()
     }
 
-    /// Levels of detail of an entity's mesh, the full one included.
+    /// Levels of detail of a live slot's mesh, the full one included.
     pub fn levels_of(&self, slot: u32) -> u8 {
         self.batch_levels(self.batch_of(slot))
     }
@@ -157,7 +169,8 @@ impl SceneTable {
         ranges.map_or(1, |ranges| ranges.levels.len().clamp(1, 255)) as u8
     }
 
-    /// By how many metres, at least, the box of [`MeshDetail::Box`] is wider than the full mesh on every side; 0 where a transform is flat.
+    /// By how many metres, at least, the box of [`MeshDetail::Box`] is wider than the full mesh on every side; 0 where the transform
+    /// flattens.
     pub fn box_margin(&self, slot: u32) -> f64 {
         let at = slot as usize;
         let mesh = self
@@ -169,28 +182,29 @@ impl SceneTable {
         mesh.map_or(0.0, |mesh| mesh.box_margin * f64::from(scale))
     }
 
-    /// By how many metres, at most, an entity's stand-in deviates from its mesh; 0 where it has none.
+    /// By how many metres, at most, an entity's proxy deviates from its mesh; 0 where it has none.
     pub fn deviation(&self, slot: u32) -> f32 {
         self.deviations.get(slot as usize).copied().unwrap_or(0.0)
     }
 
-    /// The box of a live slot's entity along its own axes; of one that does not exist, a point.
+    /// The bounding box of a slot's entity along the entity's own axes; a point for a slot that does not exist.
     pub fn oriented(&self, slot: u32) -> OrientedBox {
         let known = self.oriented.get(slot as usize).copied();
         known.unwrap_or_else(|| OrientedBox::aligned(&self.bounds(slot)))
     }
 
-    /// The scene's tree: what lies in which group.
+    /// The scene's hierarchy: the group of each slot.
     pub fn groups(&self) -> &SlotGroups {
         &self.groups
     }
 
-    /// The slots that entities came into, left, or moved in since an epoch, some perhaps twice; `None` where that is too long ago.
+    /// The slots whose entities were added, removed or moved since an epoch, with possible duplicates; `None` where the epoch is too long
+    /// ago.
     pub fn changed_since(&self, epoch: u64) -> Option<&[u32]> {
         (epoch >= self.changed_since).then_some(&self.changed)
     }
 
-    /// Whether a test of its visibility may cull an entity.
+    /// Whether visibility tests may cull an entity.
     pub fn is_tested(&self, slot: u32) -> bool {
         self.untested
             .get(slot as usize)
@@ -201,31 +215,37 @@ impl SceneTable {
         &mut self.groups
     }
 
-    /// From now on changes are remembered; those before are not.
-    pub(crate) fn forget_changes(&mut self) {
+    /// Clears the list of changed slots.
+    pub(crate) fn clear_changes(&mut self) {
         self.changed.clear();
         self.changed_since = self.epoch;
     }
 
+    /// Begins a new epoch.
     pub(crate) fn next_epoch(&mut self) {
         self.epoch += 1;
     }
 
+    /// Adds a mesh and returns its index.
     pub(crate) fn add_mesh(&mut self, ranges: MeshRanges) -> u32 {
         self.meshes.push(ranges);
         self.meshes.len() as u32 - 1
     }
 
-    /// Puts an entity into a slot (the next new one, or a free one). Its batch index is provisional until [`Self::sort_batches`].
+    /// Puts an entity into a slot: the next new one, or a free one. Its batch index is provisional until [`Self::sort_batches`].
     pub(crate) fn occupy(
         &mut self,
         slot: u32,
-        key: EntityKey,
-        (bounds, world): (Aabb, &DAffine3),
-        batch: Batch,
-        tested: bool,
+        entity: NewOccupant<'_>,
         index: &mut HashMap<Batch, u32>,
     ) {
+        let NewOccupant {
+            key,
+            bounds,
+            world,
+            batch,
+            tested,
+        } = entity;
         let occupant = Some(Occupant {
             key,
             added_epoch: self.epoch,
@@ -259,6 +279,7 @@ impl SceneTable {
         self.count(batch.class, 1);
     }
 
+    /// Frees a slot.
     pub(crate) fn vacate(&mut self, slot: u32) {
         let Some(place) = self.occupants.get_mut(slot as usize) else {
             return;
@@ -273,6 +294,7 @@ impl SceneTable {
         }
     }
 
+    /// Moves the entity in a slot.
     pub(crate) fn move_to(&mut self, slot: u32, bounds: Aabb, world: &DAffine3) {
         self.boxes.set(slot as usize, bounds);
         self.changed.push(slot);
@@ -290,6 +312,7 @@ impl SceneTable {
         }
     }
 
+    /// By how many metres, at most, a mesh's proxy deviates in the world.
     fn deviates(&self, mesh: u32, world: &DAffine3) -> f32 {
         let own = self
             .meshes
@@ -305,7 +328,7 @@ impl SceneTable {
         }
     }
 
-    /// Brings the batches into drawing order and renumbers the slots' batches.
+    /// Sorts the batches into drawing order and renumbers the slots' batches.
     pub(crate) fn sort_batches(&mut self, index: &mut HashMap<Batch, u32>) {
         if self.batches.is_sorted() {
             return;
@@ -325,6 +348,7 @@ impl SceneTable {
         }
     }
 
+    /// Counts a transparent entity in or out.
     fn count(&mut self, class: PipelineClass, by: isize) {
         if class.alpha() == Alpha::Blend {
             self.transparent = self.transparent.saturating_add_signed(by);

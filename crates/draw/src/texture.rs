@@ -1,4 +1,4 @@
-//! Base-colour textures: uploaded once with their smaller copies, one bind group each.
+//! Base-colour textures: uploaded once with their mip levels, one bind group each.
 //!
 //! Bind group 0 is a single white pixel, for materials without an image.
 
@@ -7,7 +7,7 @@ use antumbra_scene::{Filter, Image, Sampler, Wrap};
 use crate::device::Gpu;
 use crate::error::DrawError;
 
-/// The white pixel that stands for no image.
+/// One white pixel, for materials without an image.
 pub fn white() -> Image {
     Image {
         name: String::new(),
@@ -18,10 +18,10 @@ pub fn white() -> Image {
     }
 }
 
-/// Uploads an image with its smaller copies and binds it. `number` is for the error.
+/// Uploads an image with its mip levels and makes its bind group. `number` is the image's, for the error.
 ///
 /// # Errors
-/// When the image exceeds the device's texture size.
+/// [`DrawError::Image`] where the image exceeds the device's texture size.
 pub fn upload(
     gpu: &Gpu,
     layout: &wgpu::BindGroupLayout,
@@ -51,23 +51,27 @@ pub fn upload(
         usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
         view_formats: &[],
     });
-    let (mut width, mut height, mut pixels) = (image.width, image.height, image.rgba.clone());
+    let mut mip = Mip {
+        width: image.width,
+        height: image.height,
+        rgba: image.rgba.clone(),
+    };
     for level in 0..levels {
         gpu.queue.write_texture(
             wgpu::TexelCopyTextureInfo {
                 mip_level: level,
                 ..texture.as_image_copy()
             },
-            &pixels,
+            &mip.rgba,
             wgpu::TexelCopyBufferLayout {
                 offset: 0,
-                bytes_per_row: Some(width * 4),
+                bytes_per_row: Some(mip.width * 4),
                 rows_per_image: None,
             },
-            extent(width, height),
+            extent(mip.width, mip.height),
         );
         if level + 1 < levels {
-            (width, height, pixels) = halved(width, height, &pixels);
+            mip = halved(mip.width, mip.height, &mip.rgba);
         }
     }
     let sampler = gpu.device.create_sampler(&sampler(&image.sampler));
@@ -120,8 +124,18 @@ fn sampler(sampler: &Sampler) -> wgpu::SamplerDescriptor<'static> {
     }
 }
 
-/// The next smaller copy of sRGB pixels: each pixel the mean of up to four, in linear light.
-pub fn halved(width: u32, height: u32, pixels: &[u8]) -> (u32, u32, Vec<u8>) {
+/// A mip level.
+pub struct Mip {
+    /// Width in pixels.
+    pub width: u32,
+    /// Height in pixels.
+    pub height: u32,
+    /// sRGB colour and linear alpha, row by row.
+    pub rgba: Vec<u8>,
+}
+
+/// The next mip level of sRGB pixels: each pixel is the mean of up to four, in linear light.
+pub fn halved(width: u32, height: u32, pixels: &[u8]) -> Mip {
     let (w, h) = ((width / 2).max(1), (height / 2).max(1));
     let mut out = Vec::with_capacity(w as usize * h as usize * 4);
     let at = |x: u32, y: u32, channel: usize| {
@@ -142,7 +156,11 @@ pub fn halved(width: u32, height: u32, pixels: &[u8]) -> (u32, u32, Vec<u8>) {
             }
         }
     }
-    (w, h, out)
+    Mip {
+        width: w,
+        height: h,
+        rgba: out,
+    }
 }
 
 /// Linear light of an sRGB byte, 0 to 1.

@@ -1,13 +1,13 @@
-//! A view: a camera and the image it makes, as the host and the GPU see it.
+//! A view in one frame: a camera and the size of its image, for the host and for shaders.
 
 use antumbra_scene::{Aabb, Camera, Frustum, Projection};
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Mat4};
 
-use crate::instance::split;
+use crate::instance::SplitPoint;
 
-/// Mirrors `View` of `shared/view.wgsl`.
+/// The view's uniform. Mirrors `View` of `shared/view.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 pub struct GpuView {
@@ -25,16 +25,27 @@ assert_layout!(GpuView, "depth", "View", { clip_from_relative, eye_high, pixels_
 pub struct ViewFrame {
     /// The camera.
     pub camera: Camera,
-    /// Pixels wide and high.
+    /// Width and height in pixels.
     pub size: [u32; 2],
-    /// What the camera sees, in world space.
+    /// The view frustum in world space.
     pub frustum: Frustum,
-    /// Counts the cuts of this view: an answer asked before a cut says nothing after it.
+    /// Number of camera cuts of this view so far. Query results from before a cut are not valid after it.
     pub cuts: u64,
 }
 
+/// A camera's directions in world space, unit vectors.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ViewAxes {
+    /// To the right in the image.
+    pub right: DVec3,
+    /// Upwards in the image.
+    pub up: DVec3,
+    /// Into the image.
+    pub forward: DVec3,
+}
+
 impl ViewFrame {
-    /// A camera looking at an image of `size` pixels.
+    /// A view of a camera with an image of `size` pixels, width and height.
     pub fn new(camera: Camera, size: [u32; 2], cuts: u64) -> Self {
         let frustum = camera.frustum(aspect(size));
         Self {
@@ -50,26 +61,26 @@ impl ViewFrame {
         aspect(self.size)
     }
 
-    /// Turns world coordinates relative to the camera into clip coordinates.
+    /// The matrix from world coordinates relative to the camera to clip coordinates.
     pub fn clip_from_relative(&self) -> Mat4 {
         self.camera.projection_matrix(self.aspect()) * self.camera.view_rotation()
     }
 
-    /// What the shaders read.
+    /// The uniform that shaders read.
     pub fn uniform(&self) -> GpuView {
         let clip_from_relative = self.clip_from_relative();
-        let (eye_high, eye_low) = split(self.camera.position);
+        let eye = SplitPoint::new(self.camera.position);
         GpuView {
             clip_from_relative: clip_from_relative.to_cols_array(),
-            eye_high,
+            eye_high: eye.high,
             pixels_wide: self.size[0] as f32,
-            eye_low,
+            eye_low: eye.low,
             pixels_high: self.size[1] as f32,
         }
     }
 
-    /// How many pixels a length, in metres, covers at least wherever it lies in these bounds, seen from the side.
-    pub fn pixels_of(&self, length: f64, bounds: &Aabb) -> f64 {
+    /// A lower bound of the pixels that a length, in metres, covers anywhere within these bounds, seen from the side.
+    pub fn min_pixels(&self, length: f64, bounds: &Aabb) -> f64 {
         let scale = self.pixels_a_metre();
         match self.camera.projection {
             Projection::Orthographic { .. } => length * scale,
@@ -80,9 +91,9 @@ impl ViewFrame {
         }
     }
 
-    /// How many pixels a length across the line of sight, in metres, covers at most wherever it lies in these bounds; without end where some of
-    /// them is beside or behind the eye.
-    pub fn pixels_at_most(&self, length: f64, bounds: &Aabb) -> f64 {
+    /// An upper bound of the pixels that a length across the line of sight, in metres, covers anywhere within these bounds; infinite where
+    /// they are partly beside or behind the eye.
+    pub fn max_pixels(&self, length: f64, bounds: &Aabb) -> f64 {
         let scale = self.pixels_a_metre();
         match self.camera.projection {
             Projection::Orthographic { .. } => length * scale,
@@ -98,16 +109,18 @@ impl ViewFrame {
         }
     }
 
-    /// Pixels a metre, at a distance of a metre or, in a parallel view, anywhere.
+    /// Pixels a metre at a distance of one metre; in a parallel view, at any distance.
     fn pixels_a_metre(&self) -> f64 {
         f64::from(self.camera.projection_matrix(self.aspect()).y_axis.y)
             * 0.5
             * f64::from(self.size[1])
     }
 
-    /// The camera's right, up and forward directions.
-    pub fn axes(&self) -> [DVec3; 3] {
-        [DVec3::X, DVec3::Y, DVec3::NEG_Z].map(|axis| self.camera.rotation * axis)
+    /// The camera's directions in world space.
+    pub fn axes(&self) -> ViewAxes {
+        let [right, up, forward] =
+            [DVec3::X, DVec3::Y, DVec3::NEG_Z].map(|axis| self.camera.rotation * axis);
+        ViewAxes { right, up, forward }
     }
 }
 

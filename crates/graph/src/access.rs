@@ -1,15 +1,8 @@
-//! How a pass touches a resource, and what follows from it: wgpu usages, reading or writing.
+//! How a pass uses a resource, and what follows: wgpu usages, reads, writes.
 
 use crate::handle::Raw;
-use crate::host::HostReader;
 
-/// Says how many bytes or queries a frame needs.
-pub(crate) type BytesFn = Box<dyn Fn(&HostReader<'_>) -> u64 + Send>;
-/// Says whether a frame has anything to do in a pass.
-pub(crate) type ConditionFn = Box<dyn Fn(&HostReader<'_>) -> bool + Send>;
-/// Says how many queries a frame issues.
-pub(crate) type CountFn = Box<dyn Fn(&HostReader<'_>) -> u32 + Send>;
-
+/// One way of using a resource.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Access {
     Colour,
@@ -33,11 +26,11 @@ pub(crate) enum Access {
     HostUpdate,
     Upload,
     UploadUpdate,
-    /// Same frame: a sync point.
+    /// Read back in the same frame: a sync point.
     ReadBack,
-    /// Frame-late: copied at the end of the frame.
+    /// Read back a frame or more later: copied at the end of the frame.
     Late,
-    /// The host value copied along with a late read-back.
+    /// The host value that is copied along with a late read-back.
     LateTag,
 }
 
@@ -60,7 +53,7 @@ impl Access {
         )
     }
 
-    /// Reads last frame's value and writes this frame's, in place.
+    /// Whether it reads last frame's value and writes this frame's, in place.
     pub fn updates(self) -> bool {
         matches!(
             self,
@@ -68,7 +61,7 @@ impl Access {
         )
     }
 
-    /// Looks at the end of the frame, so it orders nothing.
+    /// Whether it reads at the end of the frame, so that it orders nothing.
     pub fn is_late(self) -> bool {
         matches!(self, Self::Late | Self::LateTag)
     }
@@ -109,7 +102,7 @@ impl Access {
         }
     }
 
-    /// The word for errors and pictures.
+    /// Its name in errors and exported graphs.
     pub fn word(self) -> &'static str {
         match self {
             Self::Colour => "colour",
@@ -140,7 +133,7 @@ impl Access {
     }
 }
 
-/// One declared touch of one resource.
+/// One declared use of one resource.
 pub(crate) struct Use {
     pub raw: Raw,
     pub access: Access,
@@ -149,8 +142,6 @@ pub(crate) struct Use {
     pub layer: u32,
     /// The ring of a late read-back.
     pub ring: Option<u32>,
-    /// Limits how much is read back.
-    pub bytes: Option<BytesFn>,
 }
 
 impl Use {
@@ -161,7 +152,6 @@ impl Use {
             mip: 0,
             layer: 0,
             ring: None,
-            bytes: None,
         }
     }
 
@@ -169,7 +159,7 @@ impl Use {
         self.raw.resource()
     }
 
-    /// Reads a version of this frame.
+    /// Whether it reads a version of this frame.
     pub fn reads_now(&self) -> bool {
         !self.access.writes() && !self.access.is_late() && !self.raw.is_previous()
     }

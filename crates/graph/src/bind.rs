@@ -1,26 +1,27 @@
-//! Bind groups of graph resources, cached per pass and slot.
+//! Bind groups of graph resources, cached by pass and slot.
 
+use std::cell::RefCell;
 use std::ops::Range;
 
-use crate::{Buffer, Texture};
+use crate::handle::{Buffer, Texture};
 
-/// One entry of a bind group: the binding number and what is bound there.
+/// One entry of a bind group: the binding's number and what is bound.
 #[derive(Clone, Debug)]
 pub enum Bind {
-    /// All bytes of a buffer, as declared (or all of an import).
+    /// A whole buffer, as declared; of an import, all of the bound buffer.
     Buffer(u32, Buffer),
-    /// Some bytes of a buffer.
+    /// A range of a buffer, in bytes.
     BufferRange(u32, Buffer, Range<u64>),
     /// All mips and layers of a texture.
     Texture(u32, Texture),
     /// One mip of layer 0 of a texture.
     Mip(u32, Texture, u32),
-    /// Something the graph does not know.
+    /// An object that is not part of the graph.
     External(u32, External),
 }
 
 impl Bind {
-    /// Something the graph does not know.
+    /// An object that is not part of the graph.
     pub fn external(binding: u32, object: impl Into<External>) -> Self {
         Self::External(binding, object.into())
     }
@@ -31,7 +32,7 @@ impl Bind {
 pub enum External {
     /// A whole buffer.
     Buffer(wgpu::Buffer),
-    /// Some bytes of a buffer.
+    /// A range of a buffer, in bytes.
     BufferRange(wgpu::Buffer, Range<u64>),
     /// A texture view.
     View(wgpu::TextureView),
@@ -57,14 +58,16 @@ impl From<wgpu::Sampler> for External {
     }
 }
 
-/// A bind resolved to the object behind it.
+/// A [`Bind`] resolved to its wgpu object.
 #[derive(Clone, Copy)]
 pub(crate) enum Bound<'a> {
+    /// A buffer with offset and size in bytes.
     Buffer(&'a wgpu::Buffer, u64, u64),
     View(&'a wgpu::TextureView),
     Sampler(&'a wgpu::Sampler),
 }
 
+/// A [`Bound`] as a cached bind group holds it.
 enum Kept {
     Buffer(wgpu::Buffer, u64, u64),
     View(wgpu::TextureView),
@@ -112,6 +115,9 @@ struct Entry {
     group: wgpu::BindGroup,
 }
 
+/// By pass: its bind groups.
+pub(crate) type Caches = [RefCell<BindCache>];
+
 /// The bind groups of one pass.
 #[derive(Default)]
 pub(crate) struct BindCache {
@@ -119,7 +125,7 @@ pub(crate) struct BindCache {
 }
 
 impl BindCache {
-    /// The group at `slot`, made anew if anything bound has changed. `resolve` turns the n-th bind into its object.
+    /// The group at `slot`, made anew if any bound object has changed. `resolve` returns the binding and the object of the n-th bind.
     pub fn group<'a, E>(
         &mut self,
         device: &wgpu::Device,

@@ -1,6 +1,6 @@
-//! What the builders of all kinds of nodes have in common, written once.
+//! The methods that the builders of all kinds of nodes share.
 
-/// The methods every builder has. `$Builder` has the fields `graph` and `pass`.
+/// The methods of every builder. `$Builder` has the fields `graph` and `pass`.
 macro_rules! common_builder {
     ($Builder:ident, $Context:ident, $variant:ident) => {
         impl<'g> $Builder<'g> {
@@ -19,13 +19,13 @@ macro_rules! common_builder {
                 self
             }
 
-            /// The label its time is summed under, such as "cull" or "draw".
+            /// The label under which the pass's time is summed, such as "cull" or "draw".
             pub fn group(&mut self, group: &'static str) -> &mut Self {
                 self.declared().group = Some(group);
                 self
             }
 
-            /// Runs after that pass, beyond what the data says. It does not keep the other pass alive.
+            /// Runs after another pass, in addition to the order that follows from the data. It does not keep the other pass alive.
             pub fn after(&mut self, pass: crate::PassId) -> &mut Self {
                 if pass.graph == self.graph.id {
                     self.declared().after.push(pass);
@@ -35,19 +35,19 @@ macro_rules! common_builder {
                 self
             }
 
-            /// Keeps the pass even if nobody reads what it writes.
+            /// Keeps the pass even if nothing reads what it writes.
             pub fn side_effect(&mut self) -> &mut Self {
                 self.declared().side_effect = true;
                 self
             }
 
-            /// Features the body makes use of; compiling fails where the device lacks one.
+            /// Device features that the body needs. Compiling fails where the device lacks one.
             pub fn requires(&mut self, features: wgpu::Features) -> &mut Self {
                 self.declared().requires |= features;
                 self
             }
 
-            /// The pass being built, to name it in another's `after`.
+            /// The pass's id, for the `after` of other passes.
             #[must_use]
             pub fn id(&self) -> crate::PassId {
                 self.graph.pass_id(self.pass)
@@ -56,16 +56,18 @@ macro_rules! common_builder {
             /// Gives the node its body and finishes it.
             pub fn run(
                 &mut self,
-                body: impl FnMut(&mut $Context<'_>) -> Result<(), crate::BodyError> + Send + 'static,
+                body: impl FnMut(&mut crate::context::$Context<'_>) -> Result<(), crate::BodyError>
+                + Send
+                + 'static,
             ) -> crate::PassId {
                 self.graph
-                    .finish(self.pass, crate::pass::Body::$variant(Box::new(body)))
+                    .finish(self.pass, crate::body::Body::$variant(Box::new(body)))
             }
         }
     };
 }
 
-/// The shader accesses raster and compute nodes share.
+/// The shader accesses that raster and compute nodes share.
 macro_rules! shader_builder {
     ($Builder:ident) => {
         impl $Builder<'_> {
@@ -98,7 +100,8 @@ macro_rules! shader_builder {
                     .write(self.pass, buffer, crate::access::Access::StorageWrite)
             }
 
-            /// Reads last frame's contents and writes this frame's, in place, as storage. The handle is the declared one (version 0); one pass updates it.
+            /// Reads last frame's contents and writes this frame's, in place, as storage. The handle must be the declared one (version
+            /// 0), and only one pass may update it.
             pub fn updates(&mut self, buffer: crate::Buffer) -> crate::Buffer {
                 self.graph
                     .write(self.pass, buffer, crate::access::Access::StorageUpdate)
@@ -111,12 +114,12 @@ macro_rules! shader_builder {
                 self
             }
 
-            /// Leaves the pass out of the frames, and of the turns of a loop, in which `condition` is false: an empty draw list, say.
-            /// What it would have written keeps what it holds; where the pass is the first to write what is cleared or zeroed each frame, that is
-            /// done all the same. The function may read the host values this node declares.
+            /// Skips the pass in frames (and loop iterations) in which `condition` is false, as for an empty draw list. Resources that it
+            /// would have written keep their contents. Clears and zeroing for which the pass is the first writer still happen. The
+            /// function may read the host values that this node declares.
             pub fn only_if(
                 &mut self,
-                condition: impl Fn(&crate::host::HostReader<'_>) -> bool + Send + 'static,
+                condition: impl Fn(&crate::frame::HostReader<'_>) -> bool + Send + 'static,
             ) -> &mut Self {
                 self.declared().condition = Some(Box::new(condition));
                 self
@@ -132,120 +135,4 @@ macro_rules! shader_builder {
     };
 }
 
-/// The reach of every context into the frame. `$Context` has the field `view: PassView<'a>`.
-macro_rules! common_context {
-    ($Context:ident) => {
-        impl<'a> $Context<'a> {
-            /// The device the frame is recorded on.
-            #[must_use]
-            pub fn device(&self) -> &'a wgpu::Device {
-                self.view.frame.device
-            }
-
-            /// Its queue. What is written through it takes effect before all commands of the frame that are not yet submitted.
-            #[must_use]
-            pub fn queue(&self) -> &'a wgpu::Queue {
-                self.view.frame.queue
-            }
-
-            /// The frame's number, from 0.
-            #[must_use]
-            pub fn frame(&self) -> u64 {
-                self.view.frame.number
-            }
-
-            /// Whether previous values are those of a finished frame, not zero or `Default`.
-            #[must_use]
-            pub fn has_previous(&self) -> bool {
-                self.view.frame.has_previous
-            }
-
-            /// The turn of the innermost host loop, from 0; 0 outside of loops.
-            #[must_use]
-            pub fn turn(&self) -> u32 {
-                self.view.turn
-            }
-
-            /// A declared host value.
-            ///
-            /// # Errors
-            /// It was not declared, holds nothing, or is being written.
-            pub fn get<T: 'static>(
-                &self,
-                value: crate::Host<T>,
-            ) -> Result<crate::HostRef<'a, T>, crate::AccessError> {
-                self.view.get(value)
-            }
-
-            /// The physical buffer behind a declared one. It may be larger than declared, and another one next frame.
-            ///
-            /// # Errors
-            /// It was not declared by this pass.
-            pub fn buffer(
-                &self,
-                buffer: crate::Buffer,
-            ) -> Result<&'a wgpu::Buffer, crate::AccessError> {
-                self.view.buffer(buffer)
-            }
-
-            /// The size of a buffer as declared, in bytes, rounded up to a multiple of 4.
-            ///
-            /// # Errors
-            /// It was not declared by this pass.
-            pub fn size(&self, buffer: crate::Buffer) -> Result<u64, crate::AccessError> {
-                self.view.size(buffer)
-            }
-
-            /// A view of all mips and layers of a declared texture (its depth aspect, if it has depth).
-            ///
-            /// # Errors
-            /// It was not declared by this pass.
-            pub fn view(
-                &self,
-                texture: crate::Texture,
-            ) -> Result<&'a wgpu::TextureView, crate::AccessError> {
-                self.view.sample_view(texture)
-            }
-
-            /// A view of one mip and one layer of a declared texture.
-            ///
-            /// # Errors
-            /// It was not declared by this pass, or has no such mip and layer.
-            pub fn mip_view(
-                &self,
-                texture: crate::Texture,
-                mip: u32,
-                layer: u32,
-            ) -> Result<&'a wgpu::TextureView, crate::AccessError> {
-                self.view.mip_view(texture, mip, layer)
-            }
-
-            /// The physical texture behind a declared one.
-            ///
-            /// # Errors
-            /// It was not declared by this pass.
-            pub fn texture(
-                &self,
-                texture: crate::Texture,
-            ) -> Result<&'a wgpu::Texture, crate::AccessError> {
-                self.view.texture(texture)
-            }
-
-            /// A bind group of declared resources, made anew only when one of the objects behind them has changed.
-            /// The cache is this pass's own, one entry a `slot` (and frame parity): use one slot for each group the body binds.
-            ///
-            /// # Errors
-            /// A resource was not declared by this pass, or a range does not fit.
-            pub fn bind_group(
-                &self,
-                slot: u32,
-                layout: &wgpu::BindGroupLayout,
-                binds: &[crate::Bind],
-            ) -> Result<wgpu::BindGroup, crate::AccessError> {
-                self.view.bind_group(slot, layout, binds)
-            }
-        }
-    };
-}
-
-pub(crate) use {common_builder, common_context, shader_builder};
+pub(crate) use {common_builder, shader_builder};

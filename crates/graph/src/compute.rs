@@ -1,8 +1,8 @@
-//! Compute nodes: one compute pass with shader accesses.
+//! Declares compute nodes: one compute pass with shader accesses.
 
-use crate::Graph;
-use crate::builder::{common_builder, common_context, shader_builder};
-use crate::frame::PassView;
+use crate::builder::{common_builder, shader_builder};
+use crate::graph::Graph;
+use crate::pass::PassKind;
 
 /// Declares a compute node. Methods that write return the next version; the others return the builder.
 pub struct ComputeBuilder<'g> {
@@ -13,17 +13,10 @@ pub struct ComputeBuilder<'g> {
 common_builder!(ComputeBuilder, ComputeContext, Compute);
 shader_builder!(ComputeBuilder);
 
-/// What the body of a compute node works with.
-pub struct ComputeContext<'a> {
-    pub(crate) view: PassView<'a>,
-    pub(crate) pass: wgpu::ComputePass<'static>,
-}
-
-common_context!(ComputeContext);
-
-impl ComputeContext<'_> {
-    /// The compute pass, open.
-    pub fn pass(&mut self) -> &mut wgpu::ComputePass<'static> {
-        &mut self.pass
+impl Graph {
+    /// A node that computes: one compute pass.
+    pub fn compute(&mut self, name: impl Into<String>) -> ComputeBuilder<'_> {
+        let pass = self.begin(name.into(), PassKind::Compute);
+        ComputeBuilder::new(self, pass)
     }
 }

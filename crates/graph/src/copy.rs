@@ -1,10 +1,10 @@
-//! Copy nodes: transfers on the command encoder.
+//! Declares copy nodes: transfers on the command encoder.
 
 use crate::access::Access;
-use crate::builder::{common_builder, common_context};
-use crate::frame::PassView;
-use crate::handle::Handle;
-use crate::{Buffer, Graph, Texture};
+use crate::builder::common_builder;
+use crate::graph::Graph;
+use crate::handle::{Buffer, Handle, Texture};
+use crate::pass::PassKind;
 
 /// What can be copied: a [`Texture`] or a [`Buffer`].
 pub trait Copyable: Handle {}
@@ -20,6 +20,14 @@ pub struct CopyBuilder<'g> {
 
 common_builder!(CopyBuilder, CopyContext, Copy);
 
+impl Graph {
+    /// A node that copies. Its body gets the command encoder.
+    pub fn copy(&mut self, name: impl Into<String>) -> CopyBuilder<'_> {
+        let pass = self.begin(name.into(), PassKind::Copy);
+        CopyBuilder::new(self, pass)
+    }
+}
+
 impl CopyBuilder<'_> {
     /// Copies from the texture or buffer.
     pub fn copy_src(&mut self, handle: impl Copyable) -> &mut Self {
@@ -30,20 +38,5 @@ impl CopyBuilder<'_> {
     /// Copies into (or clears) the texture or buffer.
     pub fn copy_dst<H: Copyable>(&mut self, handle: H) -> H {
         self.graph.write(self.pass, handle, Access::CopyDst)
-    }
-}
-
-/// What the body of a copy node works with.
-pub struct CopyContext<'a> {
-    pub(crate) view: PassView<'a>,
-    pub(crate) encoder: &'a mut wgpu::CommandEncoder,
-}
-
-common_context!(CopyContext);
-
-impl CopyContext<'_> {
-    /// The encoder the frame is recorded with. Leave no pass open on it.
-    pub fn encoder(&mut self) -> &mut wgpu::CommandEncoder {
-        self.encoder
     }
 }

@@ -1,4 +1,4 @@
-//! What can go wrong, when declaring, when a body reaches for a resource, and in a frame. Each case says what, where, and what to do.
+//! Errors of compiling, of bodies that access resources, and of frames. Each message says what is wrong, where, and what to do about it.
 
 use std::error::Error;
 use std::fmt;
@@ -28,13 +28,13 @@ impl fmt::Display for CompileErrors {
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum CompileError {
-    /// Passes that wait for each other.
+    /// Passes depend on each other in a cycle.
     #[error("a cycle: {}; each waits for the one before it. Read another version, or drop an `after`", .passes.join(" -> "))]
     Cycle {
-        /// The passes in order; the last waits for the first.
+        /// The passes in order; the first depends on the last.
         passes: Vec<String>,
     },
-    /// A version nobody writes.
+    /// A version is read that no pass writes.
     #[error(
         "pass `{pass}` reads `{resource}` (version {version}), which nothing has written; read the handle a write returned"
     )]
@@ -43,7 +43,7 @@ pub enum CompileError {
         pass: String,
         /// The resource.
         resource: String,
-        /// The version asked for.
+        /// The version that is read.
         version: u32,
     },
     /// Two passes write the same version and nothing orders them.
@@ -60,7 +60,7 @@ pub enum CompileError {
         /// The version both start from.
         version: u32,
     },
-    /// A format that cannot be used in the way declared.
+    /// A format does not allow the declared use.
     #[error(
         "pass `{pass}` uses `{resource}` as {access}, which {format:?} does not allow on this device"
     )]
@@ -74,31 +74,31 @@ pub enum CompileError {
         /// Its format.
         format: wgpu::TextureFormat,
     },
-    /// A sample count the format does not have here.
+    /// A format does not have the sample count on this device.
     #[error(
         "`{resource}` asks for {samples} samples of {format:?}; this device allows {allowed:?}"
     )]
     SampleCount {
         /// The texture.
         resource: String,
-        /// Samples asked for.
+        /// The declared sample count.
         samples: u32,
         /// Its format.
         format: wgpu::TextureFormat,
-        /// What is allowed.
+        /// The allowed sample counts.
         allowed: Vec<u32>,
     },
-    /// A feature the device was not made with.
+    /// The device was created without a feature.
     #[error(
-        "{who} needs the device feature {feature}, which this device was not made with; request it, or leave the pass out"
+        "{item} needs the device feature {feature}, which this device was not made with; request it, or leave the pass out"
     )]
     MissingFeature {
-        /// The pass or resource, with its kind.
-        who: String,
-        /// The feature or features.
+        /// The pass or texture, with its kind.
+        item: String,
+        /// The missing features, by name.
         feature: String,
     },
-    /// Something the adapter's class cannot do at all.
+    /// The adapter lacks a downlevel capability.
     #[error(
         "pass `{pass}` needs {capability}, which this adapter lacks; use another adapter, or leave the pass out"
     )]
@@ -108,19 +108,19 @@ pub enum CompileError {
         /// The downlevel flag.
         capability: String,
     },
-    /// Larger than the device allows.
+    /// Something is larger than the device allows.
     #[error("`{resource}` asks for {asked} {what}; this device allows {limit}")]
     Limit {
         /// The resource or pass.
         resource: String,
         /// What is too large.
         what: &'static str,
-        /// How much was asked for.
+        /// The declared amount.
         asked: u64,
-        /// How much there is.
+        /// The device's limit.
         limit: u64,
     },
-    /// A description that describes nothing.
+    /// A description that no resource can have.
     #[error("`{resource}` {what}")]
     BadDescription {
         /// The resource.
@@ -128,7 +128,7 @@ pub enum CompileError {
         /// What is wrong with it, and what to do.
         what: &'static str,
     },
-    /// Attachments of one raster pass that do not fit together.
+    /// Attachments of one raster pass differ in size or sample count.
     #[error(
         "pass `{pass}` draws into `{first}` ({first_shape}) and `{second}` ({second_shape}) at once; sizes and sample counts must agree"
     )]
@@ -144,13 +144,13 @@ pub enum CompileError {
         /// Its width, height and samples.
         second_shape: String,
     },
-    /// A raster pass without a target.
+    /// A raster pass has no attachment.
     #[error("raster pass `{pass}` has no attachment; give it `colour`, `depth` or `depth_read`")]
     NoAttachment {
         /// The pass.
         pass: String,
     },
-    /// A mip or layer the texture does not have, or a mip of a resolve.
+    /// The texture does not have the mip or layer.
     #[error(
         "pass `{pass}` draws into mip {mip}, layer {layer} of `{resource}`, which has {mips} mips and {layers} layers"
     )]
@@ -159,16 +159,16 @@ pub enum CompileError {
         pass: String,
         /// The texture.
         resource: String,
-        /// Mip asked for.
+        /// The declared mip.
         mip: u32,
-        /// Layer asked for.
+        /// The declared layer.
         layer: u32,
-        /// Mips there are.
+        /// Mips of the texture.
         mips: u32,
-        /// Layers there are.
+        /// Layers of the texture.
         layers: u32,
     },
-    /// A handle made by another graph.
+    /// A handle belongs to another graph.
     #[error(
         "pass `{pass}` names a resource or a pass of another graph; handles are good only in the graph that made them"
     )]
@@ -176,19 +176,19 @@ pub enum CompileError {
         /// The pass.
         pass: String,
     },
-    /// A node that was begun and not finished.
+    /// A node was begun and not finished.
     #[error("pass `{pass}` has no body; finish it with `run`")]
     NoBody {
         /// The pass.
         pass: String,
     },
-    /// A node finished twice.
+    /// A node was finished twice.
     #[error("pass `{pass}` was given two bodies; call `run` once")]
     TwoBodies {
         /// The pass.
         pass: String,
     },
-    /// Two uses within one pass that wgpu does not allow together.
+    /// wgpu does not allow two uses within one pass.
     #[error(
         "pass `{pass}` uses `{resource}` as {first} and as {second} at once; split the pass in two"
     )]
@@ -202,7 +202,7 @@ pub enum CompileError {
         /// The other.
         second: &'static str,
     },
-    /// Last frame's value cannot be written.
+    /// A previous value is written.
     #[error(
         "pass `{pass}` writes the previous value of `{resource}`; write the current one, or use `updates`"
     )]
@@ -212,7 +212,7 @@ pub enum CompileError {
         /// The resource.
         resource: String,
     },
-    /// The graph keeps no history of what it does not own.
+    /// The previous value of an import is read. The graph keeps no history of imports.
     #[error(
         "pass `{pass}` looks back at `{resource}`, which is imported; keep its history outside and import that as well"
     )]
@@ -222,17 +222,17 @@ pub enum CompileError {
         /// The resource.
         resource: String,
     },
-    /// An update that is not the first and only one.
+    /// An update is not the first write, or not the only update.
     #[error("pass `{pass}` updates `{resource}`, but {why}")]
     BadUpdate {
         /// The pass.
         pass: String,
         /// The resource.
         resource: String,
-        /// What is in the way, and what to do.
+        /// The reason, and what to do.
         why: String,
     },
-    /// An output that a later pass overwrites.
+    /// A later pass overwrites an output.
     #[error(
         "`{resource}` is an output at version {version}, but pass `{pass}` writes it later; make the last version the output"
     )]
@@ -244,7 +244,7 @@ pub enum CompileError {
         /// The pass that overwrites it.
         pass: String,
     },
-    /// A plan recorded into somebody else's frame cannot wait.
+    /// A plan that records into the caller's encoder cannot wait.
     #[error(
         "pass `{pass}` reads `{resource}` back within the frame, a sync point; an embedded plan cannot wait. Use `read_previous`, or run the plan on its own"
     )]
@@ -254,7 +254,7 @@ pub enum CompileError {
         /// What it reads back.
         resource: String,
     },
-    /// A plan recorded into somebody else's frame cannot loop.
+    /// A plan that records into the caller's encoder cannot loop.
     #[error(
         "host loop `{pass}` cannot run in an embedded plan; run the plan on its own, or use a frame-late form"
     )]
@@ -262,7 +262,7 @@ pub enum CompileError {
         /// The loop.
         pass: String,
     },
-    /// A loop whose condition nothing in it decides.
+    /// No node of a loop writes its condition.
     #[error(
         "host loop `{pass}` ends when `{resource}` is true, but no node of the loop writes it; return the handle written inside"
     )]
@@ -272,19 +272,19 @@ pub enum CompileError {
         /// The condition.
         resource: String,
     },
-    /// The device refused to make a texture, a buffer or a query set, most likely for want of memory.
+    /// The device could not create a texture, a buffer or a query set, most likely because memory ran out.
     #[error("the device could not make the plan's resources: {message}")]
     Device {
-        /// wgpu's words.
+        /// wgpu's message.
         message: String,
     },
 }
 
-/// A body reached for something it did not declare, or in a way that cannot work.
+/// A body accessed a resource that it did not declare, or in a way that cannot work.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum AccessError {
-    /// Not declared by this pass.
+    /// The pass did not declare the use.
     #[error(
         "pass `{pass}` did not declare that it {verb} `{resource}`; declare it when building the pass"
     )]
@@ -293,7 +293,7 @@ pub enum AccessError {
         pass: String,
         /// The resource.
         resource: String,
-        /// What it tried, in words.
+        /// What the body tried.
         verb: &'static str,
     },
     /// A handle of another graph.
@@ -302,7 +302,7 @@ pub enum AccessError {
         /// The pass.
         pass: String,
     },
-    /// Read while being written, or the reverse.
+    /// The value is read while it is written, or the reverse.
     #[error(
         "pass `{pass}` already holds `{resource}` in a way that excludes this; drop the other borrow first"
     )]
@@ -312,7 +312,7 @@ pub enum AccessError {
         /// The resource.
         resource: String,
     },
-    /// Nothing is there.
+    /// The resource holds no value.
     #[error("pass `{pass}` finds no value in `{resource}`")]
     Empty {
         /// The pass.
@@ -320,7 +320,7 @@ pub enum AccessError {
         /// The resource.
         resource: String,
     },
-    /// A range outside of a buffer, or one that is not a multiple of 4 bytes.
+    /// A range is outside of its buffer or not a multiple of 4 bytes.
     #[error(
         "pass `{pass}`: bytes {offset}..{end} do not fit `{resource}` of {size} bytes (offset and length must be multiples of 4)"
     )]
@@ -336,44 +336,44 @@ pub enum AccessError {
         /// The buffer's size.
         size: u64,
     },
-    /// A mip level the texture does not have.
+    /// The texture does not have the mip level.
     #[error("pass `{pass}` asked for mip {mip} of `{resource}`, which has {mips}")]
     Mip {
         /// The pass.
         pass: String,
         /// The resource.
         resource: String,
-        /// The mip asked for.
+        /// The mip that the body asked for.
         mip: u32,
-        /// How many there are.
+        /// Mips of the texture.
         mips: u32,
     },
-    /// Occlusion queries must be issued in order, without holes, within the range of this run.
+    /// An occlusion query is out of order. They must be issued in ascending order without gaps, within the range of this run.
     #[error(
         "pass `{pass}` issued query {query} where {expected} was due (this run takes up to {end}); issue `query_range()` in ascending order without holes"
     )]
     QueryOrder {
         /// The pass.
         pass: String,
-        /// The query issued.
+        /// The query that was issued.
         query: u32,
-        /// The query due.
+        /// The query that was due.
         expected: u32,
         /// One past the last query of this run.
         end: u32,
     },
 }
 
-/// What a body may fail with: any error. `?` converts.
+/// The error of a body: any error type, converted by `?`.
 pub struct BodyError(Box<dyn Error + Send + Sync>);
 
 impl BodyError {
-    /// An error that is only words.
+    /// An error from a message.
     pub fn msg(message: impl Into<String>) -> Self {
         Self(message.into().into())
     }
 
-    /// The error inside.
+    /// The error that it holds.
     #[must_use]
     pub fn into_inner(self) -> Box<dyn Error + Send + Sync> {
         self.0
@@ -398,17 +398,17 @@ impl fmt::Display for BodyError {
     }
 }
 
-/// A frame that could not be finished. Nothing of it was submitted after the point of failure;
-/// history starts anew with the next frame. In an embedded plan, drop the encoder.
+/// Why a frame could not be finished. Nothing of it was submitted after the point of failure, and histories start anew with the next
+/// frame. With an embedded plan, drop the encoder.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ExecuteError {
-    /// `execute` on an embedded plan or `record` on an owned one.
+    /// `execute` was called on an embedded plan, or `record` on an owned one.
     #[error("this plan was compiled for {compiled}; call {call}")]
     WrongMode {
-        /// What it was compiled for.
+        /// What the plan was compiled for.
         compiled: &'static str,
-        /// What to call.
+        /// The function to call.
         call: &'static str,
     },
     /// An imported host value was not set this frame.
@@ -425,7 +425,7 @@ pub enum ExecuteError {
         /// The resource.
         resource: String,
     },
-    /// What was bound does not fit the declaration.
+    /// A bound object does not fit the declaration.
     #[error("what was bound to `{resource}` does not fit its declaration: {why}")]
     BadBinding {
         /// The resource.
@@ -433,10 +433,10 @@ pub enum ExecuteError {
         /// What differs.
         why: String,
     },
-    /// A handle of another graph, or one that is no import.
+    /// A handle belongs to another graph or is no import.
     #[error("`{call}` was given a handle that is no import of graph `{graph}`")]
     NoImport {
-        /// The call.
+        /// The function that was called.
         call: &'static str,
         /// The graph.
         graph: String,
@@ -450,35 +450,35 @@ pub enum ExecuteError {
         #[source]
         source: Box<dyn Error + Send + Sync>,
     },
-    /// A loop that does not end.
+    /// A loop did not end.
     #[error(
-        "host loop `{pass}` did not end within {limit} turns; raise its limit or correct its condition"
+        "host loop `{pass}` did not end within {limit} iterations; raise its limit or correct its condition"
     )]
     LoopLimit {
         /// The loop.
         pass: String,
-        /// Turns taken.
+        /// Iterations that were run.
         limit: u32,
     },
-    /// More queries than their buffer holds.
+    /// A pass asks for more queries than their buffer holds.
     #[error("pass `{pass}` asks for {count} queries; `{resource}` holds {capacity} (8 bytes each)")]
     TooManyQueries {
         /// The pass.
         pass: String,
         /// The buffer.
         resource: String,
-        /// Queries asked for.
+        /// The number of queries.
         count: u32,
-        /// Queries there is room for.
+        /// Queries that the buffer holds.
         capacity: u32,
     },
-    /// The device is gone.
+    /// The device was lost.
     #[error("the device was lost while {what}; make a new device and compile the graph again")]
     DeviceLost {
-        /// What was under way.
+        /// What was being done.
         what: String,
     },
-    /// This backend cannot block (browsers).
+    /// The backend cannot wait for the GPU (browsers).
     #[error(
         "sync point of `{pass}`: this backend cannot wait for the GPU; use a frame-late or an on-gpu strategy"
     )]

@@ -1,45 +1,25 @@
-//! A frame: checks what is bound, walks the steps, reads back late, submits, and tidies up, also when a body fails.
+//! Executes a frame: checks the bindings, records the steps, copies late read-backs, submits, and cleans up, also when a body fails.
 
 use std::cell::RefCell;
 use std::time::{Duration, Instant};
 
 use crate::access::Access;
-use crate::bind::BindCache;
-use crate::compile::Mode;
 use crate::error::ExecuteError;
 use crate::frame::{Frame, PassView};
-use crate::host::HostReader;
+use crate::options::Mode;
 use crate::physical::PhysicalTexture;
 use crate::plan::Plan;
-use crate::read_back::Shot;
-use crate::recorder::{Recorder, Target};
+use crate::read_back::CopyRequest;
+use crate::recorder::{Iteration, Recorder, Target};
+use crate::report::FrameReport;
 use crate::resource::Kind;
 use crate::sync::Staging;
 
-/// What a frame came to.
-#[derive(Clone, Debug)]
-pub struct FrameReport {
-    /// Its number.
-    pub frame: u64,
-    /// Its last submission; `None` in an embedded plan.
-    pub submission: Option<wgpu::SubmissionIndex>,
-    /// Sync points taken, those of loop turns included.
-    pub sync_points: u32,
-    /// Turns taken by all host loops.
-    pub loop_turns: u32,
-    /// Frame-late read-backs that found no free slot.
-    pub skipped_read_backs: u32,
-    /// Host time of the frame, waiting included.
-    pub cpu: Duration,
-    /// Of that, time spent waiting at sync points.
-    pub waited: Duration,
-}
-
 impl Plan {
-    /// Runs a frame and submits it; waits only at sync points.
+    /// Runs a frame and submits it. Waits only at sync points.
     ///
     /// # Errors
-    /// The plan is an embedded one, an import is missing, a body failed, a loop did not end, or the device is gone.
+    /// The plan is embedded, an import is missing, a body failed, a loop did not end, or the device was lost.
     pub fn execute(
         &mut self,
         device: &wgpu::Device,
@@ -47,7 +27,7 @@ impl Plan {
     ) -> Result<FrameReport, ExecuteError> {
         if self.mode != Mode::Owned {
             return Err(ExecuteError::WrongMode {
-                compiled: "somebody else's frame",
+                compiled: "the encoder of a caller",
                 call: "Plan::record",
             });
         }
@@ -57,10 +37,10 @@ impl Plan {
         self.run(device, queue, Target::Own(encoder))
     }
 
-    /// Records a frame into somebody else's encoder; never submits, never waits.
+    /// Records a frame into the caller's encoder. Never submits and never waits.
     ///
     /// # Errors
-    /// The plan is an owned one, an import is missing, a body failed, or the device is gone. The encoder must then be dropped.
+    /// The plan is owned, an import is missing, a body failed, or the device was lost. The encoder must then be dropped.
     pub fn record(
         &mut self,
         device: &wgpu::Device,
@@ -69,14 +49,14 @@ impl Plan {
     ) -> Result<FrameReport, ExecuteError> {
         if self.mode != Mode::Embedded {
             return Err(ExecuteError::WrongMode {
-                compiled: "a frame of its own",
+                compiled: "frames of its own",
                 call: "Plan::execute",
             });
         }
-        self.run(device, queue, Target::Foreign(encoder))
+        self.run(device, queue, Target::Caller(encoder))
     }
 
-    /// Forgets last frame's values: the next frame finds zero and `Default`, and `has_previous` is false.
+    /// Drops last frame's values: the next frame finds zero and `Default`, and `has_previous` is false.
     pub fn reset_history(&mut self, device: &wgpu::Device) {
         self.has_previous = false;
         for placed in &self.layout.placed {
@@ -114,7 +94,7 @@ impl Plan {
         target: Target<'_>,
     ) -> Result<FrameReport, ExecuteError> {
         let started = Instant::now();
-        // Delivers what has arrived; whether anything has is asked of each read-back itself.
+        // Runs the callbacks of finished maps. Each read-back then checks its own status.
         let _ = device.poll(wgpu::PollType::Poll);
         self.check_imports()?;
         let mut lost = false;
@@ -182,7 +162,7 @@ impl Plan {
         Ok(())
     }
 
-    /// Textures go back (a surface's must, before it is presented), host values are dropped so that shared ones become unique again.
+    /// Releases textures, as a surface's must be before it is presented, and drops host values, so that shared ones become unique again.
     fn release_imports(&mut self) {
         for placed in &self.layout.placed {
             if !placed.resource.import {
@@ -238,13 +218,13 @@ impl Plan {
                 frame: self.frame,
                 submission: None,
                 sync_points: 0,
-                loop_turns: 0,
+                loop_iterations: 0,
                 skipped_read_backs: 0,
                 cpu: Duration::ZERO,
                 waited: Duration::ZERO,
             },
         };
-        recorder.steps(&self.steps, true, 0)?;
+        recorder.steps(&self.steps, Iteration::OUTSIDE)?;
         let Recorder {
             mut target,
             mut report,
@@ -258,7 +238,7 @@ impl Plan {
                 self.timing.resolve(&mut encoder);
                 report.submission = Some(queue.submit([encoder.finish()]));
             }
-            Target::Foreign(encoder) => {
+            Target::Caller(encoder) => {
                 self.belt.finish_and_recall_on_submit(encoder);
                 self.timing.resolve(encoder);
                 self.timing.watch(self.frame, encoder);
@@ -267,7 +247,7 @@ impl Plan {
         Ok(report)
     }
 
-    /// Copies what is read back late, once nothing will write it any more this frame.
+    /// Copies the buffers that are read back late, after the frame's last write to them.
     fn read_back_late(
         &mut self,
         device: &wgpu::Device,
@@ -294,26 +274,24 @@ impl Plan {
                 continue;
             };
             let placed = &self.layout.placed[decl.buffer];
-            let slot = placed.slot(self.frame, false);
+            let slot = placed.slot(self.frame);
             let Some(source) = self.physical.buffer(slot) else {
                 continue;
             };
+            let pass = &self.passes[decl.pass];
             let view = PassView {
                 frame: &frame,
-                pass: &self.passes[decl.pass],
+                name: &pass.name,
+                uses: &pass.uses,
                 index: decl.pass,
-                turn: 0,
+                iteration: 0,
                 cache: &self.caches[decl.pass],
                 fault,
             };
-            let limit = view
-                .pass
-                .uses
-                .iter()
-                .find(|used| used.access == Access::Late && used.ring == Some(index as u32))
-                .and_then(|used| used.bytes.as_ref());
-            let bytes = limit.map_or(u64::MAX, |limit| limit(&HostReader { view }));
-            let taken = self.rings[place].record(Shot {
+            let used = (pass.uses.iter())
+                .position(|used| used.access == Access::Late && used.ring == Some(index as u32));
+            let bytes = used.map_or(u64::MAX, |used| pass.wanted_bytes(used, view));
+            let recorded = self.rings[place].record(CopyRequest {
                 encoder: target.encoder(),
                 source,
                 bytes: bytes
@@ -323,15 +301,12 @@ impl Plan {
                     & !3,
                 frame: self.frame,
                 store: &self.store,
-                tag_slot: self.layout.placed[decl.tag].slot(self.frame, false),
+                tag_slot: self.layout.placed[decl.tag].slot(self.frame),
             });
-            if !taken {
+            if !recorded {
                 report.skipped_read_backs += 1;
             }
         }
         Ok(())
     }
 }
-
-/// By pass: the caches of its bind groups.
-pub(crate) type Caches = [RefCell<BindCache>];

@@ -1,13 +1,11 @@
-//! What a body sees of the frame: the resources its pass declared, nothing else.
+//! A frame while it is recorded, and the part of it that one pass may see: the resources that the pass declared.
 
 use std::cell::{Ref, RefCell, RefMut};
 
-use crate::access::Access;
+use crate::access::{Access, Use};
 use crate::bind::{BindCache, Bound, External};
 use crate::error::AccessError;
 use crate::handle::{Host, Raw};
-use crate::host::HostReader;
-use crate::pass::Pass;
 use crate::physical::{Physical, PhysicalTexture, Placed};
 use crate::read_back::{AnyRing, Late, Ring, RingDecl};
 use crate::resource::Kind;
@@ -19,7 +17,7 @@ pub type HostRef<'a, T> = Ref<'a, T>;
 /// A host value borrowed for writing.
 pub type HostMut<'a, T> = RefMut<'a, T>;
 
-/// One frame under way.
+/// One frame while it is recorded.
 #[derive(Clone, Copy)]
 pub(crate) struct Frame<'a> {
     pub graph: u32,
@@ -36,9 +34,13 @@ pub(crate) struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    /// The place of a resource this frame, or last frame's.
+    /// The object of a resource's value of this frame, or of last frame's for a previous handle.
     pub fn slot(&self, raw: Raw) -> u32 {
-        self.resources[raw.resource()].slot(self.number, raw.is_previous())
+        let placed = &self.resources[raw.resource()];
+        match raw.is_previous() {
+            true => placed.previous_slot(self.number),
+            false => placed.slot(self.number),
+        }
     }
 
     pub fn buffer(&self, raw: Raw) -> Option<&'a wgpu::Buffer> {
@@ -49,7 +51,7 @@ impl<'a> Frame<'a> {
         self.physical.texture(self.slot(raw))
     }
 
-    /// Declared bytes of a buffer; of an import all of what is bound.
+    /// Bytes of a buffer: as declared, or for an import all of the bound buffer.
     pub fn buffer_size(&self, raw: Raw) -> u64 {
         let placed = &self.resources[raw.resource()];
         match placed.resource.kind {
@@ -63,22 +65,42 @@ impl<'a> Frame<'a> {
 #[derive(Clone, Copy)]
 pub(crate) struct PassView<'a> {
     pub frame: &'a Frame<'a>,
-    pub pass: &'a Pass,
+    /// The pass's name.
+    pub name: &'a str,
+    /// What the pass declared.
+    pub uses: &'a [Use],
+    /// The pass's index.
     pub index: usize,
-    pub turn: u32,
+    /// The iteration of the innermost host loop.
+    pub iteration: u32,
     pub cache: &'a RefCell<BindCache>,
-    /// A misuse that the caller could not be told of; it fails the frame after the body.
+    /// A misuse by a call that returns no error; it fails the frame after the body.
     pub fault: &'a RefCell<Option<AccessError>>,
 }
 
-impl<'a> PassView<'a> {
-    /// Whether the node has said that it has nothing to do this time.
-    pub fn is_idle(self) -> bool {
-        let condition = self.pass.condition.as_ref();
-        condition.is_some_and(|condition| !condition(&HostReader { view: self }))
+/// Reads the host values that a node declares, for functions that the executor calls before the node's body.
+pub struct HostReader<'a> {
+    pub(crate) view: PassView<'a>,
+}
+
+impl<'a> HostReader<'a> {
+    /// A declared host value.
+    ///
+    /// # Errors
+    /// It was not declared by the node, or holds nothing.
+    pub fn get<T: 'static>(&self, value: Host<T>) -> Result<HostRef<'a, T>, AccessError> {
+        self.view.get(value)
     }
 
-    /// That the pass declared a use of the resource which `allows`.
+    /// The frame's number, from 0.
+    #[must_use]
+    pub fn frame(&self) -> u64 {
+        self.view.frame.number
+    }
+}
+
+impl<'a> PassView<'a> {
+    /// Checks that the pass declared a use of the resource for which `allows` is true. `verb` is what the body tried, for the error.
     pub fn check(
         &self,
         raw: Raw,
@@ -87,10 +109,10 @@ impl<'a> PassView<'a> {
     ) -> Result<(), AccessError> {
         if raw.graph != self.frame.graph {
             return Err(AccessError::Foreign {
-                pass: self.pass.name.clone(),
+                pass: self.name.to_owned(),
             });
         }
-        let declared = self.pass.uses.iter().any(|used| {
+        let declared = self.uses.iter().any(|used| {
             used.raw.index == raw.index
                 && used.raw.is_previous() == raw.is_previous()
                 && allows(used.access)
@@ -99,7 +121,7 @@ impl<'a> PassView<'a> {
             Ok(())
         } else {
             Err(AccessError::Undeclared {
-                pass: self.pass.name.clone(),
+                pass: self.name.to_owned(),
                 resource: self.resource_name(raw),
                 verb,
             })
@@ -165,7 +187,7 @@ impl<'a> PassView<'a> {
         physical
             .sampled_part(mip, layer)
             .ok_or_else(|| AccessError::Mip {
-                pass: self.pass.name.clone(),
+                pass: self.name.to_owned(),
                 resource: self.resource_name(texture.0),
                 mip,
                 mips: physical.desc.mips,
@@ -178,7 +200,7 @@ impl<'a> PassView<'a> {
         layout: &wgpu::BindGroupLayout,
         binds: &[Bind],
     ) -> Result<wgpu::BindGroup, AccessError> {
-        // Histories alternate between two objects; one entry a parity keeps both groups.
+        // Histories alternate between two objects. One entry for each parity of the frame keeps both bind groups.
         let key = u64::from(slot) * 2 + self.frame.number % 2;
         let mut cache = self.cache.borrow_mut();
         cache.group(self.frame.device, key, layout, binds.len(), |n| {
@@ -194,13 +216,13 @@ impl<'a> PassView<'a> {
         let frame = self.frame;
         if read_back.graph != frame.graph {
             self.fault.replace(Some(AccessError::Foreign {
-                pass: self.pass.name.clone(),
+                pass: self.name.to_owned(),
             }));
             return None;
         }
         if frame.ring_decls.get(ring).map(|decl| decl.pass) != Some(self.index) {
             self.fault.replace(Some(AccessError::Undeclared {
-                pass: self.pass.name.clone(),
+                pass: self.name.to_owned(),
                 resource: format!("read-back {ring}"),
                 verb: "asks for",
             }));
@@ -212,12 +234,12 @@ impl<'a> PassView<'a> {
             .get(place)?
             .as_any()
             .downcast_ref::<Ring<Tag>>()?
-            .answer()
+            .offered()
     }
 
     pub fn range_error(&self, buffer: Buffer, offset: u64, end: u64, size: u64) -> AccessError {
         AccessError::Range {
-            pass: self.pass.name.clone(),
+            pass: self.name.to_owned(),
             resource: self.resource_name(buffer.0),
             offset,
             end,
@@ -280,7 +302,7 @@ impl<'a> PassView<'a> {
 
     fn empty(&self, raw: Raw) -> AccessError {
         AccessError::Empty {
-            pass: self.pass.name.clone(),
+            pass: self.name.to_owned(),
             resource: self.resource_name(raw),
         }
     }
@@ -289,7 +311,7 @@ impl<'a> PassView<'a> {
         match error {
             StoreError::Empty => self.empty(raw),
             StoreError::Borrowed => AccessError::Borrowed {
-                pass: self.pass.name.clone(),
+                pass: self.name.to_owned(),
                 resource: self.resource_name(raw),
             },
         }

@@ -1,28 +1,25 @@
-//! The declaration of a graph: resources, nodes, outputs. Building records; `compile` checks.
-//! The shape (build, compile, execute; versioned handles) is that of Filament's `FrameGraph`.
+//! The declaration of a graph: resources, nodes, outputs. Declaring only records; `compile` checks.
+//! The phases (build, compile, execute) and the versioned handles are those of Filament's `FrameGraph`.
 
 use std::any::Any;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use crate::access::{Access, Use};
-use crate::compute::ComputeBuilder;
-use crate::copy::CopyBuilder;
+use crate::body::Body;
 use crate::error::CompileError;
 use crate::handle::{Buffer, Handle, Host, PassId, Raw, Texture};
-use crate::host::HostBuilder;
-use crate::pass::{Body, LoopDecl, Pass, PassKind};
-use crate::raster::RasterBuilder;
+use crate::pass::{LoopDecl, Pass, PassKind};
 use crate::read_back::RingDecl;
 use crate::resource::{BufferDesc, HostType, Kind, Resource, TextureDesc};
 
 static NEXT_GRAPH: AtomicU32 = AtomicU32::new(1);
 
-/// A graph being declared.
+/// A graph under declaration.
 ///
-/// Handles are cheap copies and good only in the graph that made them. A write of version *v* returns the handle of version *v + 1*;
-/// whoever reads a handle runs after its writer and before the next one. Nothing is checked here: [`Graph::compile`] answers
-/// with everything that is wrong at once.
+/// Handles are cheap to copy and valid only in the graph that made them. A write of version *v* returns the handle of version *v + 1*. A
+/// pass that reads a handle runs after the pass that wrote it and before the pass that writes the next version. Nothing is checked here:
+/// [`Graph::compile`] reports everything that is wrong at once.
 pub struct Graph {
     pub(crate) id: u32,
     pub(crate) name: String,
@@ -37,10 +34,10 @@ pub struct Graph {
     pass_names: HashMap<String, u32>,
 }
 
-/// How long a host loop may run, and how its time is summed.
+/// Limits of a host loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LoopOptions {
-    /// Turns after which the frame fails with [`ExecuteError::LoopLimit`](crate::ExecuteError::LoopLimit); at least 1.
+    /// Iterations after which the frame fails with [`ExecuteError::LoopLimit`](crate::ExecuteError::LoopLimit); at least 1.
     pub limit: u32,
 }
 
@@ -51,7 +48,7 @@ impl Default for LoopOptions {
 }
 
 impl Graph {
-    /// An empty graph; the name appears in errors and pictures.
+    /// An empty graph. The name appears in errors and exports.
     #[must_use]
     pub fn new(name: impl Into<String>) -> Self {
         Self {
@@ -75,48 +72,40 @@ impl Graph {
         &self.name
     }
 
-    /// A texture owned by the plan, alive only while the frame needs it.
+    /// A texture owned by the plan. Its memory is shared with other resources outside of its lifetime.
     pub fn texture(&mut self, name: impl Into<String>, desc: TextureDesc) -> Texture {
-        Texture(self.add(name.into(), Kind::Texture(desc), false))
+        Texture(self.own(name.into(), Kind::Texture(desc)))
     }
 
-    /// A buffer owned by the plan, alive only while the frame needs it.
+    /// A buffer owned by the plan. Its memory is shared with other resources outside of its lifetime.
     pub fn buffer(&mut self, name: impl Into<String>, desc: BufferDesc) -> Buffer {
-        Buffer(self.add(name.into(), Kind::Buffer(desc), false))
+        Buffer(self.own(name.into(), Kind::Buffer(desc)))
     }
 
     /// A texture bound before each frame with [`Plan::bind_texture`](crate::Plan::bind_texture).
-    /// It can be read at once; writing it is a side effect that keeps the pass alive.
+    /// It may be read before any write. Writing it is a side effect that keeps the pass.
     pub fn import_texture(&mut self, name: impl Into<String>, desc: TextureDesc) -> Texture {
-        Texture(self.add(name.into(), Kind::Texture(desc), true))
+        Texture(self.import(name.into(), Kind::Texture(desc)))
     }
 
-    /// A buffer bound with [`Plan::bind_buffer`](crate::Plan::bind_buffer), of at least the size given.
-    /// It can be read at once; writing it is a side effect that keeps the pass alive.
+    /// A buffer of at least the given size, bound with [`Plan::bind_buffer`](crate::Plan::bind_buffer).
+    /// It may be read before any write. Writing it is a side effect that keeps the pass.
     pub fn import_buffer(&mut self, name: impl Into<String>, desc: BufferDesc) -> Buffer {
-        Buffer(self.add(name.into(), Kind::Buffer(desc), true))
+        Buffer(self.import(name.into(), Kind::Buffer(desc)))
     }
 
     /// A host value set before each frame with [`Plan::set`](crate::Plan::set) and dropped at its end.
     pub fn import_host<T: Send + 'static>(&mut self, name: impl Into<String>) -> Host<T> {
-        Host::from_raw(self.add(
-            name.into(),
-            Kind::Host(host_type::<T>(make_none::<T>)),
-            true,
-        ))
+        Host::from_raw(self.import(name.into(), Kind::Host(host_type::<T>(make_none::<T>))))
     }
 
-    /// A host value in the plan's store, written by host nodes. Its allocation is reused between frames: the first writer of
-    /// a frame finds what an earlier frame left and must set all of it.
+    /// A host value owned by the plan and written by host nodes. Its allocation is reused between frames: the first writer of a frame
+    /// finds what an earlier frame left and must set all of it.
     pub fn host<T: Default + Send + 'static>(&mut self, name: impl Into<String>) -> Host<T> {
-        Host::from_raw(self.add(
-            name.into(),
-            Kind::Host(host_type::<T>(make_default::<T>)),
-            false,
-        ))
+        Host::from_raw(self.own(name.into(), Kind::Host(host_type::<T>(make_default::<T>))))
     }
 
-    /// Keeps the resource alive at that version and lets it be read after the frame with
+    /// Keeps this version of the resource and makes it readable after the frame with
     /// [`Plan::get`](crate::Plan::get), [`Plan::buffer`](crate::Plan::buffer) or [`Plan::texture`](crate::Plan::texture).
     pub fn output(&mut self, handle: impl Handle) {
         let raw = handle.raw();
@@ -129,32 +118,7 @@ impl Graph {
         }
     }
 
-    /// A node that draws: one render pass.
-    pub fn raster(&mut self, name: impl Into<String>) -> RasterBuilder<'_> {
-        let pass = self.begin(name.into(), PassKind::Raster);
-        RasterBuilder::new(self, pass)
-    }
-
-    /// A node that computes: one compute pass.
-    pub fn compute(&mut self, name: impl Into<String>) -> ComputeBuilder<'_> {
-        let pass = self.begin(name.into(), PassKind::Compute);
-        ComputeBuilder::new(self, pass)
-    }
-
-    /// A node that copies; its body gets the encoder.
-    pub fn copy(&mut self, name: impl Into<String>) -> CopyBuilder<'_> {
-        let pass = self.begin(name.into(), PassKind::Copy);
-        CopyBuilder::new(self, pass)
-    }
-
-    /// A node that runs on the host while the frame is recorded.
-    pub fn host_node(&mut self, name: impl Into<String>) -> HostBuilder<'_> {
-        let pass = self.begin(name.into(), PassKind::Host);
-        HostBuilder::new(self, pass)
-    }
-
-    /// A sub-graph run again and again until the host value its closure returns is true, at most
-    /// [`LoopOptions::default`]'s number of turns. See [`Graph::host_loop_with`].
+    /// A sub-graph that repeats until a host value is true, with the limit of [`LoopOptions::default`]. See [`Graph::host_loop_with`].
     pub fn host_loop(
         &mut self,
         name: impl Into<String>,
@@ -163,11 +127,11 @@ impl Graph {
         self.host_loop_with(name, LoopOptions::default(), declare)
     }
 
-    /// A sub-graph run again and again until the host value its closure returns is true.
+    /// A sub-graph that repeats until the host value that `declare` returns is true.
     ///
-    /// The closure declares the loop's nodes on the scope it is given (and may declare resources there).
-    /// A node that reads a version written before the loop sees, on later turns, what the loop wrote last. Passes outside see the loop's final versions.
-    /// A texture's `clear` and a buffer's `zeroed` happen on the first turn only.
+    /// The closure declares the loop's nodes on the graph that it is given, and may declare resources there. A node that reads a version
+    /// from before the loop sees, in later iterations, what the loop wrote last. Passes outside see the loop's final versions. A
+    /// texture's `clear` and a buffer's `zeroed` happen in the first iteration only.
     pub fn host_loop_with(
         &mut self,
         name: impl Into<String>,
@@ -192,7 +156,7 @@ impl Graph {
         }
     }
 
-    /// Records a use; of a handle that is foreign, only the fault.
+    /// Records a use, or a fault if the handle belongs to another graph.
     pub(crate) fn touch(&mut self, pass: usize, used: Use) {
         if used.raw.graph == self.id {
             self.passes[pass].uses.push(used);
@@ -201,22 +165,25 @@ impl Graph {
         }
     }
 
+    /// Records that a pass uses a handle of another graph.
     pub(crate) fn foreign(&mut self, pass: usize) {
         self.faults.push(CompileError::ForeignHandle {
             pass: self.passes[pass].name.clone(),
         });
     }
 
-    /// Records a write (or an update) and yields the next version.
+    /// Records a write (or an update) and returns the next version.
     pub(crate) fn write<H: Handle>(&mut self, pass: usize, handle: H, access: Access) -> H {
         self.touch(pass, Use::new(handle.raw(), access));
         H::with_raw(handle.raw().next())
     }
 
+    /// Records a read.
     pub(crate) fn read(&mut self, pass: usize, handle: impl Handle, access: Access) {
         self.touch(pass, Use::new(handle.raw(), access));
     }
 
+    /// Gives a pass its body.
     pub(crate) fn finish(&mut self, pass: usize, body: Body) -> PassId {
         if matches!(self.bodies[pass], Body::None) {
             self.bodies[pass] = body;
@@ -228,9 +195,25 @@ impl Graph {
         self.pass_id(pass)
     }
 
-    fn add(&mut self, name: String, kind: Kind, import: bool) -> Raw {
-        let name = unique(&mut self.resource_names, name);
-        self.resources.push(Resource { name, kind, import });
+    fn own(&mut self, name: String, kind: Kind) -> Raw {
+        self.add(Resource {
+            name,
+            kind,
+            import: false,
+        })
+    }
+
+    fn import(&mut self, name: String, kind: Kind) -> Raw {
+        self.add(Resource {
+            name,
+            kind,
+            import: true,
+        })
+    }
+
+    fn add(&mut self, mut resource: Resource) -> Raw {
+        resource.name = unique(&mut self.resource_names, resource.name);
+        self.resources.push(resource);
         Raw {
             graph: self.id,
             index: (self.resources.len() - 1) as u32,
@@ -238,13 +221,15 @@ impl Graph {
         }
     }
 
-    fn begin(&mut self, name: String, kind: PassKind) -> usize {
+    /// Adds a pass without uses or body to the current scope.
+    pub(crate) fn begin(&mut self, name: String, kind: PassKind) -> usize {
         let name = unique(&mut self.pass_names, name);
         self.passes.push(Pass {
             name,
             kind,
             parent: self.scope,
             uses: Vec::new(),
+            byte_limits: BTreeMap::new(),
             after: Vec::new(),
             group: None,
             side_effect: false,
@@ -259,7 +244,7 @@ impl Graph {
     }
 }
 
-/// Names are for people; a second "blur" becomes "blur (2)".
+/// Makes a name unique: a second "blur" becomes "blur (2)".
 fn unique(names: &mut HashMap<String, u32>, name: String) -> String {
     let mut candidate = name.clone();
     while let Some(count) = names.get_mut(&candidate) {

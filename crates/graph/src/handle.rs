@@ -1,13 +1,13 @@
 //! Handles: small, copyable names of resources, each at one version.
-//! A write yields the next version, so the order of passes follows from the data (after Filament's `FrameGraph`).
+//! A write returns the next version, so the order of passes follows from the data, as in Filament's `FrameGraph`.
 
 use std::fmt;
 use std::marker::PhantomData;
 
-/// The version that stands for "last frame's final value".
+/// The version that means "last frame's final value".
 pub(crate) const PREVIOUS: u32 = u32::MAX;
 
-/// What every handle is made of.
+/// The contents of every handle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Raw {
     pub graph: u32,
@@ -27,7 +27,7 @@ impl Raw {
         }
     }
 
-    /// The handle a write of this one yields. Writing a previous value is refused by `compile`; its version must not wrap.
+    /// The handle that a write of this one returns. `compile` refuses writes of a previous value; its version must not wrap.
     pub fn next(self) -> Self {
         Self {
             version: self.version.saturating_add(1).min(PREVIOUS - 1),
@@ -55,7 +55,7 @@ pub struct Host<T> {
 }
 
 impl Texture {
-    /// Last frame's final contents of the same texture. Reading it is no edge in this frame's order.
+    /// Last frame's final contents of the same texture. Reading it does not order passes of this frame.
     #[must_use]
     pub fn previous(self) -> Self {
         Self(self.0.previous())
@@ -63,7 +63,7 @@ impl Texture {
 }
 
 impl Buffer {
-    /// Last frame's final contents of the same buffer. Reading it is no edge in this frame's order.
+    /// Last frame's final contents of the same buffer. Reading it does not order passes of this frame.
     #[must_use]
     pub fn previous(self) -> Self {
         Self(self.0.previous())
@@ -78,7 +78,7 @@ impl<T> Host<T> {
         }
     }
 
-    /// Last frame's final value. Reading it is no edge in this frame's order.
+    /// Last frame's final value. Reading it does not order passes of this frame.
     #[must_use]
     pub fn previous(self) -> Self {
         Self::from_raw(self.raw.previous())
@@ -107,8 +107,8 @@ impl<T> fmt::Debug for Host<T> {
     }
 }
 
-/// A frame-late read-back, declared by [`HostBuilder::read_previous`](crate::HostBuilder::read_previous);
-/// the body of the node that declared it asks with it for the newest answer.
+/// A frame-late read-back, declared by [`HostBuilder::read_previous`](crate::HostBuilder::read_previous). The body of the same node passes
+/// it to [`HostContext::late`](crate::HostContext::late) to get the newest result.
 pub struct ReadBack<Tag> {
     pub(crate) graph: u32,
     pub(crate) ring: u32,
@@ -141,7 +141,7 @@ impl<Tag> fmt::Debug for ReadBack<Tag> {
     }
 }
 
-/// A pass of a graph; names it in [`after`](crate::RasterBuilder::after).
+/// The id of a pass, for [`after`](crate::RasterBuilder::after).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PassId {
     pub(crate) graph: u32,
@@ -158,7 +158,7 @@ impl<T> Handle for Host<T> {}
 pub(crate) mod sealed {
     use super::{Buffer, Host, Raw, Texture};
 
-    /// Gives this crate the inside of a handle and keeps strangers from adding kinds of handles.
+    /// Gives this crate access to a handle's contents and keeps other crates from implementing `Handle`.
     pub trait Sealed {
         #[doc(hidden)]
         #[allow(private_interfaces, reason = "the trait cannot be named outside")]

@@ -1,8 +1,8 @@
-//! Passes and resources, compiled into a checked plan and executed as wgpu commands, with read-back and timing.
+//! A render graph on wgpu: passes and resources, compiled into a checked plan and executed as wgpu commands, with read-back and timing.
 //!
-//! The shape is that of Filament's frame graph: build, compile, execute, with versioned handles. [`Graph`] records what each node
-//! reads and writes, [`Graph::compile`] answers with a [`Plan`] or with everything that is wrong, [`Plan::execute`] runs a frame,
-//! [`Plan::record`] records one into somebody else's encoder. The crate knows no scene.
+//! [`Graph`] records what each pass reads and writes. [`Graph::compile`] returns a [`Plan`], or everything that is wrong with the graph.
+//! [`Plan::execute`] runs and submits a frame; [`Plan::record`] records one into the caller's encoder. The phases (build, compile,
+//! execute) and the versioned handles are those of Filament's frame graph. The crate knows no scene and no other crate of Antumbra.
 //!
 //! ```
 //! use antumbra_graph::{BufferDesc, CompileOptions, Graph};
@@ -41,52 +41,61 @@
 //! # }
 //! ```
 //!
-//! Owns: order, clears, loads, stores, transient resources and their reuse, histories, read-back rings, query sets, timestamps.
-//! Does not own: pipelines, bind group layouts, the device, imported resources.
+//! **Owns:** the order of passes, clears, loads and stores, transient resources and their reuse, histories, read-back rings, query sets,
+//! timestamps.
 //!
-//! Common mistakes: reading a handle instead of the one a write returned; leaving a pass that only changes captured state without
-//! `side_effect` (it is pruned); expecting counts from occlusion queries (they answer zero or not zero).
+//! **Does not own:** the device and the queue, pipelines and bind group layouts, imported resources, and what passes draw.
+//!
+//! Common mistakes:
+//!
+//! - Reading a handle other than the one that the last write returned. The pass then runs before that write.
+//! - Leaving out [`side_effect`](HostBuilder::side_effect) on a pass that changes only captured state. The pass is pruned.
+//! - Expecting counts from occlusion queries. Their results are zero or not zero.
 
 mod access;
 mod bind;
+mod body;
 mod builder;
 mod compile;
 mod compute;
+mod context;
 mod copy;
-mod draw;
 mod error;
 mod execute;
+mod export;
 mod frame;
 mod graph;
 mod handle;
 mod host;
+mod options;
 mod pass;
 mod physical;
-mod picture;
 mod plan;
 mod queries;
 mod raster;
 mod read_back;
 mod recorder;
+mod report;
 mod resource;
 mod store;
 mod sync;
 mod timing;
 
 pub use bind::{Bind, External};
-pub use compile::{CompileOptions, Mode};
-pub use compute::{ComputeBuilder, ComputeContext};
-pub use copy::{CopyBuilder, CopyContext, Copyable};
+pub use compute::ComputeBuilder;
+pub use context::{ComputeContext, CopyContext, HostContext, RasterContext};
+pub use copy::{CopyBuilder, Copyable};
 pub use error::{AccessError, BodyError, CompileError, CompileErrors, ExecuteError};
-pub use execute::FrameReport;
-pub use frame::{HostMut, HostRef};
+pub use export::PlanFormat;
+pub use frame::{HostMut, HostReader, HostRef};
 pub use graph::{Graph, LoopOptions};
 pub use handle::{Buffer, Handle, Host, PassId, ReadBack, Texture};
-pub use host::{HostBuilder, HostContext, HostReader, HostUpdatable};
+pub use host::{HostBuilder, HostUpdatable};
+pub use options::{CompileOptions, Mode};
 pub use pass::PassKind;
-pub use picture::Picture;
-pub use plan::{Memory, PassInfo, Plan};
-pub use raster::{RasterBuilder, RasterContext};
+pub use plan::{LoopSyncPoints, Memory, PassInfo, Plan};
+pub use raster::RasterBuilder;
 pub use read_back::Late;
+pub use report::FrameReport;
 pub use resource::{BufferDesc, Clear, TextureDesc};
 pub use timing::{GroupTiming, PassTiming, Timings};

@@ -1,29 +1,19 @@
-//! A pass as declared: its kind, its uses, its wishes and its body.
+//! A pass as declared: its kind, its uses, and what it asks of the executor. Its body is kept apart ([`crate::body`]).
 
-use crate::access::{ConditionFn, CountFn, Use};
-use crate::compute::ComputeContext;
-use crate::copy::CopyContext;
-use crate::error::BodyError;
+use std::collections::BTreeMap;
+
+use crate::access::Use;
+use crate::frame::{HostReader, PassView};
 use crate::handle::{PassId, Raw};
-use crate::host::HostContext;
-use crate::raster::RasterContext;
 
-pub(crate) type RasterBody = Box<dyn FnMut(&mut RasterContext<'_>) -> Result<(), BodyError> + Send>;
-pub(crate) type ComputeBody =
-    Box<dyn FnMut(&mut ComputeContext<'_>) -> Result<(), BodyError> + Send>;
-pub(crate) type CopyBody = Box<dyn FnMut(&mut CopyContext<'_>) -> Result<(), BodyError> + Send>;
-pub(crate) type HostBody = Box<dyn FnMut(&mut HostContext<'_>) -> Result<(), BodyError> + Send>;
+/// Returns how many bytes a frame reads back.
+pub(crate) type BytesFn = Box<dyn Fn(&HostReader<'_>) -> u64 + Send>;
+/// Returns whether the pass runs in a frame.
+pub(crate) type ConditionFn = Box<dyn Fn(&HostReader<'_>) -> bool + Send>;
+/// Returns how many queries a frame issues.
+pub(crate) type CountFn = Box<dyn Fn(&HostReader<'_>) -> u32 + Send>;
 
-pub(crate) enum Body {
-    /// Not given yet, or a loop: its nodes have the bodies.
-    None,
-    Raster(RasterBody),
-    Compute(ComputeBody),
-    Copy(CopyBody),
-    Host(HostBody),
-}
-
-/// What a pass is.
+/// The kind of a pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PassKind {
@@ -35,12 +25,12 @@ pub enum PassKind {
     Copy,
     /// A step on the host.
     Host,
-    /// A sub-graph run until its condition is true.
+    /// A sub-graph that runs until its condition is true.
     HostLoop,
 }
 
 impl PassKind {
-    /// The word for pictures.
+    /// Its name in exported graphs.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -53,7 +43,7 @@ impl PassKind {
     }
 }
 
-/// The part of the target a raster pass draws to, in texels; depth 0 to 1.
+/// The part of the target that a raster pass draws to, in texels; depth 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Viewport {
     pub x: f32,
@@ -66,22 +56,39 @@ pub(crate) struct Viewport {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LoopDecl {
     pub condition: Raw,
+    /// Iterations after which the frame fails.
     pub limit: u32,
 }
 
+/// A pass as declared.
 pub(crate) struct Pass {
     pub name: String,
     pub kind: PassKind,
-    /// The loop it is part of.
+    /// The loop that contains it.
     pub parent: Option<usize>,
     pub uses: Vec<Use>,
+    /// By index into `uses`: how much of a read-back is wanted, where that is limited.
+    pub byte_limits: BTreeMap<usize, BytesFn>,
     pub after: Vec<PassId>,
     pub group: Option<&'static str>,
     pub side_effect: bool,
     pub requires: wgpu::Features,
     pub viewport: Option<Viewport>,
     pub query_count: Option<CountFn>,
-    /// Whether a frame has anything to do in it.
     pub condition: Option<ConditionFn>,
     pub looped: Option<LoopDecl>,
+}
+
+impl Pass {
+    /// Whether its condition says that it does nothing this time.
+    pub fn is_idle(&self, view: PassView<'_>) -> bool {
+        let condition = self.condition.as_ref();
+        condition.is_some_and(|condition| !condition(&HostReader { view }))
+    }
+
+    /// Bytes wanted of the read-back `uses[used]`; `u64::MAX` where they are not limited.
+    pub fn wanted_bytes(&self, used: usize, view: PassView<'_>) -> u64 {
+        let limit = self.byte_limits.get(&used);
+        limit.map_or(u64::MAX, |limit| limit(&HostReader { view }))
+    }
 }

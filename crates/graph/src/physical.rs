@@ -1,21 +1,21 @@
-//! The wgpu objects behind resources: which resource lies in which object, and the objects themselves.
+//! The wgpu objects of a plan, and which resource uses which object.
 
 use crate::resource::{Kind, Resource, TextureDesc};
 
-/// No object: the resource is pruned.
+/// The slot of a resource without an object, because it is pruned.
 pub(crate) const NOWHERE: u32 = u32::MAX;
 
-/// A resource and where it lies: two places where it keeps a history, the same one twice otherwise.
+/// A resource and the objects that it uses: two where it keeps a history, the same one twice otherwise.
 pub(crate) struct Placed {
     pub resource: Resource,
     pub slots: [u32; 2],
     pub texture_usages: wgpu::TextureUsages,
     pub buffer_usages: wgpu::BufferUsages,
-    /// Kept by a pass.
+    /// A kept pass uses it.
     pub used: bool,
     /// Readable after the frame.
     pub output: bool,
-    /// Its contents survive the frame: by a previous reader or an update.
+    /// Its contents are read in the next frame: as a previous value, or by an update.
     pub history: bool,
 }
 
@@ -28,10 +28,14 @@ impl Placed {
         }
     }
 
-    /// The place of this frame's value, or of last frame's.
-    pub fn slot(&self, frame: u64, previous: bool) -> u32 {
-        let parity = (frame % 2) as usize;
-        self.slots[if previous { 1 - parity } else { parity }]
+    /// The object of a frame's value.
+    pub fn slot(&self, frame: u64) -> u32 {
+        self.slots[(frame % 2) as usize]
+    }
+
+    /// The object of the value of the frame before it.
+    pub fn previous_slot(&self, frame: u64) -> u32 {
+        self.slots[1 - (frame % 2) as usize]
     }
 }
 
@@ -39,11 +43,11 @@ impl Placed {
 pub(crate) struct PhysicalTexture {
     pub texture: wgpu::Texture,
     pub desc: TextureDesc,
-    /// All mips and layers, as a shader sees them.
+    /// All mips and layers, for shaders.
     pub sampled: wgpu::TextureView,
-    /// One mip and layer each, as attachments, mip by mip.
+    /// One mip and layer each, for attachments, mip by mip.
     parts: Vec<wgpu::TextureView>,
-    /// The same as a shader sees them, where that differs (depth with stencil).
+    /// The same for shaders, where that differs (depth with stencil).
     sampled_parts: Vec<wgpu::TextureView>,
 }
 
@@ -72,7 +76,7 @@ impl PhysicalTexture {
         Self::from_parts(texture, view, desc)
     }
 
-    /// Of an import: the view is the caller's, made of all of the texture.
+    /// For an import: `view` is the caller's view of the whole texture.
     pub fn from_parts(texture: wgpu::Texture, view: wgpu::TextureView, desc: TextureDesc) -> Self {
         let combined = desc.format.is_combined_depth_stencil_format();
         let aspect = if combined {
@@ -125,12 +129,12 @@ impl PhysicalTexture {
         }
     }
 
-    /// One mip and layer as an attachment.
+    /// One mip and layer, for an attachment.
     pub fn part(&self, mip: u32, layer: u32) -> Option<&wgpu::TextureView> {
         self.parts.get(self.part_index(mip, layer)?)
     }
 
-    /// One mip and layer as a shader sees it.
+    /// One mip and layer, for a shader.
     pub fn sampled_part(&self, mip: u32, layer: u32) -> Option<&wgpu::TextureView> {
         let parts = if self.sampled_parts.is_empty() {
             &self.parts
@@ -146,7 +150,7 @@ impl PhysicalTexture {
     }
 }
 
-/// All objects of a plan; imports are empty until bound.
+/// All objects of a plan. Imports are `None` until they are bound.
 #[derive(Default)]
 pub(crate) struct Physical {
     pub textures: Vec<Option<PhysicalTexture>>,

@@ -1,16 +1,18 @@
-//! The compiled plan: what to bind and set before a frame, what to read after it, and what can be asked about it.
+//! The compiled plan: binding and setting imports before a frame, reading outputs after it, and inspecting the plan itself.
 
 use std::cell::RefCell;
 
 use crate::bind::BindCache;
+use crate::body::Body;
 use crate::compile::flow::Prepared;
 use crate::compile::lifetimes::Layout;
+use crate::compile::made::Compiled;
 use crate::compile::order::Step;
-use crate::compile::{CompileOptions, Made, Mode};
 use crate::error::ExecuteError;
 use crate::graph::Graph;
-use crate::handle::{Handle, Raw};
-use crate::pass::{Body, Pass, PassKind};
+use crate::handle::{Buffer, Handle, Host, Raw, Texture};
+use crate::options::{CompileOptions, Mode};
+use crate::pass::{Pass, PassKind};
 use crate::physical::{Physical, PhysicalTexture};
 use crate::queries::QuerySets;
 use crate::read_back::{AnyRing, RingDecl};
@@ -18,9 +20,8 @@ use crate::resource::Kind;
 use crate::store::Store;
 use crate::sync::Staging;
 use crate::timing::{Timing, Timings};
-use crate::{Buffer, Host, Texture};
 
-/// A graph, checked, ordered and given its resources. Each frame: bind and set the imports, then
+/// A compiled graph: checked, ordered, with its resources. Each frame: bind and set the imports, then
 /// [`execute`](Plan::execute) or [`record`](Plan::record), then read the outputs.
 pub struct Plan {
     pub(crate) name: String,
@@ -47,31 +48,29 @@ pub struct Plan {
     pub(crate) has_previous: bool,
 }
 
-/// What compiling found out, on its way into a plan.
-pub(crate) struct Compiled {
-    pub steps: Vec<Step>,
-    pub prepared: Vec<Prepared>,
-    pub kept: Vec<bool>,
-    pub layout: Layout,
-    pub store: Store,
-    pub made: Made,
-    pub read_only_depth: bool,
-}
-
-/// One pass of a plan, to look at.
+/// What a plan tells about one of its passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PassInfo<'a> {
     /// Its name.
     pub name: &'a str,
-    /// What it is.
+    /// Its kind.
     pub kind: PassKind,
-    /// Its group.
+    /// Its timing group.
     pub group: Option<&'static str>,
-    /// How many host loops it lies in.
+    /// The number of host loops around it.
     pub depth: usize,
 }
 
-/// What a plan's resources take, in bytes, as wgpu estimates it. Imports are not counted.
+/// The sync points of one host loop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LoopSyncPoints<'a> {
+    /// The loop's name.
+    pub name: &'a str,
+    /// Sync points of each iteration; those of loops inside are not counted.
+    pub sync_points: usize,
+}
+
+/// The memory of a plan's resources in bytes, as wgpu estimates it. Imports are not counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Memory {
     /// Textures after reuse.
@@ -80,11 +79,11 @@ pub struct Memory {
     pub buffers: u64,
     /// Staging buffers of read-backs.
     pub staging: u64,
-    /// What reuse saves: textures and buffers would take so much more without it.
+    /// Saved by reuse: textures and buffers would need so much more without it.
     pub saved: u64,
 }
 
-/// Bytes the upload belt takes at a time.
+/// Bytes of a chunk of the upload belt.
 const BELT_CHUNK: u64 = 256 * 1024;
 
 impl Plan {
@@ -122,13 +121,13 @@ impl Plan {
         &self.name
     }
 
-    /// The number of the next frame; a frame that fails has none.
+    /// The number of the next frame. A frame that fails does not count.
     #[must_use]
     pub fn frame(&self) -> u64 {
         self.frame
     }
 
-    /// Sets an imported host value for the next frame; it is dropped at that frame's end.
+    /// Sets an imported host value for the next frame. It is dropped at the end of that frame.
     ///
     /// # Errors
     /// The handle is no host import of this graph.
@@ -141,8 +140,7 @@ impl Plan {
         }
     }
 
-    /// Binds an imported texture for the next frame and lets go of it at that frame's end.
-    /// `view` shows all of `texture`.
+    /// Binds an imported texture for the next frame and releases it at the end of that frame. `view` is a view of all of `object`.
     ///
     /// # Errors
     /// The handle is no import of this graph, or the texture does not fit the declaration or lacks a usage the passes need.
@@ -196,7 +194,7 @@ impl Plan {
         Ok(())
     }
 
-    /// Binds an imported buffer; it stays bound until another takes its place.
+    /// Binds an imported buffer. It stays bound until another one is bound.
     ///
     /// # Errors
     /// The handle is no import of this graph, or the buffer is too small or lacks a usage the passes need.
@@ -228,43 +226,43 @@ impl Plan {
         Ok(())
     }
 
-    /// An output host value as the last finished frame left it.
+    /// An output host value of the last finished frame.
     #[must_use]
     pub fn get<T: 'static>(&self, value: Host<T>) -> Option<&T> {
         self.store.rest(self.output_slot(value.raw)?)
     }
 
-    /// An output buffer as the last finished frame left it; usable as a copy source. It may be larger than declared.
+    /// An output buffer of the last finished frame, usable as a copy source. It may be larger than declared.
     #[must_use]
     pub fn buffer(&self, buffer: Buffer) -> Option<&wgpu::Buffer> {
         self.physical.buffer(self.output_slot(buffer.0)?)
     }
 
-    /// An output texture as the last finished frame left it; usable as a copy source and to sample, where its format allows.
+    /// An output texture of the last finished frame, usable as a copy source and for sampling, where its format allows.
     #[must_use]
     pub fn texture(&self, texture: Texture) -> Option<&wgpu::Texture> {
         Some(&self.physical.texture(self.output_slot(texture.0)?)?.texture)
     }
 
-    /// Drops all answers of frame-late read-backs, under way or arrived: after a camera cut they would be about something else.
-    pub fn forget_answers(&mut self) {
+    /// Drops the results of all frame-late read-backs, pending or arrived: after a camera cut they describe another view.
+    pub fn discard_read_backs(&mut self) {
         for ring in &mut self.rings {
-            ring.forget();
+            ring.discard();
         }
     }
 
-    /// Turns the measuring of passes on or off.
+    /// Switches the measuring of pass times on or off.
     pub fn set_timing(&mut self, enabled: bool) {
         self.timing.set_enabled(enabled);
     }
 
-    /// The latest frame whose times have arrived, while timing is or was on.
+    /// The times of the latest frame for which they have arrived; `None` while timing was never on.
     #[must_use]
     pub fn timings(&self) -> Option<Timings> {
         self.timing.latest(&self.passes, &self.kept)
     }
 
-    /// The passes in the order they run; a loop stands before its nodes.
+    /// The passes in the order in which they run. A loop comes before its nodes.
     #[must_use]
     pub fn passes(&self) -> Vec<PassInfo<'_>> {
         let mut list = Vec::new();
@@ -272,7 +270,7 @@ impl Plan {
         list
     }
 
-    /// The names of the passes nobody needs, in the order of their declaration.
+    /// The names of the passes that nothing needs, in the order of their declaration.
     #[must_use]
     pub fn pruned(&self) -> Vec<&str> {
         self.passes
@@ -283,33 +281,33 @@ impl Plan {
             .collect()
     }
 
-    /// Sync points of a frame, those inside of loops not counted.
+    /// Sync points of a frame; those in loops are not counted.
     #[must_use]
     pub fn sync_points(&self) -> usize {
-        count_syncs(&self.steps)
+        Step::count_syncs(&self.steps)
     }
 
-    /// Sync points of each turn of each host loop, nested loops apart.
+    /// Sync points of each host loop, outer loops first.
     #[must_use]
-    pub fn loop_sync_points(&self) -> Vec<(&str, usize)> {
+    pub fn loop_sync_points(&self) -> Vec<LoopSyncPoints<'_>> {
         let mut list = Vec::new();
         self.list_loops(&self.steps, &mut list);
         list
     }
 
-    /// How many textures the plan has made; fewer than declared where they share.
+    /// The number of textures that the plan has created; fewer than declared where resources share them.
     #[must_use]
     pub fn physical_textures(&self) -> usize {
         self.layout.textures.iter().flatten().count()
     }
 
-    /// How many buffers the plan has made; fewer than declared where they share.
+    /// The number of buffers that the plan has created; fewer than declared where resources share them.
     #[must_use]
     pub fn physical_buffers(&self) -> usize {
         self.layout.buffers.iter().flatten().count()
     }
 
-    /// What the plan's resources take.
+    /// The memory of the plan's resources.
     #[must_use]
     pub fn describe_memory(&self) -> Memory {
         let textures = self.layout.textures.iter().flatten();
@@ -362,12 +360,11 @@ impl Plan {
         }
     }
 
-    /// Where an output lies after the last finished frame.
+    /// The object of an output after the last finished frame.
     fn output_slot(&self, raw: Raw) -> Option<u32> {
         let placed = self.layout.placed.get(raw.resource())?;
         let last = self.frame.checked_sub(1)?;
-        (raw.graph == self.graph && placed.output && self.has_previous)
-            .then(|| placed.slot(last, false))
+        (raw.graph == self.graph && placed.output && self.has_previous).then(|| placed.slot(last))
     }
 
     fn list_passes<'a>(&'a self, steps: &'a [Step], depth: usize, list: &mut Vec<PassInfo<'a>>) {
@@ -389,19 +386,15 @@ impl Plan {
         }
     }
 
-    fn list_loops<'a>(&'a self, steps: &'a [Step], list: &mut Vec<(&'a str, usize)>) {
+    fn list_loops<'a>(&'a self, steps: &'a [Step], list: &mut Vec<LoopSyncPoints<'a>>) {
         for step in steps {
             if let Step::Loop(pass, steps) = step {
-                list.push((&self.passes[*pass].name, count_syncs(steps)));
+                list.push(LoopSyncPoints {
+                    name: &self.passes[*pass].name,
+                    sync_points: Step::count_syncs(steps),
+                });
                 self.list_loops(steps, list);
             }
         }
     }
-}
-
-fn count_syncs(steps: &[Step]) -> usize {
-    steps
-        .iter()
-        .filter(|step| matches!(step, Step::Sync(_)))
-        .count()
 }

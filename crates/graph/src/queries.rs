@@ -1,9 +1,10 @@
-//! Occlusion queries in any number: sets of at most 4,096, made when a pass first needs them, one run of the body each.
+//! Occlusion queries in any number: sets of at most 4,096, created when a pass first needs them. The body runs once for each set.
 
 use std::ops::Range;
 
-/// The query sets of a plan, by pass and chunk.
+/// The query sets of a plan.
 pub(crate) struct QuerySets {
+    /// By pass and chunk: a set and the number of its queries.
     sets: Vec<Vec<(u32, wgpu::QuerySet)>>,
 }
 
@@ -15,10 +16,10 @@ pub(crate) struct Chunk {
     pub last: bool,
 }
 
-/// Bytes of one answer.
-pub(crate) const ANSWER: u64 = wgpu::QUERY_SIZE as u64;
+/// Bytes of a query's result.
+pub(crate) const RESULT_BYTES: u64 = wgpu::QUERY_SIZE as u64;
 
-/// Splits `count` queries; a body with none runs once, too.
+/// Splits `count` queries into chunks. There is always at least one chunk, since a body without queries runs once.
 pub(crate) fn chunks(count: u32) -> impl Iterator<Item = Chunk> {
     let size = wgpu::QUERY_SET_MAX_QUERIES;
     let runs = count.div_ceil(size).max(1);
@@ -36,7 +37,7 @@ impl QuerySets {
         }
     }
 
-    /// The set of a chunk of a pass whose buffer holds `capacity` answers.
+    /// The set of a chunk of a pass whose buffer holds `capacity` results.
     pub fn get(
         &mut self,
         device: &wgpu::Device,
@@ -50,7 +51,7 @@ impl QuerySets {
             .saturating_sub(chunk.range.start)
             .clamp(1, wgpu::QUERY_SET_MAX_QUERIES);
         let made = sets.get(chunk.number).map_or(0, |(count, _)| *count);
-        // A pass asks for its chunks in order, so a missing set is the next one; one too small is of a smaller import.
+        // A pass asks for its chunks in order, so a missing set is the next one. A set may be too small where an import has grown.
         if made < count {
             let set = device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: Some(label),

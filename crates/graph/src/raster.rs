@@ -1,14 +1,11 @@
-//! Raster nodes: one render pass, with attachments, shader accesses and occlusion queries.
-
-use std::ops::Range;
+//! Declares raster nodes: one render pass, with attachments, shader accesses and occlusion queries.
 
 use crate::access::{Access, Use};
-use crate::builder::{common_builder, common_context, shader_builder};
-use crate::error::AccessError;
-use crate::frame::PassView;
-use crate::host::HostReader;
-use crate::pass::Viewport;
-use crate::{Buffer, Graph, Texture};
+use crate::builder::{common_builder, shader_builder};
+use crate::frame::HostReader;
+use crate::graph::Graph;
+use crate::handle::{Buffer, Texture};
+use crate::pass::{PassKind, Viewport};
 
 /// Declares a raster node. Methods that write return the next version; the others return the builder.
 pub struct RasterBuilder<'g> {
@@ -18,6 +15,14 @@ pub struct RasterBuilder<'g> {
 
 common_builder!(RasterBuilder, RasterContext, Raster);
 shader_builder!(RasterBuilder);
+
+impl Graph {
+    /// A node that draws: one render pass.
+    pub fn raster(&mut self, name: impl Into<String>) -> RasterBuilder<'_> {
+        let pass = self.begin(name.into(), PassKind::Raster);
+        RasterBuilder::new(self, pass)
+    }
+}
 
 impl RasterBuilder<'_> {
     /// Draws into mip 0, layer 0 of the texture. Attachments are numbered in the order of these calls.
@@ -45,7 +50,7 @@ impl RasterBuilder<'_> {
         self.attach(texture, Access::Depth, mip, layer)
     }
 
-    /// Tests against mip 0, layer 0 of the depth texture without writing it. Pipelines must not write depth.
+    /// Tests against mip 0, layer 0 of the depth texture without writing it. The pipelines must not write depth.
     pub fn depth_read(&mut self, texture: Texture) -> &mut Self {
         self.depth_read_at(texture, 0, 0)
     }
@@ -68,7 +73,7 @@ impl RasterBuilder<'_> {
         self
     }
 
-    /// Draws only into that rectangle of the target, in texels from its upper left corner; depth 0 to 1.
+    /// Draws only into this rectangle of the target, in texels from its upper left corner; depth 0 to 1.
     pub fn viewport(&mut self, x: f32, y: f32, width: f32, height: f32) -> &mut Self {
         self.declared().viewport = Some(Viewport {
             x,
@@ -79,11 +84,12 @@ impl RasterBuilder<'_> {
         self
     }
 
-    /// Issues occlusion queries, whose answers (u64, zero or not zero, nothing more) land in the buffer, 8 bytes a query.
+    /// Issues occlusion queries and writes their results into the buffer, a u64 each: zero or not zero. The value has no other meaning.
     ///
-    /// `count` says how many this frame; more than the buffer holds fails the frame. A query set holds 4,096:
-    /// for more the body runs several times, each with its own [`RasterContext::query_range`]; only the first run clears.
-    /// The body issues the range in ascending order without holes; it may stop early, and the answers of queries not issued are left as they were.
+    /// `count` returns the number of queries of the frame; more than the buffer holds fails the frame. A query set holds 4,096. For more
+    /// queries the body runs several times, each time with its own [`query_range`](crate::RasterContext::query_range); only the first
+    /// run clears. The body issues the queries of the range in ascending order without gaps. It may stop early; results of queries that
+    /// are not issued keep what the buffer held.
     pub fn queries(
         &mut self,
         buffer: Buffer,
@@ -103,59 +109,5 @@ impl RasterBuilder<'_> {
             },
         );
         Texture(texture.0.next())
-    }
-}
-
-/// What the body of a raster node works with.
-pub struct RasterContext<'a> {
-    pub(crate) view: PassView<'a>,
-    pub(crate) pass: wgpu::RenderPass<'static>,
-    pub(crate) queries: QueryCursor,
-}
-
-common_context!(RasterContext);
-
-/// The queries of one run of a body: absolute numbers, and the first one's place in its set.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct QueryCursor {
-    pub range: Range<u32>,
-    pub next: u32,
-}
-
-impl RasterContext<'_> {
-    /// The render pass, open, its viewport set.
-    pub fn pass(&mut self) -> &mut wgpu::RenderPass<'static> {
-        &mut self.pass
-    }
-
-    /// The queries this run of the body is to issue; empty for a node without queries.
-    #[must_use]
-    pub fn query_range(&self) -> Range<u32> {
-        self.queries.range.clone()
-    }
-
-    /// Issues query `index` around what `draw` draws.
-    ///
-    /// # Errors
-    /// The query is not the next one of [`RasterContext::query_range`].
-    pub fn query(
-        &mut self,
-        index: u32,
-        draw: impl FnOnce(&mut wgpu::RenderPass<'_>),
-    ) -> Result<(), AccessError> {
-        if index != self.queries.next || index >= self.queries.range.end {
-            return Err(AccessError::QueryOrder {
-                pass: self.view.pass.name.clone(),
-                query: index,
-                expected: self.queries.next,
-                end: self.queries.range.end,
-            });
-        }
-        self.pass
-            .begin_occlusion_query(index - self.queries.range.start);
-        draw(&mut self.pass);
-        self.pass.end_occlusion_query();
-        self.queries.next += 1;
-        Ok(())
     }
 }

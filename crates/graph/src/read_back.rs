@@ -1,5 +1,5 @@
-//! Frame-late read-back: a ring of mapped staging buffers, each answer with its frame's number and tag.
-//! Nothing here ever waits; a frame that finds no free slot goes on and is counted.
+//! Frame-late read-back: a ring of staging buffers. Each result has the number of its frame and a tag.
+//! Nothing here waits. A frame that finds no free slot continues without the read-back and counts it.
 
 use std::any::Any;
 use std::cell::Cell;
@@ -8,12 +8,12 @@ use std::sync::atomic::{AtomicU8, Ordering};
 
 use crate::store::Store;
 
-/// An answer of a frame-late read-back.
+/// The result of a frame-late read-back.
 #[derive(Debug)]
 pub struct Late<'a, Tag> {
-    /// The frame the bytes were written in.
+    /// The frame in which the bytes were written.
     pub frame: u64,
-    /// What was read back along with it: the tag's final value of that frame.
+    /// The tag's final value of that frame.
     pub tag: &'a Tag,
     /// The buffer's final contents of that frame.
     pub bytes: &'a [u8],
@@ -27,7 +27,7 @@ impl<Tag> Clone for Late<'_, Tag> {
 
 impl<Tag> Copy for Late<'_, Tag> {}
 
-/// A read-back as declared; remembers the tag's type.
+/// A declared read-back. `make` knows the tag's type.
 pub(crate) struct RingDecl {
     pub pass: usize,
     pub buffer: usize,
@@ -56,8 +56,8 @@ impl RingDecl {
     }
 }
 
-/// What the copy at the end of a frame needs.
-pub(crate) struct Shot<'a> {
+/// The copy of a read-back at the end of a frame.
+pub(crate) struct CopyRequest<'a> {
     pub encoder: &'a mut wgpu::CommandEncoder,
     pub source: &'a wgpu::Buffer,
     /// Bytes, a multiple of 4, at most the ring's size.
@@ -67,20 +67,20 @@ pub(crate) struct Shot<'a> {
     pub tag_slot: u32,
 }
 
-/// The mapping of a slot failed: the device is gone.
+/// The mapping of a slot failed because the device was lost.
 pub(crate) struct MapLost;
 
-/// A ring of any tag.
+/// A ring with any type of tag.
 pub(crate) trait AnyRing: Send {
     fn as_any(&self) -> &dyn Any;
-    /// Takes in what has arrived; the newest undelivered answer is offered during the frame.
+    /// Takes in arrived results and offers the newest undelivered one during the frame.
     fn begin_frame(&mut self) -> Result<(), MapLost>;
-    /// Lets go of what was delivered.
+    /// Frees the slot of a delivered result.
     fn end_frame(&mut self);
-    /// Copies this frame's bytes into a free slot; false: none was free, or the tag held nothing.
-    fn record(&mut self, shot: Shot<'_>) -> bool;
-    /// Drops all answers, under way or arrived.
-    fn forget(&mut self);
+    /// Copies this frame's bytes into a free slot. Returns false where no slot is free or the tag holds no value.
+    fn record(&mut self, request: CopyRequest<'_>) -> bool;
+    /// Drops all results, pending or arrived.
+    fn discard(&mut self);
     /// Bytes of staging memory.
     fn memory(&self) -> u64;
 }
@@ -90,11 +90,11 @@ const MAPPED: u8 = 1;
 const DROPPED: u8 = 2;
 const LOST: u8 = 3;
 
-/// Travels with the map request. If the encoder is dropped unsubmitted, so is this, and the slot is freed.
+/// Owned by the map request. If the encoder is dropped without a submit, this is dropped too and the slot is freed.
 struct Ticket(Arc<AtomicU8>);
 
 impl Ticket {
-    fn answer(&self, result: Result<(), wgpu::BufferAsyncError>) {
+    fn resolve(&self, result: Result<(), wgpu::BufferAsyncError>) {
         let status = if result.is_ok() { MAPPED } else { LOST };
         self.0.store(status, Ordering::Release);
     }
@@ -146,7 +146,7 @@ pub(crate) struct Ring<Tag> {
     slots: Vec<Slot<Tag>>,
     size: u64,
     delivered: Cell<bool>,
-    /// The frame of the newest answer that was delivered: older ones that arrive after it are stale.
+    /// The frame of the newest delivered result. Older results that arrive later are stale.
     last: Option<u64>,
 }
 
@@ -171,8 +171,8 @@ impl<Tag: Clone + Send + 'static> Ring<Tag> {
         })
     }
 
-    /// The offered answer, if any; it is let go at the end of the frame.
-    pub fn answer(&self) -> Option<Late<'_, Tag>> {
+    /// The offered result, if there is one. Its slot is freed at the end of the frame.
+    pub fn offered(&self) -> Option<Late<'_, Tag>> {
         let found = self.slots.iter().find_map(|slot| match &slot.state {
             State::Offered { frame, tag, view } => Some(Late {
                 frame: *frame,
@@ -250,8 +250,8 @@ impl<Tag: Clone + Send + 'static> AnyRing for Ring<Tag> {
         }
     }
 
-    fn record(&mut self, shot: Shot<'_>) -> bool {
-        let Ok(tag) = shot.store.get::<Tag>(shot.tag_slot) else {
+    fn record(&mut self, request: CopyRequest<'_>) -> bool {
+        let Ok(tag) = request.store.get::<Tag>(request.tag_slot) else {
             return false;
         };
         let Some(slot) = self
@@ -261,23 +261,24 @@ impl<Tag: Clone + Send + 'static> AnyRing for Ring<Tag> {
         else {
             return false;
         };
-        let bytes = shot.bytes.min(self.size);
+        let bytes = request.bytes.min(self.size);
         let status = Arc::new(AtomicU8::new(WAITING));
         if bytes > 0 {
-            shot.encoder
-                .copy_buffer_to_buffer(shot.source, 0, &slot.staging, 0, bytes);
+            request
+                .encoder
+                .copy_buffer_to_buffer(request.source, 0, &slot.staging, 0, bytes);
             let ticket = Ticket(Arc::clone(&status));
-            shot.encoder.map_buffer_on_submit(
+            request.encoder.map_buffer_on_submit(
                 &slot.staging,
                 wgpu::MapMode::Read,
                 ..bytes,
-                move |result| ticket.answer(result),
+                move |result| ticket.resolve(result),
             );
         } else {
             status.store(MAPPED, Ordering::Release);
         }
         slot.state = State::Pending {
-            frame: shot.frame,
+            frame: request.frame,
             tag: tag.clone(),
             bytes,
             wanted: true,
@@ -286,7 +287,7 @@ impl<Tag: Clone + Send + 'static> AnyRing for Ring<Tag> {
         true
     }
 
-    fn forget(&mut self) {
+    fn discard(&mut self) {
         for slot in &mut self.slots {
             match &mut slot.state {
                 State::Free => {}
@@ -302,8 +303,8 @@ impl<Tag: Clone + Send + 'static> AnyRing for Ring<Tag> {
 }
 
 impl<Tag> Ring<Tag> {
-    /// Of several answers only the newest is worth having, and only if it is newer than what was had before: submissions need not finish in the
-    /// order of the frames.
+    /// Keeps only the newest result, and only if it is newer than the last delivered one. Submissions need not finish in the order of the
+    /// frames.
     fn keep_newest(&mut self) {
         let newest = self
             .slots

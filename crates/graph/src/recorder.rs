@@ -1,40 +1,69 @@
-//! Walks the steps of a plan and records them: passes, sync points, loops.
+//! Records the steps of a plan: passes, sync points, loops.
+
+mod raster;
 
 use std::cell::RefCell;
 use std::time::Instant;
 
 use crate::access::Access;
-use crate::compile::flow::{Attachment, Prepared};
+use crate::bind::Caches;
+use crate::body::Body;
+use crate::compile::flow::{Attachment, Prepared, Subresource};
 use crate::compile::order::Step;
-use crate::compute::ComputeContext;
-use crate::copy::CopyContext;
+use crate::context::{ComputeContext, CopyContext, HostContext};
 use crate::error::{AccessError, BodyError, ExecuteError};
-use crate::execute::{Caches, FrameReport};
 use crate::frame::{Frame, PassView};
-use crate::handle::Raw;
-use crate::host::{HostContext, HostReader};
-use crate::pass::{Body, Pass};
+use crate::pass::Pass;
 use crate::physical::PhysicalTexture;
 use crate::queries::QuerySets;
+use crate::report::FrameReport;
 use crate::sync::{Arrival, Staging};
-use crate::timing::Timing;
+use crate::timing::{Recorded, Timing};
 
-/// Where commands go.
+/// The encoder that commands are recorded into.
 pub(crate) enum Target<'e> {
+    /// The plan's own, which it submits.
     Own(wgpu::CommandEncoder),
-    Foreign(&'e mut wgpu::CommandEncoder),
+    /// The caller's.
+    Caller(&'e mut wgpu::CommandEncoder),
 }
 
 impl Target<'_> {
     pub fn encoder(&mut self) -> &mut wgpu::CommandEncoder {
         match self {
             Self::Own(encoder) => encoder,
-            Self::Foreign(encoder) => encoder,
+            Self::Caller(encoder) => encoder,
         }
     }
 }
 
-/// A frame being recorded.
+/// Where in the host loops a step runs.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Iteration {
+    /// The iteration of the innermost loop; 0 outside of loops.
+    pub number: u32,
+    /// It is the first iteration of all loops around the step.
+    pub first: bool,
+}
+
+impl Iteration {
+    /// Outside of all loops.
+    pub const OUTSIDE: Self = Self {
+        number: 0,
+        first: true,
+    };
+}
+
+/// Whether an attachment is cleared before a pass and stored after it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AttachmentOps {
+    /// Cleared, if the pass is the attachment's first writer.
+    pub clear: bool,
+    /// Stored; else discarded.
+    pub store: bool,
+}
+
+/// A frame under recording.
 pub(crate) struct Recorder<'a, 'e> {
     pub frame: &'a Frame<'a>,
     pub passes: &'a [Pass],
@@ -52,37 +81,39 @@ pub(crate) struct Recorder<'a, 'e> {
 }
 
 impl<'a> Recorder<'a, '_> {
-    /// Records steps; `first` on the first turn of every loop around them.
-    pub fn steps(&mut self, steps: &[Step], first: bool, turn: u32) -> Result<(), ExecuteError> {
+    /// Records steps.
+    pub fn steps(&mut self, steps: &[Step], at: Iteration) -> Result<(), ExecuteError> {
         for step in steps {
             match step {
-                Step::Pass(pass) => self.pass(*pass, first, turn)?,
+                Step::Pass(pass) => self.pass(*pass, at)?,
                 Step::Sync(passes) => {
-                    self.sync(passes, turn)?;
+                    self.sync(passes, at)?;
                     for pass in passes {
-                        self.pass(*pass, first, turn)?;
+                        self.pass(*pass, at)?;
                     }
                     self.staging.iter_mut().for_each(Staging::close);
                 }
-                Step::Loop(pass, steps) => self.host_loop(*pass, steps, first)?,
+                Step::Loop(pass, steps) => self.host_loop(*pass, steps, at.first)?,
             }
         }
         Ok(())
     }
 
-    pub fn view(&self, pass: usize, turn: u32) -> PassView<'a> {
+    fn view(&self, pass: usize, at: Iteration) -> PassView<'a> {
+        let declared = &self.passes[pass];
         PassView {
             frame: self.frame,
-            pass: &self.passes[pass],
+            name: &declared.name,
+            uses: &declared.uses,
             index: pass,
-            turn,
+            iteration: at.number,
             cache: &self.caches[pass],
             fault: self.fault,
         }
     }
 
-    /// An error of a body, with the pass's name; also a misuse the body was not told of.
-    pub fn outcome(&self, pass: usize, result: Result<(), BodyError>) -> Result<(), ExecuteError> {
+    /// The error of a body with the pass's name, or a misuse that the body got no error for.
+    fn outcome(&self, pass: usize, result: Result<(), BodyError>) -> Result<(), ExecuteError> {
         let fault = self.fault.borrow_mut().take().map(BodyError::from);
         match result.err().or(fault) {
             None => Ok(()),
@@ -93,21 +124,22 @@ impl<'a> Recorder<'a, '_> {
         }
     }
 
-    fn pass(&mut self, pass: usize, first: bool, turn: u32) -> Result<(), ExecuteError> {
-        if first {
+    fn pass(&mut self, pass: usize, at: Iteration) -> Result<(), ExecuteError> {
+        if at.first {
             self.clear_before(pass);
         }
-        let view = self.view(pass, turn);
-        // The body is taken out so that the recorder stays free; it comes back whatever happens.
+        let view = self.view(pass, at);
+        let declared = &self.passes[pass];
+        // The body is taken out so that the recorder can be borrowed. It is put back in every case.
         let mut body = std::mem::replace(&mut self.bodies[pass], Body::None);
         let result = match &mut body {
             Body::None => Ok(()),
-            Body::Raster(run) => self.raster(pass, first, view, run),
-            Body::Compute(_) if view.is_idle() => Ok(()),
+            Body::Raster(run) => self.raster(pass, at, view, run),
+            Body::Compute(_) if declared.is_idle(view) => Ok(()),
             Body::Compute(run) => {
                 let running = self
                     .timing
-                    .begin(pass, Some((self.target.encoder(), false)));
+                    .begin(pass, Recorded::Pass(self.target.encoder()));
                 let writes = running
                     .as_ref()
                     .and_then(|running| running.query.as_ref())
@@ -117,7 +149,7 @@ impl<'a> Recorder<'a, '_> {
                     view,
                     pass: encoder
                         .begin_compute_pass(&wgpu::ComputePassDescriptor {
-                            label: Some(&view.pass.name),
+                            label: Some(view.name),
                             timestamp_writes: writes,
                         })
                         .forget_lifetime(),
@@ -128,14 +160,16 @@ impl<'a> Recorder<'a, '_> {
                 self.outcome(pass, result)
             }
             Body::Copy(run) => {
-                let running = self.timing.begin(pass, Some((self.target.encoder(), true)));
+                let running = self
+                    .timing
+                    .begin(pass, Recorded::Commands(self.target.encoder()));
                 let encoder = self.target.encoder();
                 let result = run(&mut CopyContext { view, encoder });
                 self.timing.end(pass, running, self.target.encoder());
                 self.outcome(pass, result)
             }
             Body::Host(run) => {
-                let running = self.timing.begin(pass, None);
+                let running = self.timing.begin(pass, Recorded::Nothing);
                 let result = run(&mut HostContext {
                     view,
                     encoder: self.target.encoder(),
@@ -150,22 +184,20 @@ impl<'a> Recorder<'a, '_> {
         result
     }
 
-    /// Submits what is recorded, with copies of what the host nodes read back, and waits for it; or goes on, where they read nothing this time.
-    fn sync(&mut self, passes: &[usize], turn: u32) -> Result<(), ExecuteError> {
+    /// Submits the commands so far, with copies of the buffers that the host nodes read back, and waits. Does nothing where they read no
+    /// bytes this time.
+    fn sync(&mut self, passes: &[usize], at: Iteration) -> Result<(), ExecuteError> {
         let lost = |pass: usize| ExecuteError::DeviceLost {
             what: format!("waiting at the sync point of `{}`", self.passes[pass].name),
         };
         let mut wanted = 0;
         for &pass in passes {
-            let view = self.view(pass, turn);
-            for used in &view.pass.uses {
+            let view = self.view(pass, at);
+            for (index, used) in view.uses.iter().enumerate() {
                 if used.access != Access::ReadBack {
                     continue;
                 }
-                let bytes = used
-                    .bytes
-                    .as_ref()
-                    .map_or(u64::MAX, |bytes| bytes(&HostReader { view }));
+                let bytes = self.passes[pass].wanted_bytes(index, view);
                 let size = self.frame.buffer_size(used.raw);
                 let bytes = bytes.saturating_add(3).min(size) & !3;
                 wanted += bytes;
@@ -179,7 +211,7 @@ impl<'a> Recorder<'a, '_> {
             }
         }
         if wanted == 0 {
-            // Nothing was asked, so there is nothing to wait for.
+            // No bytes are wanted, so there is nothing to wait for.
             return Ok(());
         }
         let Target::Own(encoder) = &mut self.target else {
@@ -227,9 +259,13 @@ impl<'a> Recorder<'a, '_> {
         let Some(looped) = self.passes[pass].looped else {
             return Ok(());
         };
-        for turn in 0..looped.limit {
-            self.steps(steps, first && turn == 0, turn)?;
-            self.report.loop_turns += 1;
+        for number in 0..looped.limit {
+            let at = Iteration {
+                number,
+                first: first && number == 0,
+            };
+            self.steps(steps, at)?;
+            self.report.loop_iterations += 1;
             let done = self
                 .frame
                 .store
@@ -253,18 +289,18 @@ impl<'a> Recorder<'a, '_> {
                 self.target.encoder().clear_buffer(buffer, 0, Some(size));
             }
         }
-        for (raw, mip, layer) in &prepared.clears {
-            self.clear_part(*raw, *mip, *layer);
+        for part in &prepared.clears {
+            self.clear_part(*part);
         }
     }
 
-    /// Clears what no attachment of the pass would clear.
-    fn clear_part(&mut self, raw: Raw, mip: u32, layer: u32) {
+    /// Clears a part of a texture by a render pass of its own.
+    fn clear_part(&mut self, part: Subresource) {
         let attachment = Attachment {
-            raw,
+            raw: part.raw,
             access: Access::Colour,
-            mip,
-            layer,
+            mip: part.mip,
+            layer: part.layer,
             first: true,
             store: true,
         };
@@ -272,9 +308,13 @@ impl<'a> Recorder<'a, '_> {
             return;
         };
         let depth = texture.desc.format.is_depth_stencil_format();
-        let colour = [(!depth).then(|| colour_attachment(texture, view, &attachment, true, true))];
+        let ops = AttachmentOps {
+            clear: true,
+            store: true,
+        };
+        let colour = [(!depth).then(|| colour_attachment(texture, view, &attachment, ops))];
         let depth_stencil_attachment =
-            depth.then(|| depth_attachment(texture, view, &attachment, true, true));
+            depth.then(|| depth_attachment(texture, view, &attachment, ops));
         drop(
             self.target
                 .encoder()
@@ -287,7 +327,8 @@ impl<'a> Recorder<'a, '_> {
         );
     }
 
-    pub fn attached(
+    /// The texture of an attachment and the view to attach.
+    fn attached(
         &self,
         attachment: &Attachment,
     ) -> Option<(&'a PhysicalTexture, &'a wgpu::TextureView)> {
@@ -297,45 +338,43 @@ impl<'a> Recorder<'a, '_> {
     }
 }
 
-/// How a colour target is loaded and stored.
-pub(crate) fn colour_attachment<'v>(
+/// A colour attachment with its load and store operations.
+fn colour_attachment<'v>(
     texture: &PhysicalTexture,
     view: &'v wgpu::TextureView,
     attachment: &Attachment,
-    clear: bool,
-    store: bool,
+    ops: AttachmentOps,
 ) -> wgpu::RenderPassColorAttachment<'v> {
     wgpu::RenderPassColorAttachment {
         view,
         depth_slice: None,
         resolve_target: None,
         ops: wgpu::Operations {
-            // A first writer without a clear value may clear too: it is cheaper than loading, and defined.
-            load: load(clear && attachment.first, texture.desc.colour_clear()),
-            store: store_op(store),
+            // A first writer without a clear value clears too: it is cheaper than loading, and defined.
+            load: load(ops.clear && attachment.first, texture.desc.colour_clear()),
+            store: store_op(ops.store),
         },
     }
 }
 
-/// How a depth target is loaded and stored.
-pub(crate) fn depth_attachment<'v>(
+/// A depth attachment with its load and store operations.
+fn depth_attachment<'v>(
     texture: &PhysicalTexture,
     view: &'v wgpu::TextureView,
     attachment: &Attachment,
-    clear: bool,
-    store: bool,
+    ops: AttachmentOps,
 ) -> wgpu::RenderPassDepthStencilAttachment<'v> {
-    let clear = clear && attachment.first;
+    let clear = ops.clear && attachment.first;
     let format = texture.desc.format;
     wgpu::RenderPassDepthStencilAttachment {
         view,
         depth_ops: format.has_depth_aspect().then(|| wgpu::Operations {
             load: load(clear, texture.desc.depth_clear()),
-            store: store_op(store),
+            store: store_op(ops.store),
         }),
         stencil_ops: format.has_stencil_aspect().then(|| wgpu::Operations {
             load: load(clear, texture.desc.stencil_clear()),
-            store: store_op(store),
+            store: store_op(ops.store),
         }),
     }
 }

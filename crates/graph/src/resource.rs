@@ -1,15 +1,15 @@
-//! Resources: what a texture or buffer of the graph looks like, and how the graph remembers it.
+//! Resources: the descriptions of textures and buffers, and how the graph records them.
 
 use std::any::Any;
 
-/// What the first writer of a frame clears an attachment to.
+/// The value to which the first writer of a frame clears a texture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Clear {
-    /// A colour target; each channel as wgpu takes it, integers given as whole numbers.
+    /// For a colour target. Channels of integer formats are given as whole numbers.
     Colour(wgpu::Color),
-    /// A depth target; 0 is the far plane under reversed depth.
+    /// For a depth target. With reversed depth, 0 is the far plane.
     Depth(f32),
-    /// A target with depth and stencil.
+    /// For a target with depth and stencil.
     DepthStencil(f32, u32),
 }
 
@@ -24,11 +24,11 @@ pub struct TextureDesc {
     pub layers: u32,
     /// Mip levels, at least 1.
     pub mips: u32,
-    /// Samples a texel: 1 or what the format allows.
+    /// Samples a texel: 1, or another count that the format allows.
     pub samples: u32,
     /// The texel format.
     pub format: wgpu::TextureFormat,
-    /// What the first writer of a frame clears it to; `None`: its contents are undefined for the first writer.
+    /// The value to which the first writer of a frame clears it; with `None`, its contents are undefined for the first writer.
     pub clear: Option<Clear>,
 }
 
@@ -91,7 +91,7 @@ impl TextureDesc {
             .sum()
     }
 
-    /// Whether two descriptions may share one physical texture; the clear value is no part of the object.
+    /// Whether two descriptions may share one wgpu texture, which has no clear value.
     pub(crate) fn same_object(&self, other: &Self) -> bool {
         Self {
             clear: None,
@@ -102,7 +102,7 @@ impl TextureDesc {
         }
     }
 
-    /// The value a first writer clears to, given or neutral.
+    /// The declared clear value, or transparent black.
     pub(crate) fn colour_clear(&self) -> wgpu::Color {
         match self.clear {
             Some(Clear::Colour(colour)) => colour,
@@ -128,9 +128,9 @@ impl TextureDesc {
 /// A buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BufferDesc {
-    /// Bytes, at least 1; the graph rounds up to a multiple of 4. For an import the least size accepted.
+    /// Size in bytes, at least 1. The graph rounds up to a multiple of 4. For an import, the least size that is accepted.
     pub size: u64,
-    /// Cleared to zero before its first write of a frame.
+    /// It is cleared to zero before its first write of a frame.
     pub zeroed: bool,
 }
 
@@ -156,7 +156,7 @@ impl BufferDesc {
     }
 }
 
-/// How the store makes and empties the value of a host resource.
+/// How the store creates and empties the value of a host resource.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct HostType {
     pub make: fn() -> Box<dyn Any + Send>,
@@ -164,6 +164,7 @@ pub(crate) struct HostType {
     pub is_set: fn(&(dyn Any + Send)) -> bool,
 }
 
+/// The kind of a resource with its description.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Kind {
     Texture(TextureDesc),

@@ -1,5 +1,5 @@
-//! The host values of a plan. During a frame each lies in a cell, so that a body can hold several at once;
-//! between frames they lie open, so that the plan can lend them plainly.
+//! The host values of a plan. During a frame each is in a `RefCell`, so that a body can borrow several at once. Between frames they are
+//! outside of it, so that the plan can return plain references.
 
 use std::any::Any;
 use std::cell::{Ref, RefCell, RefMut};
@@ -8,6 +8,7 @@ use crate::resource::HostType;
 
 type Value = Box<dyn Any + Send>;
 
+/// The host values, by slot.
 #[derive(Default)]
 pub(crate) struct Store {
     types: Vec<HostType>,
@@ -15,13 +16,16 @@ pub(crate) struct Store {
     at_rest: Vec<Option<Value>>,
 }
 
-/// Why a value could not be had.
+/// Why a value cannot be borrowed.
 pub(crate) enum StoreError {
+    /// It is borrowed in a way that excludes this borrow.
     Borrowed,
+    /// It holds nothing.
     Empty,
 }
 
 impl Store {
+    /// Adds a value and returns its slot.
     pub fn add(&mut self, host: HostType) -> u32 {
         self.types.push(host);
         self.cells.push(RefCell::new(None));
@@ -61,7 +65,7 @@ impl Store {
         .map_err(|_| StoreError::Empty)
     }
 
-    /// Between frames: sets an imported value. False: no such slot or another type.
+    /// Between frames: sets an imported value. Returns false for an unknown slot or another type.
     pub fn set<T: 'static>(&mut self, slot: u32, value: T) -> bool {
         let place = self
             .at_rest
@@ -77,14 +81,14 @@ impl Store {
         }
     }
 
-    /// Between frames: an imported value is set.
+    /// Between frames: whether an imported value is set.
     pub fn is_set(&self, slot: u32) -> bool {
         let host = self.types.get(slot as usize);
         let rest = self.at_rest.get(slot as usize).and_then(Option::as_ref);
         matches!((host, rest), (Some(host), Some(rest)) if (host.is_set)(rest.as_ref()))
     }
 
-    /// Between frames: lends a value.
+    /// Between frames: borrows a value.
     pub fn rest<T: 'static>(&self, slot: u32) -> Option<&T> {
         self.at_rest
             .get(slot as usize)?
@@ -93,7 +97,7 @@ impl Store {
             .as_ref()
     }
 
-    /// Between frames: drops an imported value, keeping its place.
+    /// Between frames: drops an imported value. The slot stays.
     pub fn empty(&mut self, slot: u32) {
         if let (Some(host), Some(Some(rest))) = (
             self.types.get(slot as usize),
@@ -103,7 +107,7 @@ impl Store {
         }
     }
 
-    /// Between frames: makes a value anew.
+    /// Between frames: sets a value to its initial one.
     pub fn reset(&mut self, slot: u32) {
         if let (Some(host), Some(rest)) = (
             self.types.get(slot as usize),

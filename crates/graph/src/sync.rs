@@ -1,4 +1,4 @@
-//! Same-frame read-back: the staging buffers of the plan's sync points.
+//! Same-frame read-back: the staging buffers of a plan's sync points.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use crate::handle::Raw;
 
-/// One buffer that one host node reads back within the frame.
+/// The staging buffer of one buffer that one host node reads back within the frame.
 pub(crate) struct Staging {
     pub pass: usize,
     pub raw: Raw,
@@ -17,9 +17,9 @@ pub(crate) struct Staging {
     view: Option<wgpu::BufferView>,
 }
 
-/// How long an answer may be on its way after the wait for it is over: another thread that polls the device may have been handed it, and says so
-/// as soon as it runs. Browsers have no such threads, and nobody may wait there.
-const ON_ITS_WAY: Duration = if cfg!(target_family = "wasm") {
+/// How long a map callback may take after the wait for the GPU is over. Another thread that polls the device may run the callback, and
+/// calls it as soon as it is scheduled. Browsers have no such threads and must not wait.
+const CALLBACK_DELAY: Duration = if cfg!(target_family = "wasm") {
     Duration::ZERO
 } else {
     Duration::from_secs(10)
@@ -29,11 +29,13 @@ const NONE: u8 = 0;
 const MAPPED: u8 = 1;
 const LOST: u8 = 2;
 
-/// How a wait ended.
+/// The state of a read-back after the wait.
 pub(crate) enum Arrival {
+    /// The bytes are there.
     Here,
-    /// The wait returned without the bytes: this backend does not block.
+    /// The wait returned without the bytes: the backend does not block.
     NotYet,
+    /// The device was lost.
     Lost,
 }
 
@@ -55,7 +57,7 @@ impl Staging {
         }
     }
 
-    /// Copies `bytes` (a multiple of 4) of `source` and asks for them on submit.
+    /// Records a copy of `bytes` (a multiple of 4) of `source`, and maps them on submit.
     pub fn request(
         &mut self,
         encoder: &mut wgpu::CommandEncoder,
@@ -86,14 +88,14 @@ impl Staging {
         self.size
     }
 
-    /// That it serves that read-back.
+    /// Whether it belongs to this read-back.
     pub fn serves(&self, pass: usize, raw: Raw) -> bool {
         self.pass == pass
             && self.raw.index == raw.index
             && self.raw.is_previous() == raw.is_previous()
     }
 
-    /// After the wait: opens the bytes.
+    /// Opens the bytes, after the wait.
     pub fn open(&mut self) -> Arrival {
         match self.arrived() {
             MAPPED => {}
@@ -112,11 +114,12 @@ impl Staging {
         }
     }
 
+    /// The status, once it is known or the delay is over.
     fn arrived(&self) -> u8 {
         let status = || self.status.load(Ordering::Acquire);
-        if status() == NONE && !ON_ITS_WAY.is_zero() {
+        if status() == NONE && !CALLBACK_DELAY.is_zero() {
             let started = Instant::now();
-            while status() == NONE && started.elapsed() < ON_ITS_WAY {
+            while status() == NONE && started.elapsed() < CALLBACK_DELAY {
                 std::thread::yield_now();
             }
         }
@@ -128,7 +131,7 @@ impl Staging {
         self.view.as_deref().unwrap_or(&[])
     }
 
-    /// Gives the staging buffer back to the GPU. After a failed wait the request may still be under way; unmapping cancels it.
+    /// Unmaps the staging buffer. After a failed wait the request may still be pending; unmapping cancels it.
     pub fn close(&mut self) {
         let open = self.view.take().is_some();
         if open || self.requested > 0 {

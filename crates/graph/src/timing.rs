@@ -1,4 +1,4 @@
-//! Pass times: on the host always, on the GPU where the device has timestamps (by wgpu-profiler). Switched off it costs nothing.
+//! Pass times: host times always, GPU times where the device has timestamps (by wgpu-profiler). Switched off, it costs nothing.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -7,15 +7,15 @@ use std::time::{Duration, Instant};
 
 use wgpu_profiler::{GpuProfiler, GpuProfilerQuery, GpuProfilerSettings, GpuTimerQueryResult};
 
-use crate::compile::Mode;
+use crate::options::Mode;
 use crate::pass::Pass;
 
-/// The times of one frame, the latest that has arrived.
+/// The times of one frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Timings {
-    /// The frame measured.
+    /// The frame's number.
     pub frame: u64,
-    /// Each pass that was kept, in the order of its declaration; a pass run several times (loops, many queries) has the sum.
+    /// Each kept pass, in the order of declaration. A pass that runs several times (in loops, for many queries) has the sum.
     pub passes: Vec<PassTiming>,
     /// Sums by group, in order of first appearance.
     pub groups: Vec<GroupTiming>,
@@ -28,9 +28,9 @@ pub struct PassTiming {
     pub name: String,
     /// Its group, if it has one.
     pub group: Option<&'static str>,
-    /// Time of its body and its recording on the host.
+    /// Host time of its body and of recording it.
     pub cpu: Duration,
-    /// Time on the GPU, where it can be told.
+    /// GPU time; `None` where it is not measured.
     pub gpu: Option<Duration>,
 }
 
@@ -41,18 +41,18 @@ pub struct GroupTiming {
     pub group: &'static str,
     /// Host time.
     pub cpu: Duration,
-    /// GPU time of those passes of which it can be told; `None` if of none.
+    /// GPU time of the passes for which it is measured; `None` where it is measured for none.
     pub gpu: Option<Duration>,
 }
 
-/// Frames whose timestamps may be on their way.
+/// Frames whose timestamps may be pending.
 const IN_FLIGHT: usize = 3;
 
 const UNDER_WAY: u8 = 0;
 const DONE: u8 = 1;
 const DROPPED: u8 = 2;
 
-/// In an embedded plan the host submits: says when that has happened, or never will.
+/// Tells whether the encoder of an embedded plan has been submitted and its work is done, or was dropped.
 struct Ticket(Arc<AtomicU8>);
 
 impl Drop for Ticket {
@@ -69,20 +69,38 @@ struct Measured {
     cpu: Vec<Duration>,
 }
 
+/// The times of a frame, by pass.
+struct FrameTimes {
+    frame: u64,
+    cpu: Vec<Duration>,
+    gpu: Vec<Option<Duration>>,
+}
+
+/// Measures the passes of frames.
 pub(crate) struct Timing {
     enabled: bool,
-    /// This frame is being measured.
+    /// The current frame is measured.
     active: bool,
     profiler: Option<GpuProfiler>,
     current: Vec<Duration>,
-    /// Frames the profiler has under way.
+    /// Frames whose results the profiler has not delivered yet.
     waiting: VecDeque<Measured>,
-    /// An embedded frame recorded, not yet known to be finished.
+    /// An embedded frame that was recorded and is not known to be finished.
     unsubmitted: Option<(Arc<AtomicU8>, Measured)>,
-    latest: Option<(u64, Vec<Duration>, Vec<Option<Duration>>)>,
+    latest: Option<FrameTimes>,
 }
 
-/// One pass being measured.
+/// What a pass records, which decides how its GPU time is measured.
+pub(crate) enum Recorded<'e> {
+    /// A render or compute pass on this encoder.
+    Pass(&'e mut wgpu::CommandEncoder),
+    /// Commands on the encoder itself.
+    Commands(&'e mut wgpu::CommandEncoder),
+    /// Nothing that is timed on the GPU.
+    Nothing,
+}
+
+/// A pass under measurement.
 pub(crate) struct Running {
     started: Instant,
     pub query: Option<GpuProfilerQuery>,
@@ -128,7 +146,7 @@ impl Timing {
         if let Some((status, measured)) = self.unsubmitted.take() {
             match status.load(Ordering::Acquire) {
                 UNDER_WAY => {
-                    // Its query results cannot be mapped yet: this frame goes unmeasured.
+                    // Its query results cannot be mapped yet, so this frame is not measured.
                     self.unsubmitted = Some((status, measured));
                     return;
                 }
@@ -146,7 +164,11 @@ impl Timing {
             };
             if let Some(measured) = self.waiting.pop_front() {
                 let gpu = by_pass(&results, passes);
-                self.latest = Some((measured.frame, measured.cpu, gpu));
+                self.latest = Some(FrameTimes {
+                    frame: measured.frame,
+                    cpu: measured.cpu,
+                    gpu,
+                });
             }
         }
         self.active = true;
@@ -154,20 +176,16 @@ impl Timing {
         self.current.resize(passes, Duration::ZERO);
     }
 
-    /// Begins a pass; `on_encoder`: it records on the encoder itself, not in a pass of its own.
-    pub fn begin(
-        &self,
-        pass: usize,
-        encoder: Option<(&mut wgpu::CommandEncoder, bool)>,
-    ) -> Option<Running> {
+    /// Begins measuring a pass; `None` where this frame is not measured.
+    pub fn begin(&self, pass: usize, recorded: Recorded<'_>) -> Option<Running> {
         if !self.active {
             return None;
         }
-        let query = match (&self.profiler, encoder) {
-            (Some(profiler), Some((encoder, true))) => {
+        let query = match (&self.profiler, recorded) {
+            (Some(profiler), Recorded::Commands(encoder)) => {
                 Some(profiler.begin_query(pass.to_string(), encoder))
             }
-            (Some(profiler), Some((encoder, false))) => {
+            (Some(profiler), Recorded::Pass(encoder)) => {
                 Some(profiler.begin_pass_query(pass.to_string(), encoder))
             }
             _ => None,
@@ -178,6 +196,7 @@ impl Timing {
         })
     }
 
+    /// Ends measuring a pass.
     pub fn end(
         &mut self,
         pass: usize,
@@ -195,14 +214,14 @@ impl Timing {
         }
     }
 
-    /// Before each submit: the timestamps written so far go to their buffers.
+    /// Before each submit: resolves the timestamps that were written so far.
     pub fn resolve(&mut self, encoder: &mut wgpu::CommandEncoder) {
         if let (true, Some(profiler)) = (self.active, &mut self.profiler) {
             profiler.resolve_queries(encoder);
         }
     }
 
-    /// In an embedded plan, at the end of recording.
+    /// At the end of recording an embedded frame: watches for its submission.
     pub fn watch(&mut self, frame: u64, encoder: &wgpu::CommandEncoder) {
         if !self.active || self.profiler.is_none() {
             return;
@@ -222,7 +241,7 @@ impl Timing {
         if self.profiler.is_none() {
             let cpu = std::mem::take(&mut self.current);
             let gpu = vec![None; cpu.len()];
-            self.latest = Some((frame, cpu, gpu));
+            self.latest = Some(FrameTimes { frame, cpu, gpu });
         } else if mode == Mode::Owned {
             let cpu = std::mem::take(&mut self.current);
             self.end_profiler_frame(Measured { frame, cpu });
@@ -230,7 +249,7 @@ impl Timing {
         self.active = false;
     }
 
-    /// A frame failed: what it began cannot be finished.
+    /// Drops all pending measurements, since a frame failed and cannot be finished.
     pub fn abandon(&mut self) {
         *self = Self {
             latest: self.latest.take(),
@@ -238,8 +257,9 @@ impl Timing {
         };
     }
 
+    /// The latest times, with the passes' names and groups.
     pub fn latest(&self, passes: &[Pass], kept: &[bool]) -> Option<Timings> {
-        let (frame, cpu, gpu) = self.latest.as_ref()?;
+        let FrameTimes { frame, cpu, gpu } = self.latest.as_ref()?;
         let mut timings = Timings {
             frame: *frame,
             ..Timings::default()
@@ -265,7 +285,7 @@ impl Timing {
         let Some(profiler) = &mut self.profiler else {
             return;
         };
-        // As the profiler does: when too many are under way, the newest of them gives way.
+        // As the profiler does: when too many frames are pending, the newest of them is dropped.
         if self.waiting.len() == IN_FLIGHT {
             self.waiting.pop_back();
         }
@@ -295,14 +315,14 @@ fn add_to_group(
     }
 }
 
-/// The profiler's labels are the numbers of the passes.
+/// GPU times by pass. The profiler's labels are the passes' indices.
 fn by_pass(results: &[GpuTimerQueryResult], passes: usize) -> Vec<Option<Duration>> {
     let mut times = vec![None; passes];
     for result in results {
         let (Ok(pass), Some(time)) = (result.label.parse::<usize>(), &result.time) else {
             continue;
         };
-        // Some drivers write the end before the beginning; a time is never negative.
+        // Some drivers report an end before the start; a time is never negative.
         let seconds = (time.end - time.start).max(0.0);
         if let (Some(sum), Ok(time)) = (times.get_mut(pass), Duration::try_from_secs_f64(seconds)) {
             *sum = Some(sum.unwrap_or(Duration::ZERO) + time);

@@ -1,7 +1,7 @@
 //! `antumbra doctor`: which adapters there are and what each of them can do for culling.
 
 use antumbra::cull::Counting;
-use antumbra::draw::{Gpu, WANTED_FEATURES, adapters, title};
+use antumbra::draw::{Gpu, WANTED_FEATURES, adapter_title, adapters};
 
 use crate::failure::Failure;
 
@@ -16,7 +16,7 @@ pub fn run() -> Result<(), Failure> {
         let info = adapter.get_info();
         println!(
             "{}\n  type: {:?}; driver: {} {}",
-            title(&info),
+            adapter_title(&info),
             info.device_type,
             info.driver,
             info.driver_info
@@ -32,7 +32,7 @@ pub fn run() -> Result<(), Failure> {
     if usable == 0 {
         let found = all
             .iter()
-            .map(|adapter| title(&adapter.get_info()))
+            .map(|adapter| adapter_title(&adapter.get_info()))
             .collect();
         return Err(antumbra::draw::DeviceError::NoAdapter {
             choice: Default::default(),

@@ -2,7 +2,7 @@
 
 use antumbra::cull::{Stage, StageOptions};
 use antumbra::draw::{Gpu, GpuScene};
-use antumbra::graph::Picture;
+use antumbra::graph::PlanFormat;
 use antumbra::verify::Oracle;
 
 use crate::args::{Format, GraphArgs};
@@ -37,10 +37,10 @@ pub fn run(args: GraphArgs) -> Result<(), Failure> {
         gpu.wait()?;
     }
     let format = match args.format {
-        Format::Dot => Picture::Dot,
-        Format::Mermaid => Picture::Mermaid,
-        Format::Json => Picture::Json,
+        Format::Dot => PlanFormat::Dot,
+        Format::Mermaid => PlanFormat::Mermaid,
+        Format::Json => PlanFormat::Json,
     };
-    println!("{}", stage.plan().picture(format));
+    println!("{}", stage.plan().export(format));
     Ok(())
 }

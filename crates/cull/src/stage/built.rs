@@ -290,17 +290,9 @@ fn inputs(
     let (uniform, lights) = (node.upload(uniform), node.upload(lights));
     node.run(move |ctx| {
         let (scene, view) = (ctx.get(scene)?, ctx.get(view)?);
-        let [right, up, forward] = view.axes();
         ctx.upload(uniform, 0, bytemuck::bytes_of(&view.uniform()))?;
-        ctx.upload(
-            lights,
-            0,
-            bytemuck::bytes_of(
-                &scene
-                    .lights
-                    .around(view.camera.position, forward, right, up),
-            ),
-        )?;
+        let around_eye = scene.lights.relative_to(view.camera.position, view.axes());
+        ctx.upload(lights, 0, bytemuck::bytes_of(&around_eye))?;
         Ok(())
     });
     ViewInputs {

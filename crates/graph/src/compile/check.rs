@@ -1,16 +1,19 @@
-//! Checks of the declaration itself: versions, updates, history, loops, uses within one pass. No device is asked.
+//! Checks of the declaration alone: versions, updates, histories, loops, uses within one pass. They need no device.
+
+use std::fmt;
 
 use petgraph::graph::NodeIndex;
 
 use crate::access::{Access, Use};
+use crate::body::Body;
 use crate::compile::order::digraph;
 use crate::compile::versions::{Versions, is_inside};
 use crate::error::CompileError;
 use crate::graph::Graph;
-use crate::pass::{Body, Pass, PassKind};
+use crate::pass::{Pass, PassKind};
 use crate::resource::{Kind, Resource};
 
-/// Everything wrong with the declaration, cycles aside.
+/// Finds everything that is wrong with the declaration, except for cycles.
 pub(crate) fn declaration(
     graph: &Graph,
     versions: &Versions,
@@ -113,7 +116,7 @@ fn one_use(
     }
 }
 
-/// Uses of one resource that wgpu refuses within one pass.
+/// Finds uses of one resource that wgpu refuses within one pass.
 fn conflicts(graph: &Graph, pass: &Pass, errors: &mut Vec<CompileError>) {
     for (n, a) in pass.uses.iter().enumerate() {
         for b in &pass.uses[n + 1..] {
@@ -143,7 +146,7 @@ fn conflict(graph: &Graph, kind: PassKind, a: &Use, b: &Use) -> bool {
             if a.access.is_attachment() && b.access.is_attachment() {
                 (a.mip, a.layer) == (b.mip, b.layer)
             } else {
-                // Views of single mips and layers keep apart what is read and what is written.
+                // With several mips or layers, views of single ones separate reads from writes.
                 writes && desc.mips == 1 && desc.layers == 1
             }
         }
@@ -153,7 +156,7 @@ fn conflict(graph: &Graph, kind: PassKind, a: &Use, b: &Use) -> bool {
 }
 
 fn attachments(graph: &Graph, pass: &Pass, errors: &mut Vec<CompileError>) {
-    let mut first: Option<(String, (u32, u32, u32))> = None;
+    let mut first: Option<(String, Shape)> = None;
     let mut depths = 0;
     for used in pass.uses.iter().filter(|used| used.access.is_attachment()) {
         let resource = &graph.resources[used.resource()];
@@ -175,25 +178,25 @@ fn attachments(graph: &Graph, pass: &Pass, errors: &mut Vec<CompileError>) {
             depths += 1;
         }
         let samples = if used.access == Access::Resolve {
-            // The target has one sample; what it resolves has the pass's count.
-            first.as_ref().map_or(1, |(_, shape)| shape.2)
+            // The target has one sample; the attachment that it resolves has the pass's count.
+            first.as_ref().map_or(1, |(_, shape)| shape.samples)
         } else {
             desc.samples
         };
-        let shape = (
-            (desc.width >> used.mip).max(1),
-            (desc.height >> used.mip).max(1),
+        let shape = Shape {
+            width: (desc.width >> used.mip).max(1),
+            height: (desc.height >> used.mip).max(1),
             samples,
-        );
+        };
         match &first {
             None => first = Some((resource.name.clone(), shape)),
             Some((name, other)) if *other != shape => {
                 errors.push(CompileError::AttachmentMismatch {
                     pass: pass.name.clone(),
                     first: name.clone(),
-                    first_shape: shape_words(*other),
+                    first_shape: other.to_string(),
                     second: resource.name.clone(),
-                    second_shape: shape_words(shape),
+                    second_shape: shape.to_string(),
                 });
             }
             Some(_) => {}
@@ -214,11 +217,26 @@ fn attachments(graph: &Graph, pass: &Pass, errors: &mut Vec<CompileError>) {
     }
 }
 
-fn shape_words((width, height, samples): (u32, u32, u32)) -> String {
-    format!("{width}x{height}, {samples} samples")
+/// What all attachments of a pass must agree in.
+#[derive(Clone, Copy, PartialEq)]
+struct Shape {
+    width: u32,
+    height: u32,
+    samples: u32,
 }
 
-/// Two passes that write one version are fine only if something else orders them.
+impl fmt::Display for Shape {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            width,
+            height,
+            samples,
+        } = self;
+        write!(f, "{width}x{height}, {samples} samples")
+    }
+}
+
+/// Finds passes that write one version without another order between them.
 fn two_writers(
     graph: &Graph,
     versions: &Versions,
@@ -284,7 +302,7 @@ fn updates(graph: &Graph, versions: &Versions, errors: &mut Vec<CompileError>) {
                     ),
                 );
             }
-            if versions.looks_back[resource].contains(&pass) {
+            if versions.previous_readers[resource].contains(&pass) {
                 refuse(
                     pass,
                     String::from("looks back at it too; an update sees last frame's value already"),

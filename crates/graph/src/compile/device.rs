@@ -1,4 +1,4 @@
-//! Checks against the device: formats, features, limits and what its class of adapter cannot do. Only kept passes are asked about.
+//! Checks against the device: formats, features, limits and downlevel capabilities. Only kept passes are checked.
 
 use wgpu::{DownlevelFlags, Features, TextureFormatFeatureFlags, TextureUsages};
 
@@ -17,7 +17,7 @@ pub(crate) struct Capabilities<'a> {
 }
 
 impl<'a> Capabilities<'a> {
-    /// Without the adapter its class is guessed from the backend, cautiously.
+    /// Without the adapter, its downlevel capabilities are assumed from the backend, conservatively.
     pub fn new(device: &wgpu::Device, adapter: Option<&'a wgpu::Adapter>) -> Self {
         let downlevel = match adapter {
             Some(adapter) => adapter.get_downlevel_capabilities().flags,
@@ -36,32 +36,33 @@ impl<'a> Capabilities<'a> {
         }
     }
 
-    /// A depth attachment may be read-only, and sampled meanwhile.
+    /// Whether a depth attachment may be read-only and sampled in the same pass.
     pub fn read_only_depth(&self) -> bool {
         self.downlevel
             .contains(DownlevelFlags::READ_ONLY_DEPTH_STENCIL)
     }
 
-    /// As wgpu decides it: what WebGPU guarantees, or the adapter's word where that is asked for or all there is.
+    /// As wgpu decides it: what WebGPU guarantees; what the adapter reports, where that feature is on or the adapter is below WebGPU.
     fn format(&self, format: wgpu::TextureFormat) -> wgpu::TextureFormatFeatures {
-        let own_word = self
+        let adapter_specific = self
             .features
             .contains(Features::TEXTURE_ADAPTER_SPECIFIC_FORMAT_FEATURES)
             || !self
                 .downlevel
                 .contains(DownlevelFlags::WEBGPU_TEXTURE_FORMAT_SUPPORT);
         match self.adapter {
-            Some(adapter) if own_word => adapter.get_texture_format_features(format),
+            Some(adapter) if adapter_specific => adapter.get_texture_format_features(format),
             _ => format.guaranteed_format_features(self.features),
         }
     }
 
+    /// Whether a format allows all of these usages.
     pub fn format_allows(&self, format: wgpu::TextureFormat, usages: TextureUsages) -> bool {
         self.format(format).allowed_usages.contains(usages)
     }
 }
 
-/// Everything the device refuses about the kept passes and what they touch.
+/// Finds everything that the device refuses about the kept passes and the resources that they use.
 pub(crate) fn device(
     graph: &Graph,
     kept: &[bool],
@@ -101,7 +102,7 @@ fn pass_needs(pass: &Pass, capabilities: &Capabilities<'_>, errors: &mut Vec<Com
     let missing = pass.requires - capabilities.features;
     if !missing.is_empty() {
         errors.push(CompileError::MissingFeature {
-            who: format!("pass `{}`", pass.name),
+            item: format!("pass `{}`", pass.name),
             feature: missing
                 .iter_names()
                 .map(|(name, _)| name)
@@ -240,7 +241,7 @@ fn texture_needs(
     let missing = desc.format.required_features() - capabilities.features;
     if !missing.is_empty() {
         errors.push(CompileError::MissingFeature {
-            who: format!("texture `{name}`"),
+            item: format!("texture `{name}`"),
             feature: missing
                 .iter_names()
                 .map(|(name, _)| name)

@@ -1,4 +1,4 @@
-//! What each pass does to its resources before and after its body: first writers clear, last ones discard.
+//! What the executor does to the resources of each pass besides calling its body: the first writer clears, the last user discards.
 
 use std::collections::HashSet;
 
@@ -15,10 +15,18 @@ pub(crate) struct Attachment {
     pub access: Access,
     pub mip: u32,
     pub layer: u32,
-    /// The first writer of the frame: clears, on the first turn if in a loop.
+    /// The pass is the first writer of the frame, so it clears; in a loop, in the first iteration.
     pub first: bool,
-    /// Somebody looks at it later.
+    /// The contents are used later.
     pub store: bool,
+}
+
+/// One mip and layer of a texture.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Subresource {
+    pub raw: Raw,
+    pub mip: u32,
+    pub layer: u32,
 }
 
 /// What the executor does for a pass besides calling its body.
@@ -26,17 +34,17 @@ pub(crate) struct Attachment {
 pub(crate) struct Prepared {
     /// Buffers set to zero before the pass.
     pub zeroes: Vec<Raw>,
-    /// Mips and layers cleared by render passes of their own, since this pass does not attach them.
-    pub clears: Vec<(Raw, u32, u32)>,
+    /// Mips and layers that are cleared by render passes of their own, since this pass does not attach them.
+    pub clears: Vec<Subresource>,
     pub attachments: Vec<Attachment>,
-    /// The buffer that takes the answers of its queries.
+    /// The buffer that takes the results of its queries.
     pub queries: Option<Raw>,
 }
 
-/// By pass. `persistent` says by resource whether its contents are looked at after its last use in the schedule.
+/// By pass. `persistent` says by resource whether its contents are read after its last use in the schedule.
 pub(crate) fn prepare(graph: &Graph, steps: &[Step], persistent: &[bool]) -> Vec<Prepared> {
     let mut order = Vec::new();
-    Step::each(steps, false, &mut |pass, looped| order.push((pass, looped)));
+    Step::each(steps, &mut |pass, looped| order.push((pass, looped)));
     let mut last_use = vec![usize::MAX; graph.resources.len()];
     for &(pass, _) in &order {
         for used in &graph.passes[pass].uses {
@@ -94,7 +102,11 @@ pub(crate) fn prepare(graph: &Graph, steps: &[Step], persistent: &[bool]) -> Vec
                         (0..desc.mips).flat_map(|m| (0..desc.layers).map(move |l| (m, l)))
                     {
                         if begun.insert((resource, mip, layer)) && desc.clear.is_some() {
-                            mine.clears.push((used.raw, mip, layer));
+                            mine.clears.push(Subresource {
+                                raw: used.raw,
+                                mip,
+                                layer,
+                            });
                         }
                     }
                 }

@@ -1,5 +1,5 @@
-//! Which physical object each resource lies in. Transient resources whose lifetimes do not overlap share one:
-//! textures of the same description, buffers of the same power of two.
+//! Assigns wgpu objects to resources. Transient resources whose lifetimes do not overlap share an object: textures of the same description,
+//! buffers of the same power of two.
 
 use crate::compile::order::Step;
 use crate::compile::versions::Versions;
@@ -8,19 +8,21 @@ use crate::physical::{NOWHERE, Placed};
 use crate::resource::{Kind, TextureDesc};
 use crate::store::Store;
 
-/// A texture to be made; `None` in its place: an import.
+/// A texture to be created.
 pub(crate) struct TexturePlan {
     pub desc: TextureDesc,
     pub usages: wgpu::TextureUsages,
     pub label: String,
+    /// The first step after its last use; `usize::MAX` for one that is not shared.
     free_from: usize,
 }
 
-/// A buffer to be made.
+/// A buffer to be created.
 pub(crate) struct BufferPlan {
     pub size: u64,
     pub usages: wgpu::BufferUsages,
     pub label: String,
+    /// The first step after its last use; `usize::MAX` for one that is not shared.
     free_from: usize,
 }
 
@@ -35,27 +37,30 @@ impl BufferPlan {
     }
 }
 
-/// Where everything lies.
+/// The objects of all resources.
 pub(crate) struct Layout {
     pub placed: Vec<Placed>,
+    /// `None` for an import; likewise below.
     pub textures: Vec<Option<TexturePlan>>,
     pub buffers: Vec<Option<BufferPlan>>,
 }
 
-/// What is known of a resource's life.
+/// A resource's lifetime and usages.
 struct Life {
+    /// First step that uses it.
     first: usize,
+    /// Last step that uses it.
     last: usize,
     texture_usages: wgpu::TextureUsages,
     buffer_usages: wgpu::BufferUsages,
 }
 
-/// By resource: whether its contents are looked at after its last use in the schedule (or next frame).
+/// By resource: whether its contents are read after its last use in the schedule: at the end of the frame or in the next one.
 pub(crate) fn persistent(graph: &Graph, versions: &Versions, kept: &[bool]) -> Vec<bool> {
     let any = |passes: &[usize]| passes.iter().any(|&pass| kept[pass]);
     let mut persistent: Vec<bool> = (0..graph.resources.len())
         .map(|resource| {
-            any(&versions.looks_back[resource])
+            any(&versions.previous_readers[resource])
                 || any(&versions.updaters[resource])
                 || any(&versions.late[resource])
         })
@@ -66,7 +71,7 @@ pub(crate) fn persistent(graph: &Graph, versions: &Versions, kept: &[bool]) -> V
     persistent
 }
 
-/// Places all resources and their host values.
+/// Assigns objects to all resources, and places in the store to host values.
 pub(crate) fn place(
     graph: &Graph,
     versions: &Versions,
@@ -90,7 +95,7 @@ pub(crate) fn place(
     by_birth.sort_by_key(|&index| (lives[index].as_ref().map(|life| life.first), index));
     for index in by_birth {
         let Some(life) = &lives[index] else {
-            // Unused host imports still have a place, so that setting them is not an error.
+            // Unused host imports still get a place, so that setting them is no error.
             if let Kind::Host(host) = graph.resources[index].kind {
                 layout.placed[index].slots = [store.add(host); 2];
             }
@@ -110,10 +115,12 @@ pub(crate) fn place(
         } else if graph.resources[index].import {
             layout.place_import(index);
         } else {
-            let shared = !persistent[index];
-            let first = layout.object(index, life, shared);
+            let first = match persistent[index] {
+                true => layout.own_object(index, life),
+                false => layout.shared_object(index, life),
+            };
             let second = if versions.is_double(index, kept) {
-                layout.object(index, life, false)
+                layout.own_object(index, life)
             } else {
                 first
             };
@@ -124,7 +131,7 @@ pub(crate) fn place(
 }
 
 impl Layout {
-    /// Adds a usage to a texture and to the objects it lies in.
+    /// Adds a usage to a texture and to its objects.
     pub fn add_texture_usage(&mut self, resource: usize, usage: wgpu::TextureUsages) {
         let placed = &mut self.placed[resource];
         placed.texture_usages |= usage;
@@ -150,7 +157,16 @@ impl Layout {
         self.placed[index].slots = [slot as u32; 2];
     }
 
-    /// An object for a resource: a free one that fits, if it may share, or a new one.
+    /// An object of a resource's own.
+    fn own_object(&mut self, index: usize, life: &Life) -> u32 {
+        self.object(index, life, false)
+    }
+
+    /// An object that a resource may share with others: a free one that fits, or a new one.
+    fn shared_object(&mut self, index: usize, life: &Life) -> u32 {
+        self.object(index, life, true)
+    }
+
     fn object(&mut self, index: usize, life: &Life, shared: bool) -> u32 {
         let placed = &self.placed[index];
         let free_from = if shared { life.last + 1 } else { usize::MAX };
@@ -205,7 +221,7 @@ impl Layout {
     }
 }
 
-/// GL keeps index buffers apart from all others.
+/// GL allows no other usage for index buffers.
 fn is_index(usages: wgpu::BufferUsages) -> bool {
     usages.contains(wgpu::BufferUsages::INDEX)
 }
@@ -250,15 +266,15 @@ fn placed(
         used: life.is_some(),
         output,
         history: !resource.import
-            && (any(&versions.looks_back[index]) || any(&versions.updaters[index])),
+            && (any(&versions.previous_readers[index]) || any(&versions.updaters[index])),
     }
 }
 
-/// By resource: from which step to which it is used, a loop being one step, and how.
+/// By resource: its lifetime in steps, where a loop is one step, and its usages.
 fn lives(graph: &Graph, kept: &[bool], steps: &[Step]) -> Vec<Option<Life>> {
     let mut at = vec![0; graph.passes.len()];
     for (position, step) in steps.iter().enumerate() {
-        Step::each(std::slice::from_ref(step), false, &mut |pass, _| {
+        Step::each(std::slice::from_ref(step), &mut |pass, _| {
             at[pass] = position;
         });
     }

@@ -1,6 +1,6 @@
 //! The order of passes: deterministic, with as few sync points as the data allows.
-//! Within each scope everything that needs no wait is recorded first, then all host nodes that wait are served by one sync point;
-//! the number of sync points is thus the longest chain of them, which no order can beat.
+//! Within each scope, passes that need no wait come first. Then one sync point serves all host nodes that wait. The number of sync points
+//! is therefore the length of the longest chain of waits, which no order can beat.
 
 use std::cmp::Reverse;
 use std::collections::btree_map::Entry;
@@ -15,7 +15,7 @@ use crate::error::CompileError;
 use crate::graph::Graph;
 use crate::pass::PassKind;
 
-/// What the executor does, in order.
+/// A step of the executor.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Step {
     Pass(usize),
@@ -25,17 +25,28 @@ pub(crate) enum Step {
 }
 
 impl Step {
-    /// Calls `visit` with each pass that records or runs, in order, and whether it lies in a loop.
-    pub fn each(steps: &[Step], looped: bool, visit: &mut impl FnMut(usize, bool)) {
+    /// Calls `visit` with each pass that records or runs, in order, and whether it is in a loop.
+    pub fn each(steps: &[Step], visit: &mut impl FnMut(usize, bool)) {
+        Self::each_within(steps, false, visit);
+    }
+
+    fn each_within(steps: &[Step], looped: bool, visit: &mut impl FnMut(usize, bool)) {
         for step in steps {
             match step {
                 Step::Pass(pass) => visit(*pass, looped),
                 Step::Sync(passes) => passes.iter().for_each(|pass| visit(*pass, looped)),
-                Step::Loop(_, steps) => Step::each(steps, true, visit),
+                Step::Loop(_, steps) => Step::each_within(steps, true, visit),
             }
         }
     }
 
+    /// Sync points among these steps; those inside of loops are not counted.
+    pub fn count_syncs(steps: &[Step]) -> usize {
+        let syncs = steps.iter().filter(|step| matches!(step, Step::Sync(_)));
+        syncs.count()
+    }
+
+    /// Whether there is a sync point among these steps or in their loops.
     pub fn has_sync(steps: &[Step]) -> bool {
         steps.iter().any(|step| match step {
             Step::Pass(_) => false,
@@ -45,7 +56,7 @@ impl Step {
     }
 }
 
-/// The cycles among all passes, each named once, scope by scope.
+/// Finds the cycles among the passes, scope by scope; each is reported once.
 pub(crate) fn cycles(graph: &Graph, edges: &[(usize, usize)], errors: &mut Vec<CompileError>) {
     let loops = (0..graph.passes.len())
         .filter(|&pass| graph.passes[pass].kind == PassKind::HostLoop)
@@ -69,7 +80,7 @@ pub(crate) fn cycles(graph: &Graph, edges: &[(usize, usize)], errors: &mut Vec<C
     }
 }
 
-/// The passes as petgraph knows them: node *n* is pass *n*.
+/// The passes as a petgraph graph: node *n* is pass *n*. Edges are pairs of passes, the one that runs first and the one that runs after it.
 pub(crate) fn digraph(
     passes: usize,
     edges: impl IntoIterator<Item = (usize, usize)>,
@@ -86,7 +97,7 @@ pub(crate) fn digraph(
     map
 }
 
-/// Edges between different members of a scope; a loop stands for all it contains.
+/// Edges between different members of a scope. A loop represents all passes that it contains.
 fn scoped(
     graph: &Graph,
     scope: Option<usize>,
@@ -136,7 +147,7 @@ fn shortest_cycle(map: &DiGraph<(), ()>, component: &[NodeIndex]) -> Vec<usize> 
     members.into_iter().collect()
 }
 
-/// The schedule of the kept passes of a scope. The edges must be free of cycles.
+/// Orders the kept passes of a scope. The edges must have no cycle.
 pub(crate) fn schedule(
     graph: &Graph,
     scope: Option<usize>,
@@ -192,7 +203,7 @@ pub(crate) fn schedule(
     steps
 }
 
-/// Passes that may run now, by how soon they should.
+/// Passes that may run now. Those without a wait come first, then sync points, then loops that contain sync points.
 #[derive(Default)]
 struct Ready {
     free: BinaryHeap<Reverse<usize>>,
@@ -211,7 +222,7 @@ impl Ready {
         }
     }
 
-    /// The next pass, or all host nodes of the next sync point.
+    /// Takes the next pass, or all host nodes of the next sync point.
     fn next(&mut self) -> Option<Vec<usize>> {
         if let Some(Reverse(pass)) = self.free.pop() {
             return Some(vec![pass]);

@@ -1,4 +1,5 @@
-//! Pruning: keeps what somebody will see, and what that needs, through this frame, history and read-back.
+//! Pruning: keeps the passes whose results are used outside of the frame, and the passes that those need, directly or through histories
+//! and read-backs.
 
 use crate::access::Access;
 use crate::compile::versions::{Versions, is_inside};
@@ -74,7 +75,7 @@ impl Pruner<'_> {
         for used in &pass.uses {
             let resource = used.resource();
             if used.raw.is_previous() || used.access.is_late() || used.access.updates() {
-                // What an update leaves is next frame's beginning, so later writers of the frame matter too.
+                // The next frame starts from the final contents, so later writers of the frame matter too.
                 self.keep_final(resource);
             }
             if used.raw.is_previous() {
@@ -87,7 +88,7 @@ impl Pruner<'_> {
         }
     }
 
-    /// In a loop a version from outside is, from the second turn on, what the loop wrote last.
+    /// In a loop, a version from outside is what the loop wrote last, from the second iteration on.
     fn keep_carried(&mut self, pass: usize, resource: usize, access: Access, version: u32) {
         if access.is_late() {
             return;

@@ -1,4 +1,4 @@
-//! Who writes and who reads each version of each resource, and the order that follows.
+//! The passes that write and read each version of each resource, and the order that follows.
 
 use std::collections::BTreeMap;
 
@@ -9,12 +9,12 @@ type ByVersion = BTreeMap<u32, Vec<usize>>;
 
 /// The data flow of a graph.
 pub(crate) struct Versions {
-    /// By resource: the passes that produce a version (write the one before it).
+    /// By resource: the passes that produce a version, which is to write the one before it.
     pub writers: Vec<ByVersion>,
     /// By resource: the passes that read a version.
     pub readers: Vec<ByVersion>,
-    /// By resource: the passes that read last frame's value, updaters not counted.
-    pub looks_back: Vec<Vec<usize>>,
+    /// By resource: the passes that read last frame's value; updaters are not among them.
+    pub previous_readers: Vec<Vec<usize>>,
     /// By resource: the passes that update it in place.
     pub updaters: Vec<Vec<usize>>,
     /// By resource: the passes that read it back late, or as a tag.
@@ -27,7 +27,7 @@ impl Versions {
         let mut versions = Self {
             writers: vec![ByVersion::new(); count],
             readers: vec![ByVersion::new(); count],
-            looks_back: vec![Vec::new(); count],
+            previous_readers: vec![Vec::new(); count],
             updaters: vec![Vec::new(); count],
             late: vec![Vec::new(); count],
         };
@@ -49,7 +49,7 @@ impl Versions {
                 } else if used.access.is_late() {
                     versions.late[resource].push(index);
                 } else if used.raw.is_previous() {
-                    versions.looks_back[resource].push(index);
+                    versions.previous_readers[resource].push(index);
                 } else {
                     push(&mut versions.readers[resource], used.raw.version, index);
                 }
@@ -58,20 +58,24 @@ impl Versions {
         versions
     }
 
-    /// The passes that write the last version; none if nobody writes.
+    /// The passes that write the last version; none if no pass writes.
     pub fn final_writers(&self, resource: usize) -> &[usize] {
         self.writers[resource]
             .last_key_value()
             .map_or(&[], |(_, passes)| passes)
     }
 
-    /// Keeps a value beyond the frame in a second place: looked back at, and not updated in place.
+    /// Whether the resource needs two objects, for this frame's and last frame's value: it is read as a previous value and not updated in
+    /// place.
     pub fn is_double(&self, resource: usize, kept: &[bool]) -> bool {
         self.updaters[resource].is_empty()
-            && self.looks_back[resource].iter().any(|&pass| kept[pass])
+            && self.previous_readers[resource]
+                .iter()
+                .any(|&pass| kept[pass])
     }
 
-    /// Who must run before whom: pairs of passes, by data, by `after`, and where a value updated in place is looked back at.
+    /// The order between passes, as pairs of the one that runs first and the one that runs after it: by data, by `after`, and where a
+    /// previous value is read that another pass updates in place.
     pub fn edges(&self, graph: &Graph) -> Vec<(usize, usize)> {
         let mut edges = Vec::new();
         for resource in 0..graph.resources.len() {
@@ -87,7 +91,7 @@ impl Versions {
             }
             for &updater in &self.updaters[resource] {
                 edges.extend(
-                    self.looks_back[resource]
+                    self.previous_readers[resource]
                         .iter()
                         .map(|&pass| (pass, updater)),
                 );
@@ -108,7 +112,7 @@ fn push(map: &mut ByVersion, version: u32, pass: usize) {
     }
 }
 
-/// The pass of `scope` that `pass` is or lies in; `None` if it lies outside of that scope.
+/// The member of `scope` that is `pass` or contains it; `None` if `pass` is outside of that scope.
 pub(crate) fn within(graph: &Graph, scope: Option<usize>, pass: usize) -> Option<usize> {
     let mut at = pass;
     loop {
@@ -120,7 +124,7 @@ pub(crate) fn within(graph: &Graph, scope: Option<usize>, pass: usize) -> Option
     }
 }
 
-/// Whether `pass` is `outer` or lies in it.
+/// Whether `pass` is `outer` or inside of it.
 pub(crate) fn is_inside(graph: &Graph, pass: usize, outer: usize) -> bool {
     let mut at = Some(pass);
     while let Some(pass) = at {

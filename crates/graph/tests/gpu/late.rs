@@ -100,7 +100,7 @@ fn forgotten_answers_never_arrive() {
         late.plan.execute(&gpu.device, &gpu.queue).unwrap();
         gpu.wait();
         if frame == 2 {
-            late.plan.forget_answers();
+            late.plan.discard_read_backs();
         }
     }
     let seen: Vec<_> = late.seen.try_iter().map(|seen| seen.map(|s| s.0)).collect();

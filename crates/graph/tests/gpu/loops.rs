@@ -1,6 +1,6 @@
 //! Host loops: turns with sync points, values carried from turn to turn, limits.
 
-use antumbra_graph::{BufferDesc, ExecuteError, Graph, Host, LoopOptions};
+use antumbra_graph::{BufferDesc, ExecuteError, Graph, Host, LoopOptions, LoopSyncPoints};
 
 use crate::device::{Gpu, vulkan};
 use crate::sync::step;
@@ -34,7 +34,7 @@ fn doubling(gpu: &Gpu, limit: u32) -> (Graph, antumbra_graph::Buffer, Host<u32>)
         counted = after;
         node.run(move |ctx| {
             let words: Vec<u32> = bytemuck::pod_collect_to_vec(ctx.bytes(grown)?);
-            assert_eq!(ctx.turn() + 1, words[1]);
+            assert_eq!(ctx.iteration() + 1, words[1]);
             *ctx.get_mut(before)? += 1;
             *ctx.get_mut(done)? = words[0] >= 100;
             Ok(())
@@ -53,11 +53,17 @@ fn turns_go_on_until_the_condition_holds_and_start_anew_each_frame() {
     let mut plan = gpu.compile(g);
     assert_eq!(
         (plan.sync_points(), plan.loop_sync_points()),
-        (0, vec![("grow", 1)])
+        (
+            0,
+            vec![LoopSyncPoints {
+                name: "grow",
+                sync_points: 1
+            }]
+        )
     );
     for _ in 0..2 {
         let report = plan.execute(&gpu.device, &gpu.queue).unwrap();
-        assert_eq!((report.loop_turns, report.sync_points), (8, 8));
+        assert_eq!((report.loop_iterations, report.sync_points), (8, 8));
         assert_eq!(gpu.read_u32(plan.buffer(data).unwrap(), 2), [128, 8]);
         assert_eq!(plan.get(turns), Some(&8));
     }

@@ -62,8 +62,8 @@ fn features_a_pass_or_a_format_needs() {
     };
     let found = errors(declare());
     assert!(
-        matches!(&found[..], [CompileError::MissingFeature { who, feature }]
-            if who.contains("draw") && feature == "SHADER_EARLY_DEPTH_TEST"),
+        matches!(&found[..], [CompileError::MissingFeature { item, feature }]
+            if item.contains("draw") && feature == "SHADER_EARLY_DEPTH_TEST"),
         "{found:?}"
     );
     let (device, _) = wgpu::Device::noop(&wgpu::DeviceDescriptor {
@@ -82,7 +82,7 @@ fn features_a_pass_or_a_format_needs() {
     node.run(|_| Ok(()));
     let found = errors(g);
     assert!(
-        matches!(&found[..], [CompileError::MissingFeature { who, .. }] if who.contains("image")),
+        matches!(&found[..], [CompileError::MissingFeature { item, .. }] if item.contains("image")),
         "{found:?}"
     );
 }

@@ -58,7 +58,7 @@ fn a_version_from_before_the_loop_is_on_later_turns_what_the_loop_wrote_last() {
         let report = plan.execute(&device, &queue).unwrap();
         assert_eq!(plan.get(all), Some(&expected));
         assert_eq!(plan.get(after), Some(&(expected.last().unwrap() + 1)));
-        assert_eq!(report.loop_turns as usize, expected.len());
+        assert_eq!(report.loop_iterations as usize, expected.len());
     }
 }
 
@@ -78,8 +78,8 @@ fn loops_in_loops_turn_on_their_own() {
             let (log, done) = (log, node.write(inner_done));
             inner = Some(done);
             node.run(move |ctx| {
-                ctx.get_mut(log)?.push(ctx.turn());
-                *ctx.get_mut(done)? = ctx.turn() == 2;
+                ctx.get_mut(log)?.push(ctx.iteration());
+                *ctx.get_mut(done)? = ctx.iteration() == 2;
                 Ok(())
             });
             done
@@ -89,7 +89,7 @@ fn loops_in_loops_turn_on_their_own() {
         node.read(inner.unwrap());
         let done = node.write(outer_done);
         node.run(move |ctx| {
-            *ctx.get_mut(done)? = ctx.turn() == 1;
+            *ctx.get_mut(done)? = ctx.iteration() == 1;
             Ok(())
         });
         done
@@ -100,7 +100,7 @@ fn loops_in_loops_turn_on_their_own() {
         plan.set(begin, ()).unwrap();
         let report = plan.execute(&device, &queue).unwrap();
         assert_eq!(plan.get(log), Some(&vec![0, 1, 2, 0, 1, 2]));
-        assert_eq!(report.loop_turns, 8);
+        assert_eq!(report.loop_iterations, 8);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex};
 
-use antumbra_graph::Graph;
+use antumbra_graph::{Graph, LoopSyncPoints};
 use proptest::prelude::*;
 
 use crate::declare::{bytes, colour, compile, compute, draw, names, noop, wait};
@@ -100,7 +100,11 @@ fn the_passes_of_a_loop_stand_together_after_what_they_need() {
         ["before", "unrelated", "loop", "inside", "look", "after"]
     );
     assert_eq!(plan.passes()[3].depth, 1);
-    assert_eq!(plan.loop_sync_points(), [("loop", 1)]);
+    let inside = LoopSyncPoints {
+        name: "loop",
+        sync_points: 1,
+    };
+    assert_eq!(plan.loop_sync_points(), [inside]);
 }
 
 /// A node of a random graph: on the GPU or on the host, and which earlier nodes it reads.

@@ -1,6 +1,6 @@
 //! The three pictures of one small graph, word by word.
 
-use antumbra_graph::{Graph, Picture, Plan};
+use antumbra_graph::{Graph, Plan, PlanFormat};
 
 use crate::declare::{bytes, colour, compile, compute, draw, wait};
 
@@ -44,7 +44,7 @@ fn dot() {
   p3 -> r0 [label="colour"];
 }
 "#;
-    assert_eq!(example().picture(Picture::Dot), expected);
+    assert_eq!(example().export(PlanFormat::Dot), expected);
 }
 
 #[test]
@@ -68,13 +68,13 @@ fn mermaid() {
   classDef sync stroke:#c00,stroke-width:3px
   classDef pruned color:#999,stroke:#999,stroke-dasharray:2
 "#;
-    assert_eq!(example().picture(Picture::Mermaid), expected);
+    assert_eq!(example().export(PlanFormat::Mermaid), expected);
 }
 
 #[test]
 fn json() {
     let picture: serde_json::Value =
-        serde_json::from_str(&example().picture(Picture::Json)).unwrap();
+        serde_json::from_str(&example().export(PlanFormat::Json)).unwrap();
     assert_eq!(picture["graph"], "example");
     assert_eq!(picture["sync_points"], 1);
     assert_eq!(
@@ -112,6 +112,9 @@ fn shared_objects_are_noted() {
     let screen = g.import_texture("screen", colour());
     draw(&mut g, "present", screen, &[last]);
     let plan = compile(g);
-    assert!(plan.picture(Picture::Dot).contains("one texture: 0, 2"));
-    assert!(plan.picture(Picture::Mermaid).contains("one texture: 0, 2"));
+    assert!(plan.export(PlanFormat::Dot).contains("one texture: 0, 2"));
+    assert!(
+        plan.export(PlanFormat::Mermaid)
+            .contains("one texture: 0, 2")
+    );
 }

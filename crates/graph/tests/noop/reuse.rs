@@ -1,6 +1,6 @@
 //! Transient reuse: shared where lifetimes allow, never where they overlap.
 
-use antumbra_graph::{Graph, Picture};
+use antumbra_graph::{Graph, PlanFormat};
 use proptest::prelude::*;
 
 use crate::declare::{bytes, colour, compile, compute, draw};
@@ -105,7 +105,7 @@ proptest! {
         let last = *written.last().unwrap();
         let _ = compute(&mut g, "end", import, &[last]);
         let plan = compile(g);
-        let picture: serde_json::Value = serde_json::from_str(&plan.picture(Picture::Json)).unwrap();
+        let picture: serde_json::Value = serde_json::from_str(&plan.export(PlanFormat::Json)).unwrap();
         let order = |pass: &serde_json::Value| picture["passes"][pass.as_u64().unwrap() as usize]["order"].as_u64();
         let mut lives = std::collections::BTreeMap::<u64, Vec<(u64, u64)>>::new();
         for (index, resource) in picture["resources"].as_array().unwrap().iter().enumerate() {

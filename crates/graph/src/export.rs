@@ -1,5 +1,5 @@
-//! The plan as a picture: one model, printed as DOT, Mermaid or JSON.
-//! Solid edges are this frame's data, dashed ones look at an earlier frame; sync points are red, pruned passes grey.
+//! Exports a plan as DOT, Mermaid or JSON, all from one model.
+//! Solid edges are data of this frame, dashed ones read an earlier frame. Sync points are red, pruned passes grey.
 
 use std::fmt::Write as _;
 
@@ -11,14 +11,14 @@ use crate::physical::NOWHERE;
 use crate::plan::Plan;
 use crate::resource::Kind;
 
-/// In which language [`Plan::picture`] answers.
+/// The formats of [`Plan::export`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Picture {
+pub enum PlanFormat {
     /// Graphviz.
     Dot,
-    /// Mermaid, as Markdown pages show it.
+    /// Mermaid, which Markdown viewers render.
     Mermaid,
-    /// One object with `passes`, `resources` and `edges`, for other tools.
+    /// A JSON object with `passes`, `resources` and `edges`, for other tools.
     Json,
 }
 
@@ -26,20 +26,20 @@ pub enum Picture {
 struct Model<'a> {
     graph: &'a str,
     sync_points: usize,
-    passes: Vec<PassBox<'a>>,
-    resources: Vec<ResourceBox<'a>>,
+    passes: Vec<PassNode<'a>>,
+    resources: Vec<ResourceNode<'a>>,
     edges: Vec<Edge>,
 }
 
 #[derive(Serialize)]
-struct PassBox<'a> {
+struct PassNode<'a> {
     name: &'a str,
     kind: PassKind,
     #[serde(skip_serializing_if = "Option::is_none")]
     group: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     in_loop: Option<usize>,
-    /// Its place in the order of passes that run.
+    /// Its position in the order in which passes run.
     #[serde(skip_serializing_if = "Option::is_none")]
     order: Option<usize>,
     sync_point: bool,
@@ -51,7 +51,7 @@ struct PassBox<'a> {
 }
 
 #[derive(Serialize)]
-struct ResourceBox<'a> {
+struct ResourceNode<'a> {
     name: &'a str,
     kind: &'static str,
     shape: String,
@@ -59,7 +59,7 @@ struct ResourceBox<'a> {
     output: bool,
     history: bool,
     used: bool,
-    /// Numbers of the objects it lies in, two with a double-buffered history; resources with the same number share.
+    /// Numbers of its wgpu objects, two for a double-buffered history. Resources with the same number share an object.
     objects: Vec<u32>,
 }
 
@@ -69,21 +69,21 @@ struct Edge {
     resource: usize,
     access: &'static str,
     writes: bool,
-    /// Of an earlier frame.
+    /// It reads an earlier frame.
     history: bool,
 }
 
 impl Plan {
-    /// The plan as text in one of three languages: passes with their times where known, resources, edges, histories dashed,
-    /// sync points marked, pruned passes grey, shared objects noted.
+    /// The plan as text: passes with their times where known, resources and edges. Histories are dashed, sync points marked, pruned passes
+    /// grey, shared objects listed.
     #[must_use]
-    pub fn picture(&self, picture: Picture) -> String {
+    pub fn export(&self, format: PlanFormat) -> String {
         let model = self.model();
-        match picture {
-            Picture::Dot => dot(&model),
-            Picture::Mermaid => mermaid(&model),
-            // A model of plain values always serialises; should serde ever disagree, its words are the picture.
-            Picture::Json => {
+        match format {
+            PlanFormat::Dot => dot(&model),
+            PlanFormat::Mermaid => mermaid(&model),
+            // A model of plain values always serialises. If serde fails all the same, its message is the text.
+            PlanFormat::Json => {
                 serde_json::to_string_pretty(&model).unwrap_or_else(|error| error.to_string())
             }
         }
@@ -99,7 +99,7 @@ impl Plan {
             let time = times
                 .as_ref()
                 .and_then(|times| times.passes.iter().find(|time| time.name == pass.name));
-            PassBox {
+            PassNode {
                 name: &pass.name,
                 kind: pass.kind,
                 group: pass.group,
@@ -118,7 +118,7 @@ impl Plan {
             let mut objects = placed.slots.to_vec();
             objects.dedup();
             objects.retain(|slot| *slot != NOWHERE);
-            ResourceBox {
+            ResourceNode {
                 name: &placed.resource.name,
                 kind,
                 shape,
@@ -138,9 +138,9 @@ impl Plan {
                     writes,
                     history,
                 };
-                let looks_back =
+                let history =
                     used.raw.is_previous() || used.access.is_late() || used.access.updates();
-                let read = (looks_back || !used.access.writes()).then(|| edge(false, looks_back));
+                let read = (history || !used.access.writes()).then(|| edge(false, history));
                 let write = used.access.writes().then(|| edge(true, false));
                 read.into_iter().chain(write)
             })
@@ -155,7 +155,7 @@ impl Plan {
     }
 }
 
-/// Numbers the passes in the order they run, and marks those that wait.
+/// Numbers the passes in the order in which they run, and marks those that wait for the GPU.
 fn mark(steps: &[Step], order: &mut [Option<usize>], sync: &mut [bool], next: &mut usize) {
     for step in steps {
         let (passes, waits) = match step {
@@ -193,7 +193,7 @@ fn shape(kind: &Kind) -> (&'static str, String) {
     }
 }
 
-impl PassBox<'_> {
+impl PassNode<'_> {
     fn lines(&self) -> Vec<String> {
         let mut lines = vec![String::from(self.name)];
         let group = self
@@ -216,7 +216,7 @@ impl PassBox<'_> {
     }
 }
 
-impl ResourceBox<'_> {
+impl ResourceNode<'_> {
     fn lines(&self) -> Vec<String> {
         let mut lines = vec![String::from(self.name)];
         if !self.shape.is_empty() {
@@ -232,7 +232,7 @@ impl ResourceBox<'_> {
     }
 }
 
-/// Resources that lie in one object, by kind: worth a line in the picture.
+/// A line for each object that several resources share, by kind.
 fn shared(model: &Model<'_>) -> Vec<String> {
     let mut lines = Vec::new();
     for kind in ["texture", "buffer"] {

@@ -1,34 +1,34 @@
 //! Records a raster node: its attachments, and its body once for every 4,096 queries.
 
+use super::{AttachmentOps, Iteration, Recorder, colour_attachment, depth_attachment};
 use crate::access::Access;
+use crate::body::RasterBody;
 use crate::compile::device::MAX_COLOURS;
+use crate::context::{QueryCursor, RasterContext};
 use crate::error::ExecuteError;
-use crate::frame::PassView;
+use crate::frame::{HostReader, PassView};
 use crate::handle::Raw;
-use crate::host::HostReader;
-use crate::pass::RasterBody;
-use crate::queries::{ANSWER, Chunk, chunks};
-use crate::raster::{QueryCursor, RasterContext};
-use crate::recorder::{Recorder, colour_attachment, depth_attachment};
+use crate::queries::{Chunk, RESULT_BYTES, chunks};
+use crate::timing::Recorded;
 
 impl<'a> Recorder<'a, '_> {
-    pub(crate) fn raster(
+    pub(super) fn raster(
         &mut self,
         pass: usize,
-        first: bool,
+        at: Iteration,
         view: PassView<'a>,
         body: &mut RasterBody,
     ) -> Result<(), ExecuteError> {
         let mut nothing: RasterBody = Box::new(|_| Ok(()));
-        let body = match view.is_idle() {
-            true if !(first && self.prepared[pass].attachments.iter().any(|a| a.first)) => {
+        let declared = &self.passes[pass];
+        let body = match declared.is_idle(view) {
+            true if !(at.first && self.prepared[pass].attachments.iter().any(|a| a.first)) => {
                 return Ok(());
             }
             true => &mut nothing,
             false => body,
         };
-        let count = view
-            .pass
+        let count = declared
             .query_count
             .as_ref()
             .map_or(0, |count| count(&HostReader { view }));
@@ -36,7 +36,7 @@ impl<'a> Recorder<'a, '_> {
         let capacity = answers.map_or(0, |raw| self.capacity(raw));
         if count > capacity {
             return Err(ExecuteError::TooManyQueries {
-                pass: view.pass.name.clone(),
+                pass: view.name.to_owned(),
                 resource: answers
                     .map(|raw| self.frame.resources[raw.resource()].resource.name.clone())
                     .unwrap_or_default(),
@@ -47,7 +47,7 @@ impl<'a> Recorder<'a, '_> {
         for chunk in chunks(count) {
             self.run_chunk(
                 pass,
-                first && chunk.number == 0,
+                at.first && chunk.number == 0,
                 view,
                 body,
                 &chunk,
@@ -58,7 +58,7 @@ impl<'a> Recorder<'a, '_> {
     }
 
     fn capacity(&self, raw: Raw) -> u32 {
-        u32::try_from(self.frame.buffer_size(raw) / ANSWER).unwrap_or(u32::MAX)
+        u32::try_from(self.frame.buffer_size(raw) / RESULT_BYTES).unwrap_or(u32::MAX)
     }
 
     fn run_chunk(
@@ -73,11 +73,11 @@ impl<'a> Recorder<'a, '_> {
         let set = (!chunk.range.is_empty()).then(|| {
             let device = self.frame.device;
             self.query_sets
-                .get(device, &view.pass.name, pass, chunk, capacity)
+                .get(device, view.name, pass, chunk, capacity)
         });
         let running = self
             .timing
-            .begin(pass, Some((self.target.encoder(), false)));
+            .begin(pass, Recorded::Pass(self.target.encoder()));
         let mut colours: [Option<wgpu::RenderPassColorAttachment<'_>>; MAX_COLOURS] =
             [const { None }; MAX_COLOURS];
         let mut colour_count = 0;
@@ -86,12 +86,14 @@ impl<'a> Recorder<'a, '_> {
             let Some((texture, part)) = self.attached(attachment) else {
                 continue;
             };
-            // A later run of the body goes on where this one ends.
-            let store = attachment.store || !chunk.last;
+            let ops = AttachmentOps {
+                clear,
+                // The body's next run continues with these contents.
+                store: attachment.store || !chunk.last,
+            };
             match attachment.access {
                 Access::Colour if colour_count < MAX_COLOURS => {
-                    colours[colour_count] =
-                        Some(colour_attachment(texture, part, attachment, clear, store));
+                    colours[colour_count] = Some(colour_attachment(texture, part, attachment, ops));
                     colour_count += 1;
                 }
                 Access::Resolve => {
@@ -108,7 +110,7 @@ impl<'a> Recorder<'a, '_> {
                     });
                 }
                 Access::Depth | Access::DepthRead => {
-                    depth = Some(depth_attachment(texture, part, attachment, clear, store));
+                    depth = Some(depth_attachment(texture, part, attachment, ops));
                 }
                 _ => {}
             }
@@ -116,7 +118,7 @@ impl<'a> Recorder<'a, '_> {
         let encoder = self.target.encoder();
         let mut render_pass = encoder
             .begin_render_pass(&wgpu::RenderPassDescriptor {
-                label: Some(&view.pass.name),
+                label: Some(view.name),
                 color_attachments: &colours[..colour_count],
                 depth_stencil_attachment: depth,
                 timestamp_writes: running
@@ -127,7 +129,7 @@ impl<'a> Recorder<'a, '_> {
                 multiview_mask: None,
             })
             .forget_lifetime();
-        if let Some(port) = view.pass.viewport {
+        if let Some(port) = self.passes[pass].viewport {
             render_pass.set_viewport(port.x, port.y, port.width, port.height, 0.0, 1.0);
         }
         let mut context = RasterContext {
@@ -147,12 +149,12 @@ impl<'a> Recorder<'a, '_> {
         let answers = self.prepared[pass].queries;
         let buffer = answers.and_then(|raw| self.frame.buffer(raw));
         if let (Some(set), Some(buffer), true) = (set, buffer, issued > 0) {
-            // Exactly what was written: a resolve of anything else is put off and splits the command buffer.
+            // Exactly the queries that were issued: resolving others is deferred and splits the command buffer.
             self.target.encoder().resolve_query_set(
                 &set,
                 0..issued,
                 buffer,
-                u64::from(chunk.range.start) * ANSWER,
+                u64::from(chunk.range.start) * RESULT_BYTES,
             );
         }
         Ok(())
