@@ -1,4 +1,4 @@
-//! The conformance kit: what every strategy must get right, whoever wrote it, in one line of a test.
+//! The conformance kit: checks that a strategy keeps its promises, in one line of a test.
 //!
 //! ```no_run
 //! use antumbra_strategies::ThreePass;
@@ -7,73 +7,39 @@
 //! antumbra_verify::kit::assert_conforms(|| Box::new(ThreePass::default()));
 //! ```
 //!
-//! Each [`Case`] plays a small story to the strategy: scenes, cameras, entities that come and go. Every frame is held against the
-//! [`Oracle`](crate::Oracle):
+//! Each [`Case`] plays a short story to the strategy: a scene, a camera path, entities that are added, moved and removed. Every frame is
+//! compared with the [`Oracle`](crate::Oracle):
 //!
-//! - A strategy that claims to be [conservative](Strategy::conservative) draws every entity that owns a pixel, and its picture is that
-//!   of drawing everything, to the bit.
-//! - Any strategy's verdicts are true: its picture is that of drawing what they say.
-//! - Any strategy draws what reaches over the near plane, and one that answers [late](antumbra_cull::Latency::FrameLate) draws what no answer
-//!   covers: in the first frame, after a cut, new in its slot, or new in the frustum.
-//! - The same input twice gives the same verdicts, and late answers settle while nothing moves.
-//! - Nothing fails, panics, or is refused by the device.
+//! - A strategy that claims to be [conservative](Strategy::conservative) draws every entity that owns a pixel. Its image equals, bit by
+//!   bit, the image of drawing everything.
+//! - The verdicts of any strategy are true: its image equals the image of drawing what they say.
+//! - Any strategy draws the visible entities that cross the near plane. One that answers [late](antumbra_cull::Latency::FrameLate) also
+//!   draws those that no answer covers: in the first frame, after a cut, new in their slot, or new in the frustum.
+//! - The same input gives the same verdicts twice, and late answers settle while nothing moves.
+//! - No call fails or panics, and the device refuses none.
 //!
-//! [`Kit::check_scene`] holds a strategy to the same on a scene of your own, from wherever you look at it.
+//! [`Kit::check_scene`] checks the same on a scene and a camera path of the caller.
 
 mod case;
 mod failure;
-mod play;
-mod props;
+mod run;
+mod settings;
 mod stories;
+mod test_scene;
 
 pub use case::Case;
 pub use failure::{KitFailure, Violation, ViolationKind};
+pub use settings::Kit;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use antumbra_draw::{AdapterChoice, Gpu};
+use antumbra_cull::{Strategy, Verdicts};
+use antumbra_draw::Gpu;
 use antumbra_scene::{Camera, Scene};
 
-use antumbra_cull::{Strategy, Verdicts};
+use run::CaseContext;
 
-/// What to check with; the default is all cases on the fastest adapter that is not GL.
-#[derive(Debug, Clone)]
-pub struct Kit {
-    /// Which adapter, unless [`Kit::check_on`] is given a device.
-    pub adapter: AdapterChoice,
-    /// Width and height of the views in pixels.
-    pub size: [u32; 2],
-    /// What the random scenes follow from. Every failure names it.
-    pub seed: u64,
-    /// How many random scenes.
-    pub random_scenes: u32,
-    /// Entities in [`Case::Many`]; the default exceeds the 4,096 queries of one query set.
-    pub many_entities: u32,
-    /// The cases to play, in this order.
-    pub cases: Vec<Case>,
-    /// Whether late answers, once settled on a still scene, must cull nothing that owns a pixel. Ask it of a frame-late strategy
-    /// whose only error is its lateness: full-resolution stand-ins, no threshold.
-    pub exact_when_still: bool,
-    /// Frames within which the verdicts of a still scene must settle.
-    pub settle_frames: u32,
-}
-
-impl Default for Kit {
-    fn default() -> Self {
-        Self {
-            adapter: AdapterChoice::Auto,
-            size: [128, 96],
-            seed: 1,
-            random_scenes: 4,
-            many_entities: 5000,
-            cases: Case::ALL.to_vec(),
-            exact_when_still: false,
-            settle_frames: 5,
-        }
-    }
-}
-
-/// What was checked, when all held.
+/// What was checked, if nothing failed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct KitReport {
     /// The strategy with its settings, as the registry reads it: `name:key=value`.
@@ -82,7 +48,7 @@ pub struct KitReport {
     pub adapter: String,
     /// The seed.
     pub seed: u64,
-    /// The cases, in the order they were played.
+    /// The cases, in the order in which they were played.
     pub cases: Vec<CaseReport>,
 }
 
@@ -91,23 +57,15 @@ pub struct KitReport {
 pub struct CaseReport {
     /// The case.
     pub case: Case,
-    /// How many frames of it were compared with the oracle.
+    /// Number of its frames that were compared with the oracle.
     pub frames: u32,
 }
 
 impl Kit {
-    /// All cases on this adapter.
-    pub fn on(adapter: AdapterChoice) -> Self {
-        Self {
-            adapter,
-            ..Self::default()
-        }
-    }
-
-    /// Checks a strategy; `make` makes a fresh one, always with the same settings.
+    /// Checks a strategy. `make` returns a fresh one, each time with the same settings.
     ///
     /// # Errors
-    /// [`KitFailure::Device`] without an adapter, [`KitFailure::Violations`] with all that did not hold: at most one a case.
+    /// [`KitFailure::Device`] without an adapter, [`KitFailure::Violations`] with the first violation of each case that has one.
     pub fn check(&self, make: impl Fn() -> Box<dyn Strategy>) -> Result<KitReport, KitFailure> {
         let gpu = Gpu::open(&self.adapter).map_err(|error| KitFailure::Device {
             strategy: title(make().as_ref()),
@@ -116,7 +74,7 @@ impl Kit {
         self.check_on(&gpu, make)
     }
 
-    /// The same on a device that is open already.
+    /// Checks a strategy on a device that is already open.
     ///
     /// # Errors
     /// As for [`Self::check`].
@@ -128,10 +86,10 @@ impl Kit {
         let mut cases = Vec::with_capacity(self.cases.len());
         let mut violations = Vec::new();
         for case in &self.cases {
-            // The next case begins with a fresh strategy and a fresh scene, whatever this one left behind.
-            let story = |bench: &mut play::Bench<'_>| {
-                stories::play(*case, bench)?;
-                Ok(bench.frames)
+            // A violation ends its own case only: each case starts with a fresh strategy and a fresh scene.
+            let story = |context: &mut CaseContext<'_>| {
+                stories::play(*case, context)?;
+                Ok(context.compared_frames)
             };
             match self.attempt(gpu, &make, *case, story) {
                 Ok(frames) => cases.push(CaseReport {
@@ -152,11 +110,12 @@ impl Kit {
         Err(self.failure(gpu, make().as_ref(), violations))
     }
 
-    /// Plays a scene of your own, as [`Case::Custom`]: a camera a view and frame, as many views in each frame as in the first. Every frame is
-    /// held against the oracle as those of the cases are. What it answers is each frame's verdicts, a view each, to compare with others.
+    /// Checks a strategy on a scene of the caller, as [`Case::Custom`]. `frames` holds one camera a view for each frame; all frames have as
+    /// many views as the first. Every frame is compared with the oracle, as in the other cases. Returns the verdicts by frame, then by
+    /// view, to compare them with those of other strategies.
     ///
     /// # Errors
-    /// [`KitFailure::Violations`] with the first thing that did not hold.
+    /// [`KitFailure::Violations`] with the first violation.
     pub fn check_scene(
         &self,
         gpu: &Gpu,
@@ -164,34 +123,34 @@ impl Kit {
         scene: &Scene,
         frames: &[Vec<Camera>],
     ) -> Result<Vec<Vec<Verdicts>>, KitFailure> {
-        let story = |bench: &mut play::Bench<'_>| stories::own(bench, scene.clone(), frames);
+        let story = |context: &mut CaseContext<'_>| stories::custom(context, scene.clone(), frames);
         self.attempt(gpu, &make, Case::Custom, story)
             .map_err(|violation| self.failure(gpu, make().as_ref(), vec![violation]))
     }
 
-    /// Plays a story; a panic in it is a breach like any other.
+    /// Plays a story. A panic in it becomes a violation.
     fn attempt<'k, T>(
         &'k self,
         gpu: &'k Gpu,
         make: &'k dyn Fn() -> Box<dyn Strategy>,
         case: Case,
-        story: impl FnOnce(&mut play::Bench<'k>) -> Result<T, ViolationKind>,
+        story: impl FnOnce(&mut CaseContext<'k>) -> Result<T, ViolationKind>,
     ) -> Result<T, Violation> {
-        let mut bench = play::Bench {
+        let mut context = CaseContext {
             kit: self,
             gpu,
             make,
             frame: 0,
-            frames: 0,
+            compared_frames: 0,
         };
-        let kind = match catch_unwind(AssertUnwindSafe(|| story(&mut bench))) {
-            Ok(Ok(told)) => return Ok(told),
+        let kind = match catch_unwind(AssertUnwindSafe(|| story(&mut context))) {
+            Ok(Ok(result)) => return Ok(result),
             Ok(Err(kind)) => kind,
-            Err(payload) => ViolationKind::Panicked(said(payload.as_ref())),
+            Err(payload) => ViolationKind::Panicked(panic_message(payload.as_ref())),
         };
         Err(Violation {
             case,
-            frame: bench.frame,
+            frame: context.frame,
             kind,
         })
     }
@@ -220,10 +179,10 @@ pub fn check(make: impl Fn() -> Box<dyn Strategy>) -> Result<KitReport, KitFailu
     Kit::default().check(make)
 }
 
-/// Checks a strategy with the default [`Kit`]: the one line a test needs.
+/// Checks a strategy with the default [`Kit`]: the one line that a test needs.
 ///
 /// # Panics
-/// With the list of all that did not hold.
+/// If the strategy does not conform or there is no adapter. The message lists every violation.
 #[allow(
     clippy::panic,
     reason = "this is an assertion for tests: panicking is what it is for"
@@ -244,7 +203,7 @@ fn title(strategy: &dyn Strategy) -> String {
         .collect()
 }
 
-fn said(payload: &(dyn std::any::Any + Send)) -> String {
+fn panic_message(payload: &(dyn std::any::Any + Send)) -> String {
     let text = payload
         .downcast_ref::<&str>()
         .map(|text| (*text).to_owned());

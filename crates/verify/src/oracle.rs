@@ -1,10 +1,11 @@
-//! The oracle: which entity owns each pixel, drawn by a graph of its own that no strategy has a hand in.
+//! The oracle: renders which entity owns each pixel, with a graph of its own that no strategy takes part in.
 //!
-//! What is solid goes into an entity-id buffer in canonical order (batch, then slot). What is blended has no owner a pixel: there the
-//! order-independent sum of the visible entities' mixed ids stands for it, and a count an entity. (Item buffers: Weghorst, Hooper and
-//! Greenberg, *Improved Computational Methods for Ray Tracing*, 1984.)
+//! Solid entities are drawn into an entity-id buffer in canonical order (by batch, then by slot). Transparent entities own no pixel: each
+//! pixel gets the order-independent sum of the mixed ids of its visible transparent fragments, and each slot gets their number.
+//! (Item buffers: Weghorst, Hooper and Greenberg, *Improved Computational Methods for Ray Tracing*, 1984.)
 
 mod id_buffer;
+mod padded_rows;
 
 pub use id_buffer::{IdBuffer, TransparentSums};
 
@@ -21,20 +22,21 @@ use antumbra_graph::{
 use antumbra_scene::Camera;
 
 use antumbra_cull::{Candidates, StageError, Verdicts};
-use id_buffer::Padded;
+use padded_rows::PaddedRows;
 
-/// What the oracle is to draw.
+/// Which entities the oracle draws.
 #[derive(Debug, Clone, Copy)]
 pub enum EntitySet<'a> {
-    /// Everything in the frustum: the reference.
+    /// All entities in the frustum: the reference.
     InFrustum,
-    /// These slots, in any order; those that are free are left out.
+    /// The entities in these slots, given in any order; free slots are skipped.
     Slots(&'a [u32]),
-    /// What these verdicts draw, at their levels of detail: what a strategy drew, in the reference's order.
+    /// The entities that these verdicts draw, at their levels of detail: what a strategy drew, in the reference's order.
     Drawn(&'a Verdicts),
 }
 
-/// Says who owns each pixel. One plan for as long as the scene's layout holds; made at the first look.
+/// Renders which entity owns each pixel. Compiles its plan at the first call of [`Self::render`], and again when the scene's layout
+/// changes.
 pub struct Oracle {
     gpu: Gpu,
     size: [u32; 2],
@@ -46,21 +48,32 @@ struct Built {
     plan: Plan,
     scene: Host<SceneFrame>,
     view: Host<ViewFrame>,
-    wanted: Host<Wanted>,
+    entities: Host<OwnedSet>,
     image: Host<IdBuffer>,
 }
 
-/// [`EntitySet`], as it travels into the graph.
-enum Wanted {
-    Frustum,
-    Slots(Vec<u32>, Verdicts),
+/// An [`EntitySet`] without borrows, as the graph needs it.
+enum OwnedSet {
+    InFrustum,
+    Listed {
+        slots: Vec<u32>,
+        /// The levels of detail; level 0 for a slot without a verdict.
+        levels: Verdicts,
+    },
 }
 
-/// The lists under declaration.
+/// Whether entities are solid or blended.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Blending {
+    Solid,
+    Transparent,
+}
+
+/// The draw lists that the oracle fills.
 #[derive(Clone, Copy)]
 struct Lists {
     solid: ListDraws,
-    blended: Option<ListDraws>,
+    transparent: Option<ListDraws>,
 }
 
 impl std::fmt::Debug for Oracle {
@@ -72,7 +85,7 @@ impl std::fmt::Debug for Oracle {
 }
 
 impl Oracle {
-    /// An oracle for images of `size` pixels (width, height; each at least 1) on the scene's device.
+    /// An oracle on the scene's device, for images of `size` pixels (width, height; each at least 1).
     pub fn new(scene: &GpuScene, size: [u32; 2]) -> Self {
         Self {
             gpu: scene.gpu().clone(),
@@ -81,22 +94,22 @@ impl Oracle {
         }
     }
 
-    /// Width and height of its images in pixels.
+    /// Width and height of the images in pixels.
     pub fn size(&self) -> [u32; 2] {
         self.size
     }
 
-    /// Draws `members` as `camera` sees them and waits for the answer. The scene must be on the oracle's device and
+    /// Renders `entities` from `camera` and waits for the result. The scene must be on the oracle's device and
     /// [synced](GpuScene::sync).
     ///
     /// # Errors
-    /// [`StageError::Camera`] for one that cannot see, [`StageError::Compile`] for a size the device cannot draw,
+    /// [`StageError::Camera`] for an invalid camera, [`StageError::Compile`] for a size that the device cannot draw,
     /// [`StageError::Execute`] or [`StageError::Device`] when the device fails.
     pub fn render(
         &mut self,
         scene: &GpuScene,
         camera: &Camera,
-        members: EntitySet<'_>,
+        entities: EntitySet<'_>,
     ) -> Result<IdBuffer, StageError> {
         camera.validate().map_err(|error| StageError::Camera {
             view: "oracle".to_owned(),
@@ -109,21 +122,25 @@ impl Oracle {
             .filter(|built| built.layout == layout)
             .map_or_else(|| build(&self.gpu, self.size, layout), Ok)?;
         let built = self.built.insert(current);
-        let wanted = match members {
-            EntitySet::InFrustum => Wanted::Frustum,
-            EntitySet::Slots(slots) => Wanted::Slots(slots.to_vec(), Verdicts::default()),
-            EntitySet::Drawn(verdicts) => {
-                Wanted::Slots(verdicts.drawn().collect(), verdicts.clone())
-            }
+        let entities = match entities {
+            EntitySet::InFrustum => OwnedSet::InFrustum,
+            EntitySet::Slots(slots) => OwnedSet::Listed {
+                slots: slots.to_vec(),
+                levels: Verdicts::default(),
+            },
+            EntitySet::Drawn(verdicts) => OwnedSet::Listed {
+                slots: verdicts.drawn().collect(),
+                levels: verdicts.clone(),
+            },
         };
         let plan = &mut built.plan;
         plan.set(built.scene, scene.frame())?;
         plan.set(built.view, ViewFrame::new(*camera, self.size, 0))?;
-        plan.set(built.wanted, wanted)?;
+        plan.set(built.entities, entities)?;
         plan.execute(&self.gpu.device, &self.gpu.queue)?;
         self.gpu.check()?;
         let image = plan.get(built.image).cloned();
-        image.ok_or_else(|| StageError::Input("an oracle that drew nothing".to_owned()))
+        image.ok_or_else(|| StageError::Input("an oracle that returned no image".to_owned()))
     }
 }
 
@@ -132,8 +149,8 @@ fn build(gpu: &Gpu, size: [u32; 2], layout: SceneLayout) -> Result<Built, StageE
     let g = &mut graph;
     let scene = g.import_host::<SceneFrame>("scene");
     let view = g.import_host::<ViewFrame>("camera");
-    let wanted = g.import_host::<Wanted>("members");
-    let (inputs, lists) = submit(g, &layout, scene, view, wanted);
+    let entities = g.import_host::<OwnedSet>("entities");
+    let (inputs, lists) = submit(g, &layout, scene, view, entities);
     let [width, height] = size;
     let texture = |format| TextureDesc::new(width, height, format);
     let ids = g.texture(
@@ -141,15 +158,15 @@ fn build(gpu: &Gpu, size: [u32; 2], layout: SceneLayout) -> Result<Built, StageE
         texture(IDENTITY_FORMAT).cleared(Clear::Colour(wgpu::Color::TRANSPARENT)),
     );
     let depth = g.texture("depth", texture(DEPTH_FORMAT).cleared(Clear::Depth(0.0)));
-    let spec = spec(gpu, &layout, PipelineKind::Identity);
+    let spec = pass_spec(gpu, &layout, Blending::Solid);
     let targets = IdTargets { ids, depth };
     let IdTargets { ids, depth } = passes::identity_pass(g, &spec, inputs, lists.solid, targets);
-    let padded = Padded::of(size);
+    let padded = PaddedRows::new(size);
     let copied = copy_ids(g, ids, padded);
     let sums = lists
-        .blended
-        .map(|list| sign(g, gpu, &layout, inputs, list, depth, size));
-    let image = read(g, copied, padded, sums);
+        .transparent
+        .map(|list| sum_transparent(g, gpu, &layout, inputs, list, depth, size));
+    let image = read_back(g, copied, padded, sums);
     g.output(image);
     let plan = graph
         .compile(&CompileOptions::owned(&gpu.device))
@@ -162,18 +179,18 @@ fn build(gpu: &Gpu, size: [u32; 2], layout: SceneLayout) -> Result<Built, StageE
         plan,
         scene,
         view,
-        wanted,
+        entities,
         image,
     })
 }
 
-/// Chooses what is drawn and uploads it, with the camera.
+/// Uploads the camera and the slots to draw.
 fn submit(
     g: &mut Graph,
     layout: &SceneLayout,
     scene: Host<SceneFrame>,
     view: Host<ViewFrame>,
-    wanted: Host<Wanted>,
+    entities: Host<OwnedSet>,
 ) -> (ViewInputs, Lists) {
     let uniform = g.buffer("view", BufferDesc::new(size_of::<GpuView>() as u64));
     let lights = g.buffer("lights", BufferDesc::new(size_of::<GpuLights>() as u64));
@@ -183,37 +200,37 @@ fn submit(
         slots: g.buffer(format!("{name}: slots"), BufferDesc::new(slots)),
     };
     let solid = list("solid");
-    let blended = layout.transparent.then(|| list("blended"));
+    let transparent = layout.transparent.then(|| list("transparent"));
     let mut node = g.host_node("submit");
-    node.read(scene).read(view).read(wanted);
+    node.read(scene).read(view).read(entities);
     let uniform = node.upload(uniform);
     let solid = solid.written_by(&mut node);
-    let blended = blended.map(|list| list.written_by(&mut node));
+    let transparent = transparent.map(|draws| draws.written_by(&mut node));
     let mut candidates = Candidates::default();
     node.run(move |ctx| {
         let (scene, frame) = (ctx.get(scene)?, ctx.get(view)?);
         let table = &scene.table;
         ctx.upload(uniform, 0, bytemuck::bytes_of(&frame.uniform()))?;
-        let wanted = ctx.get(wanted)?;
-        let in_full = Verdicts::default();
-        let (members, verdicts) = match &*wanted {
-            Wanted::Frustum => {
+        let entities = ctx.get(entities)?;
+        let full_detail = Verdicts::default();
+        let (slots, verdicts) = match &*entities {
+            OwnedSet::InFrustum => {
                 candidates.find(table, &frame);
-                (candidates.inside(), &in_full)
+                (candidates.inside(), &full_detail)
             }
-            Wanted::Slots(slots, verdicts) => (slots.as_slice(), verdicts),
+            OwnedSet::Listed { slots, levels } => (slots.as_slice(), levels),
         };
-        let of = |transparent: bool| {
-            chosen(table, members, transparent).map(|slot| (slot, verdicts.level(slot)))
+        let chosen = |blending: Blending| {
+            live(table, slots, blending).map(|slot| (slot, verdicts.level(slot)))
         };
         let levels = verdicts.levels();
         let mut list = ctx.get_mut(solid.list)?;
-        list.fill_levels(table, of(false), levels);
+        list.fill_levels(table, chosen(Blending::Solid), levels);
         ctx.upload(solid.slots, 0, bytemuck::cast_slice(list.slots()))?;
-        if let Some(blended) = blended {
-            let mut list = ctx.get_mut(blended.list)?;
-            list.fill_levels(table, of(true), levels);
-            ctx.upload(blended.slots, 0, bytemuck::cast_slice(list.slots()))?;
+        if let Some(transparent) = transparent {
+            let mut list = ctx.get_mut(transparent.list)?;
+            list.fill_levels(table, chosen(Blending::Transparent), levels);
+            ctx.upload(transparent.slots, 0, bytemuck::cast_slice(list.slots()))?;
         }
         Ok(())
     });
@@ -223,34 +240,40 @@ fn submit(
         uniform,
         lights,
     };
-    (inputs, Lists { solid, blended })
+    (inputs, Lists { solid, transparent })
 }
 
-fn chosen<'a>(
+/// Those of the slots that hold an entity of this blending.
+fn live<'a>(
     table: &'a SceneTable,
-    members: &'a [u32],
-    transparent: bool,
+    slots: &'a [u32],
+    blending: Blending,
 ) -> impl Iterator<Item = u32> + Clone + 'a {
-    let live = members
+    let transparent = blending == Blending::Transparent;
+    let occupied = slots
         .iter()
         .copied()
         .filter(|slot| table.occupant(*slot).is_some());
-    live.filter(move |slot| table.is_transparent(*slot) == transparent)
+    occupied.filter(move |slot| table.is_transparent(*slot) == transparent)
 }
 
-fn spec(gpu: &Gpu, layout: &SceneLayout, kind: PipelineKind) -> PassSpec {
-    let blends = kind == PipelineKind::Signature;
+fn pass_spec(gpu: &Gpu, layout: &SceneLayout, blending: Blending) -> PassSpec {
+    let (name, kind) = match blending {
+        Blending::Solid => ("entity ids", PipelineKind::Identity),
+        Blending::Transparent => ("signatures", PipelineKind::Signature),
+    };
+    let transparent = blending == Blending::Transparent;
     let classes = layout
         .classes()
-        .filter(|class| (class.alpha() == Alpha::Blend) == blends);
+        .filter(|class| (class.alpha() == Alpha::Blend) == transparent);
     PassSpec {
-        name: if blends { "signatures" } else { "entity ids" }.to_owned(),
+        name: name.to_owned(),
         group: "oracle",
         pipelines: Arc::new(PassPipelines::new(gpu, kind, classes)),
     }
 }
 
-fn copy_ids(g: &mut Graph, ids: Texture, padded: Padded) -> Buffer {
+fn copy_ids(g: &mut Graph, ids: Texture, padded: PaddedRows) -> Buffer {
     let buffer = g.buffer("copied ids", BufferDesc::new(padded.bytes()));
     let mut node = g.copy("copy ids");
     node.copy_src(ids);
@@ -270,13 +293,13 @@ fn copy_ids(g: &mut Graph, ids: Texture, padded: Padded) -> Buffer {
     buffer
 }
 
-/// Adds up what is blended, against the depth of what is solid.
-fn sign(
+/// Sums the transparent fragments that pass the depth test against the solid entities.
+fn sum_transparent(
     g: &mut Graph,
     gpu: &Gpu,
     layout: &SceneLayout,
     inputs: ViewInputs,
-    what: ListDraws,
+    draws: ListDraws,
     depth: Texture,
     [width, height]: [u32; 2],
 ) -> Signatures {
@@ -290,12 +313,17 @@ fn sign(
         "scratch depth",
         TextureDesc::new(width, height, DEPTH_FORMAT).cleared(Clear::Depth(0.0)),
     );
-    let spec = spec(gpu, layout, PipelineKind::Signature);
-    passes::signature_pass(g, &spec, inputs, what, depth, scratch, sums)
+    let spec = pass_spec(gpu, layout, Blending::Transparent);
+    passes::signature_pass(g, &spec, inputs, draws, depth, scratch, sums)
 }
 
-/// Waits for it all and puts it into an image: the one sync point.
-fn read(g: &mut Graph, ids: Buffer, padded: Padded, sums: Option<Signatures>) -> Host<IdBuffer> {
+/// Reads the results back into an [`IdBuffer`]: the one sync point of the plan.
+fn read_back(
+    g: &mut Graph,
+    ids: Buffer,
+    padded: PaddedRows,
+    sums: Option<Signatures>,
+) -> Host<IdBuffer> {
     let image = g.host::<IdBuffer>("image");
     let mut node = g.host_node("read");
     node.read_back(ids);

@@ -1,34 +1,34 @@
-//! The cases: what each plays, by name.
+//! The cases that the kit plays, and their names.
 
 use std::fmt;
 
-/// A story the kit plays to a strategy.
+/// A story that the kit plays to a strategy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Case {
-    /// Random scenes of all kinds of geometry and material, the camera moving a little each frame.
+    /// Random scenes with all kinds of geometry and material; the camera moves a little each frame.
     RandomScenes,
-    /// The camera jumps to the other side of a wall and looks back: what was hidden is in plain sight.
+    /// The camera jumps to the other side of a wall and looks back: what was hidden is now visible.
     Cut,
     /// The camera stands inside a room, which is one entity.
     InsideBox,
-    /// An entity whose box reaches over the near plane while it lies in plain sight.
+    /// A visible entity whose box crosses the near plane.
     NearPlane,
-    /// A hidden entity goes, and a visible one takes its slot while an answer about the first is under way.
+    /// A hidden entity is removed, and a visible one takes its slot while an answer about the first is on its way.
     SlotReuse,
     /// Entities move: out from behind a wall, in front of it, and into their mirror image.
     Motion,
-    /// No entity; then one; then none again.
+    /// No entity, then one, then none again.
     Empty,
-    /// Everything lies behind the camera.
+    /// Everything is behind the camera.
     Behind,
-    /// Entities of a tenth of a pixel and of half the sky.
+    /// Entities as small as a tenth of a pixel and as large as half the sky.
     Sizes,
     /// More occludees than a query set has queries.
     Many,
-    /// A scene that outgrows its buffers, its materials and its opacity while running.
+    /// A scene that outgrows its buffers, and gets its first new materials and transparent entities, while it runs.
     Outgrow,
-    /// Flat boxes, triangles without area, entities without extent, twins in one place.
+    /// Flat boxes, triangles without area, entities without extent, coplanar twins.
     Flat,
     /// The same input twice.
     Repeat,
@@ -38,16 +38,16 @@ pub enum Case {
     Stereo,
     /// Worlds of a millimetre and of a million kilometres, and one far from the origin.
     Worlds,
-    /// Angles of view of a hundredth and of 179 degrees, near planes of a tenth of a millimetre and a kilometre, parallel views.
+    /// Fields of view of a hundredth of a degree and of 179 degrees, near planes at a tenth of a millimetre and at a kilometre, orthographic views.
     Lenses,
-    /// Walls that cover exactly, holes of one pixel, and dust that adds up to a surface.
+    /// Walls that cover exactly, holes of one pixel, and grains that add up to a closed surface.
     Gaps,
-    /// A scene of your own, played by [`Kit::check_scene`](super::Kit::check_scene); not among [`Self::ALL`].
+    /// A scene of the caller, played by [`Kit::check_scene`](super::Kit::check_scene); not in [`Self::ALL`].
     Custom,
 }
 
 impl Case {
-    /// All of the kit's own.
+    /// All cases that bring their own scene, in the order in which the default kit plays them.
     pub const ALL: [Self; 18] = [
         Self::RandomScenes,
         Self::Cut,
@@ -69,7 +69,7 @@ impl Case {
         Self::Gaps,
     ];
 
-    /// Its name in messages.
+    /// The name in messages.
     pub fn name(self) -> &'static str {
         match self {
             Self::RandomScenes => "random scenes",
@@ -90,7 +90,7 @@ impl Case {
             Self::Worlds => "tiny and huge worlds",
             Self::Lenses => "narrow, wide and parallel views",
             Self::Gaps => "exact covers and small gaps",
-            Self::Custom => "a scene of one's own",
+            Self::Custom => "custom scene",
         }
     }
 }

@@ -1,13 +1,13 @@
-//! What did not hold, in words that name the case, the frame, and the slots or pixels.
+//! What the kit reports: violations that name the case, the frame, and the slots or pixels.
 
 use std::fmt;
 
+use antumbra_cull::StageError;
 use antumbra_draw::{DeviceError, DrawError};
 use antumbra_scene::{CameraError, SceneError};
 use thiserror::Error;
 
 use super::case::Case;
-use antumbra_cull::StageError;
 
 /// Why a strategy does not conform, or could not be checked.
 #[derive(Debug, Error)]
@@ -18,10 +18,10 @@ pub enum KitFailure {
     Device {
         /// The strategy with its settings.
         strategy: String,
-        /// Why.
+        /// Why there is none.
         error: DeviceError,
     },
-    /// It does not conform.
+    /// The strategy does not conform.
     #[error(
         "strategy '{strategy}' does not conform on {adapter} (seed {seed}, {} x {} pixels):{}",
         size[0], size[1], list(violations)
@@ -31,17 +31,17 @@ pub enum KitFailure {
         strategy: String,
         /// The adapter, as `name (backend)`.
         adapter: String,
-        /// The kit's seed, to run it again.
+        /// The kit's seed, to repeat the run.
         seed: u64,
         /// Width and height of the views in pixels.
         size: [u32; 2],
-        /// What did not hold: the first breach of each case that has one.
+        /// The first violation of each case that has one.
         violations: Vec<Violation>,
     },
 }
 
 impl KitFailure {
-    /// The cases that did not hold; none where the device was what failed.
+    /// The cases with a violation; empty if there was no device.
     pub fn cases(&self) -> Vec<Case> {
         match self {
             Self::Device { .. } => Vec::new(),
@@ -52,14 +52,14 @@ impl KitFailure {
     }
 }
 
-/// One thing that did not hold.
+/// A violation, and where it was found.
 #[derive(Debug)]
 pub struct Violation {
-    /// In which case.
+    /// The case.
     pub case: Case,
-    /// In which frame of it, from 0.
+    /// The frame within the scene that the case was playing, from 0.
     pub frame: u32,
-    /// What.
+    /// What is wrong.
     pub kind: ViolationKind,
 }
 
@@ -69,106 +69,107 @@ impl fmt::Display for Violation {
     }
 }
 
-/// What did not hold.
+/// The ways in which a strategy can violate what the kit requires.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ViolationKind {
-    /// A false cull of a strategy that claims to make none.
+    /// A strategy that claims to be conservative culled a visible entity.
     #[error(
-        "it claims to be conservative, yet slots {} own pixels and were not drawn; {pixels} pixels are wrong",
-        some(slots)
+        "it claims to be conservative but does not draw slots {}, which own pixels; {pixels} pixels are wrong",
+        first_few(slots)
     )]
     FalseCull {
         /// Slots that own a pixel and were not drawn.
         slots: Vec<u32>,
-        /// Pixels whose owner changes by that.
+        /// Number of pixels whose owner is therefore wrong.
         pixels: usize,
     },
-    /// A false cull after late answers had time to settle.
+    /// A visible entity is still culled after late answers had time to settle.
     #[error(
-        "nothing moved for {frames} frames, yet slots {} own pixels and were not drawn",
-        some(slots)
+        "after {frames} frames without a change it does not draw slots {}, which own pixels",
+        first_few(slots)
     )]
     StillFalseCull {
-        /// Frames since the last change.
+        /// Number of frames since the last change.
         frames: u32,
         /// Slots that own a pixel and were not drawn.
         slots: Vec<u32>,
     },
-    /// Something in plain sight was culled though no answer was about it.
+    /// A visible entity was culled although no answer covers it.
     #[error(
-        "slots {} own pixels and were culled by answers that do not cover them: first frame, cut, new in the slot, or new in the frustum",
-        some(slots)
+        "it does not draw slots {}, which own pixels and which no answer covers: first frame, cut, new in the slot, or new in the frustum",
+        first_few(slots)
     )]
     CulledWithoutAnswer {
         /// The slots.
         slots: Vec<u32>,
     },
-    /// Something was said to be visible before it could be known.
+    /// An entity has the verdict *visible* although no answer covers it.
     #[error(
         "slots {} have the verdict 'visible' before any answer covers them: it should be 'new' or 'untested'",
-        some(slots)
+        first_few(slots)
     )]
     VisibleWithoutAnswer {
         /// The slots.
         slots: Vec<u32>,
     },
-    /// Something in plain sight that reaches over the near plane was culled.
+    /// A visible entity that crosses the near plane was culled.
     #[error(
-        "slots {} own pixels, reach over the near plane, and were not drawn",
-        some(slots)
+        "it does not draw slots {}, which own pixels and cross the near plane",
+        first_few(slots)
     )]
     NearPlane {
         /// The slots.
         slots: Vec<u32>,
     },
-    /// A verdict that contradicts the scene.
-    #[error("slot {slot} has the verdict '{verdict}', yet {fact}")]
+    /// A verdict contradicts the scene.
+    #[error("slot {slot} has the verdict '{verdict}', but {fact}")]
     Contradiction {
         /// The slot.
         slot: u32,
         /// The verdict's word.
         verdict: &'static str,
-        /// What is the case.
+        /// What is true instead.
         fact: &'static str,
     },
-    /// The picture is not that of drawing everything.
+    /// The image of a strategy that claims to be conservative is not that of drawing everything.
     #[error(
-        "it claims to be conservative, yet its picture differs from drawing everything in {pixels} pixels, first at {first:?}"
+        "it claims to be conservative, but its image differs from drawing everything in {pixels} pixels, first at {first:?}"
     )]
     WrongImage {
-        /// How many pixels differ.
+        /// Number of pixels that differ.
         pixels: usize,
-        /// The first, from the upper left.
+        /// Column and row of the first of them, from the upper left.
         first: [u32; 2],
     },
-    /// The picture is not that of what the verdicts say.
+    /// The image is not that of drawing what the verdicts say.
     #[error(
-        "its picture differs from drawing what its verdicts say in {pixels} pixels, first at {first:?}"
+        "its image differs from drawing what its verdicts say in {pixels} pixels, first at {first:?}"
     )]
     FalseVerdicts {
-        /// How many pixels differ.
+        /// Number of pixels that differ.
         pixels: usize,
-        /// The first, from the upper left.
+        /// Column and row of the first of them, from the upper left.
         first: [u32; 2],
     },
-    /// Verdicts that go on changing.
-    #[error("nothing moved for {frames} frames, yet the verdicts still change")]
+    /// The verdicts do not settle.
+    #[error("after {frames} frames without a change the verdicts still change")]
     Unsettled {
-        /// Frames since the last change.
+        /// Number of frames since the last change.
         frames: u32,
     },
-    /// Two runs on the same input.
+    /// The verdicts do not follow from the input.
     #[error("two runs on the same input gave different verdicts")]
     NotRepeatable,
     /// A call failed.
     #[error("{0}")]
     Failed(String),
-    /// Something panicked.
+    /// The strategy, or what it called, panicked.
     #[error("it panicked: {0}")]
     Panicked(String),
 }
 
+/// Errors of calls become [`ViolationKind::Failed`].
 macro_rules! failed {
     ($($error:ty),*) => {$(
         impl From<$error> for ViolationKind {
@@ -181,8 +182,8 @@ macro_rules! failed {
 
 failed!(SceneError, CameraError, DrawError, DeviceError, StageError);
 
-/// The first few of many.
-fn some(slots: &[u32]) -> String {
+/// The first eight slots, and the number of the others.
+fn first_few(slots: &[u32]) -> String {
     let shown: Vec<String> = slots.iter().take(8).map(u32::to_string).collect();
     let rest = slots.len().saturating_sub(8);
     let more = if rest > 0 {

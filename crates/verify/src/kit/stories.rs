@@ -1,52 +1,50 @@
-//! The stories that the cases play, by what they are about.
+//! The stories that the cases play, one file for each subject. A story returns the first violation.
 
 mod cameras;
 mod entities;
 mod extremes;
 mod gaps;
 mod lenses;
-mod runs;
+mod random;
 mod worlds;
 
+use antumbra_cull::Verdicts;
 use antumbra_scene::{Camera, Scene};
-use rand::SeedableRng;
-use rand_pcg::Pcg32;
 
 use super::case::Case;
 use super::failure::ViolationKind;
-use super::play::{Bench, Play};
-use antumbra_cull::Verdicts;
+use super::run::{CaseContext, Run, ViewCamera};
 
-/// Plays a case to its end, or to the first thing that does not hold.
-pub(super) fn play(case: Case, bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
+/// Plays the story of a case.
+pub(super) fn play(case: Case, context: &mut CaseContext<'_>) -> Result<(), ViolationKind> {
     match case {
-        Case::RandomScenes => runs::random_scenes(bench),
-        Case::Repeat => runs::repeat(bench),
-        Case::Still => runs::still(bench),
-        Case::Stereo => runs::stereo(bench),
-        Case::Cut => cameras::cut(bench),
-        Case::InsideBox => cameras::inside_box(bench),
-        Case::NearPlane => cameras::near_plane(bench),
-        Case::Behind => cameras::behind(bench),
-        Case::SlotReuse => entities::slot_reuse(bench),
-        Case::Motion => entities::motion(bench),
-        Case::Empty => entities::empty(bench),
-        Case::Outgrow => entities::outgrow(bench),
-        Case::Sizes => extremes::sizes(bench),
-        Case::Many => extremes::many(bench),
-        Case::Flat => extremes::flat(bench),
-        Case::Worlds => worlds::worlds(bench),
-        Case::Lenses => lenses::lenses(bench),
-        Case::Gaps => gaps::gaps(bench),
+        Case::RandomScenes => random::random_scenes(context),
+        Case::Repeat => random::repeat(context),
+        Case::Still => random::still(context),
+        Case::Stereo => random::stereo(context),
+        Case::Cut => cameras::cut(context),
+        Case::InsideBox => cameras::inside_box(context),
+        Case::NearPlane => cameras::near_plane(context),
+        Case::Behind => cameras::behind(context),
+        Case::SlotReuse => entities::slot_reuse(context),
+        Case::Motion => entities::motion(context),
+        Case::Empty => entities::empty(context),
+        Case::Outgrow => entities::outgrow(context),
+        Case::Sizes => extremes::sizes(context),
+        Case::Many => extremes::many(context),
+        Case::Flat => extremes::flat(context),
+        Case::Worlds => worlds::worlds(context),
+        Case::Lenses => lenses::lenses(context),
+        Case::Gaps => gaps::gaps(context),
         Case::Custom => Err(ViolationKind::Failed(
-            "this case needs a scene: play it with Kit::check_scene".to_owned(),
+            "this case needs a scene: call Kit::check_scene".to_owned(),
         )),
     }
 }
 
-/// Plays somebody's scene, a camera a view and frame; the verdicts by frame and view.
-pub(super) fn own(
-    bench: &mut Bench<'_>,
+/// Plays a scene of the caller, with one camera a view for each frame. Returns the verdicts by frame, then by view.
+pub(super) fn custom(
+    context: &mut CaseContext<'_>,
     scene: Scene,
     frames: &[Vec<Camera>],
 ) -> Result<Vec<Vec<Verdicts>>, ViolationKind> {
@@ -57,25 +55,18 @@ pub(super) fn own(
         many => (0..many).map(|view| format!("view {view}")).collect(),
     };
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let mut play = Play::with_views(bench, scene, &names)?;
+    let mut run = Run::with_views(context, scene, &names)?;
     for cameras in frames {
-        let cameras: Vec<(Camera, bool)> = cameras.iter().map(|one| (*one, false)).collect();
-        play.frames(&cameras)?;
+        let cameras: Vec<ViewCamera> = cameras
+            .iter()
+            .copied()
+            .map(ViewCamera::continuous)
+            .collect();
+        run.frame_of_views(&cameras)?;
     }
-    Ok(play
+    Ok(run
         .history
         .chunks(views.max(1))
         .map(<[_]>::to_vec)
         .collect())
-}
-
-/// A stream of chance for one scene of a case.
-fn chance(bench: &Bench<'_>, scene: u32) -> Pcg32 {
-    Pcg32::seed_from_u64(
-        bench
-            .kit
-            .seed
-            .wrapping_mul(1009)
-            .wrapping_add(u64::from(scene)),
-    )
 }

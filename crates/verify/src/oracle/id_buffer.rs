@@ -1,27 +1,27 @@
-//! What the oracle saw: the owner of each pixel, and the sums that stand for what is blended.
+//! What the oracle renders: the entity that owns each pixel, and order-independent sums for the transparent entities.
 
-/// The owners of an image's pixels, row after row, the first on top.
+/// An entity-id buffer: the owners of an image's pixels, row by row from the top.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct IdBuffer {
     /// Width and height in pixels.
     pub size: [u32; 2],
-    /// A pixel: the slot of the solid entity that owns it plus 1, or 0 where there is none.
+    /// One value a pixel: the slot of the solid entity that owns it plus 1, or 0 for none.
     pub ids: Vec<u32>,
-    /// What is blended; `None` for a scene without.
+    /// The transparent entities; `None` in a scene that has none.
     pub transparent: Option<TransparentSums>,
 }
 
-/// What is blended, in sums that do not depend on the order of drawing.
+/// The visible transparent fragments, in sums that do not depend on the order of drawing.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct TransparentSums {
-    /// A pixel: the sum of the mixed ids of its visible transparent fragments; 0 where there is none.
+    /// One value a pixel: the sum of the mixed ids of its visible transparent fragments; 0 for none.
     pub signatures: Vec<u32>,
-    /// A slot: how many visible transparent fragments it has.
+    /// One value a slot: its number of visible transparent fragments.
     pub samples: Vec<u32>,
 }
 
 impl IdBuffer {
-    /// The slots that own a pixel or, of transparent entities, have a visible sample; ascending.
+    /// The visible entities: slots that own a pixel or, if transparent, have a visible fragment; ascending.
     pub fn owners(&self) -> Vec<u32> {
         let most = self.ids.iter().max().map_or(0, |most| *most as usize);
         let samples = self.samples();
@@ -43,7 +43,8 @@ impl IdBuffer {
             .collect()
     }
 
-    /// How many pixels each slot owns; of transparent entities, how many visible samples. Up to the last slot that has any.
+    /// One value a slot: the number of pixels that a solid entity owns, or of visible fragments that a transparent one has. Ends with the
+    /// last slot that has any.
     pub fn samples_by_slot(&self) -> Vec<u32> {
         let mut counts = self.samples().to_vec();
         let most = self.ids.iter().max().map_or(0, |most| *most as usize);
@@ -62,20 +63,19 @@ impl IdBuffer {
         counts
     }
 
-    /// Which pixels have another owner, or another sum of transparent fragments, than in `other`; row after row.
-    /// Where the sizes differ, all of them.
+    /// One value a pixel, row by row: whether its owner or its sum of transparent fragments differs from that in `other`. All are `true` if
+    /// the sizes differ.
     pub fn wrong_pixel_mask(&self, other: &Self) -> Vec<bool> {
         if self.size != other.size {
             return vec![true; self.ids.len()];
         }
-        let (mine, theirs) = (self.signatures(), other.signatures());
-        let ids = self.ids.iter().zip(&other.ids);
-        ids.enumerate()
-            .map(|(pixel, (a, b))| a != b || mine.get(pixel) != theirs.get(pixel))
-            .collect::<Vec<_>>()
+        let pairs = self.ids.iter().zip(&other.ids).enumerate();
+        pairs
+            .map(|(pixel, (a, b))| a != b || self.signature(pixel) != other.signature(pixel))
+            .collect()
     }
 
-    /// How many pixels are wrong by [`Self::wrong_pixel_mask`].
+    /// The number of pixels that [`Self::wrong_pixel_mask`] marks.
     pub fn wrong_pixels(&self, other: &Self) -> usize {
         self.wrong_pixel_mask(other)
             .iter()
@@ -89,74 +89,10 @@ impl IdBuffer {
             .map_or(&[], |transparent| &transparent.samples)
     }
 
-    fn signatures(&self) -> Signatures<'_> {
-        Signatures(
-            self.transparent
-                .as_ref()
-                .map_or(&[], |transparent| &transparent.signatures),
-        )
-    }
-}
-
-/// Signatures of an image that may have none: then all are 0.
-struct Signatures<'a>(&'a [u32]);
-
-impl Signatures<'_> {
-    fn get(&self, pixel: usize) -> u32 {
-        self.0.get(pixel).copied().unwrap_or(0)
-    }
-}
-
-/// Four bytes a pixel, in rows as copies from textures need them.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Padded {
-    size: [u32; 2],
-    row_bytes: u32,
-}
-
-impl Padded {
-    pub fn of(size: [u32; 2]) -> Self {
-        let row_bytes = size[0].saturating_mul(4);
-        let align = wgpu::COPY_BYTES_PER_ROW_ALIGNMENT;
-        Self {
-            size,
-            row_bytes: row_bytes
-                .checked_next_multiple_of(align)
-                .unwrap_or(u32::MAX - u32::MAX % align),
-        }
-    }
-
-    pub fn bytes(self) -> u64 {
-        u64::from(self.row_bytes) * u64::from(self.size[1])
-    }
-
-    pub fn layout(self) -> wgpu::TexelCopyBufferLayout {
-        wgpu::TexelCopyBufferLayout {
-            offset: 0,
-            bytes_per_row: Some(self.row_bytes),
-            rows_per_image: None,
-        }
-    }
-
-    pub fn extent(self) -> wgpu::Extent3d {
-        wgpu::Extent3d {
-            width: self.size[0],
-            height: self.size[1],
-            depth_or_array_layers: 1,
-        }
-    }
-
-    pub fn unpack(self, bytes: &[u8], image: &mut IdBuffer) {
-        image.size = self.size;
-        image.ids.clear();
-        for row in bytes.chunks(self.row_bytes.max(1) as usize) {
-            let (texels, _) = row.as_chunks::<4>();
-            image.ids.extend(
-                texels
-                    .iter()
-                    .take(self.size[0] as usize)
-                    .map(|texel| u32::from_le_bytes(*texel)),
-            );
-        }
+    fn signature(&self, pixel: usize) -> u32 {
+        let transparent = self.transparent.as_ref();
+        transparent
+            .and_then(|transparent| transparent.signatures.get(pixel).copied())
+            .unwrap_or(0)
     }
 }

@@ -1,78 +1,78 @@
-//! Where cameras stand and jump: to the other side, inside of things, right in front of them, away from them.
+//! Stories about where the camera is: behind a wall after a cut, inside a box, close to an entity, turned away from all of them.
 
 use glam::DVec3;
 
 use crate::kit::failure::ViolationKind;
-use crate::kit::play::{Bench, Play};
-use crate::kit::props::{Props, camera, camera_with, placed};
+use crate::kit::run::{CaseContext, Run};
+use crate::kit::test_scene::{TestScene, camera, camera_with, placed};
 
-pub(super) fn cut(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
-    let mut props = Props::new()?;
-    props.cube(DVec3::ZERO, DVec3::new(6.0, 4.0, 0.2))?;
+pub(super) fn cut(context: &mut CaseContext<'_>) -> Result<(), ViolationKind> {
+    let mut test = TestScene::new()?;
+    test.cube(DVec3::ZERO, DVec3::new(6.0, 4.0, 0.2))?;
     for side in [-1.0, 1.0] {
         for column in -2..=2 {
             let place = DVec3::new(f64::from(column), 0.2, side);
-            props.sphere(place, 0.7)?;
+            test.sphere(place, 0.7)?;
         }
     }
-    let mut play = Play::new(bench, props.scene)?;
+    let mut run = Run::new(context, test.scene)?;
     let front = camera(DVec3::new(0.0, 0.0, 4.0), DVec3::ZERO)?;
     let back = camera(DVec3::new(0.0, 0.0, -4.0), DVec3::ZERO)?;
-    // Long enough for answers to be in use, then there and back again.
+    // Three frames, so that answers are in use; then cuts to the back and again.
     for _ in 0..3 {
-        play.frame(&front)?;
+        run.frame(&front)?;
     }
-    play.cut(&back)?;
-    play.frame(&back)?;
-    play.cut(&front)?;
-    play.cut(&back)
+    run.cut(&back)?;
+    run.frame(&back)?;
+    run.cut(&front)?;
+    run.cut(&back)
 }
 
-pub(super) fn inside_box(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
-    let mut props = Props::new()?;
+pub(super) fn inside_box(context: &mut CaseContext<'_>) -> Result<(), ViolationKind> {
+    let mut test = TestScene::new()?;
     let room = placed(DVec3::ZERO, DVec3::new(6.0, 4.0, 8.0));
-    props.put(props.shapes.cube, props.paints.double_sided, room)?;
-    props.cube(DVec3::new(0.5, -1.0, -2.0), DVec3::splat(1.0))?;
-    props.sphere(DVec3::new(0.5, -1.0, -3.3), 0.6)?;
-    props.sphere(DVec3::new(0.0, 0.0, -9.0), 2.0)?;
-    let mut play = Play::new(bench, props.scene)?;
+    test.add(test.meshes.cube, test.materials.double_sided, room)?;
+    test.cube(DVec3::new(0.5, -1.0, -2.0), DVec3::splat(1.0))?;
+    test.sphere(DVec3::new(0.5, -1.0, -3.3), 0.6)?;
+    test.sphere(DVec3::new(0.0, 0.0, -9.0), 2.0)?;
+    let mut run = Run::new(context, test.scene)?;
     for step in 0..4 {
         let eye = DVec3::new(0.2, 0.1, 2.0 - f64::from(step) * 0.3);
-        play.frame(&camera(eye, DVec3::new(0.3, -0.4, -4.0))?)?;
+        run.frame(&camera(eye, DVec3::new(0.3, -0.4, -4.0))?)?;
     }
-    // Out through the wall behind, and back in.
-    play.frame(&camera(DVec3::new(0.2, 0.1, 5.5), DVec3::ZERO)?)?;
-    play.frame(&camera(DVec3::new(0.2, 0.1, 3.8), DVec3::ZERO)?)
+    // Out through the wall behind the camera, and back in.
+    run.frame(&camera(DVec3::new(0.2, 0.1, 5.5), DVec3::ZERO)?)?;
+    run.frame(&camera(DVec3::new(0.2, 0.1, 3.8), DVec3::ZERO)?)
 }
 
-pub(super) fn near_plane(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
-    let mut props = Props::new()?;
-    // Its box begins before the near plane, and its front faces with it; the ramp inside lies beyond, in plain sight.
+pub(super) fn near_plane(context: &mut CaseContext<'_>) -> Result<(), ViolationKind> {
+    let mut test = TestScene::new()?;
+    // The box, with its front faces, starts in front of the near plane; the ramp inside it is beyond the near plane and visible.
     let ramp = placed(DVec3::new(0.0, 0.0, -1.2), DVec3::splat(3.0));
-    props.put(props.shapes.ramp, props.paints.opaque[0], ramp)?;
-    props.sphere(DVec3::new(0.4, 0.2, -5.0), 1.0)?;
-    // A bar along the view, cut by the near plane.
-    props.cube(DVec3::new(-0.5, -0.4, -0.6), DVec3::new(0.1, 0.1, 3.0))?;
-    let mut play = Play::new(bench, props.scene)?;
+    test.add(test.meshes.ramp, test.materials.opaque[0], ramp)?;
+    test.sphere(DVec3::new(0.4, 0.2, -5.0), 1.0)?;
+    // A bar along the viewing direction, clipped by the near plane.
+    test.cube(DVec3::new(-0.5, -0.4, -0.6), DVec3::new(0.1, 0.1, 3.0))?;
+    let mut run = Run::new(context, test.scene)?;
     for step in 0..4 {
         let eye = DVec3::new(0.0, 0.0, 1.0 - f64::from(step) * 0.25);
-        play.frame(&camera_with(eye, DVec3::new(0.0, 0.0, -5.0), 0.8)?)?;
+        run.frame(&camera_with(eye, DVec3::new(0.0, 0.0, -5.0), 0.8)?)?;
     }
     Ok(())
 }
 
-pub(super) fn behind(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
-    let mut props = Props::new()?;
+pub(super) fn behind(context: &mut CaseContext<'_>) -> Result<(), ViolationKind> {
+    let mut test = TestScene::new()?;
     for column in -3..=3 {
-        props.sphere(DVec3::new(f64::from(column), 0.0, 6.0), 0.8)?;
-        props.cube(DVec3::new(f64::from(column), 1.0, 9.0), DVec3::splat(0.5))?;
+        test.sphere(DVec3::new(f64::from(column), 0.0, 6.0), 0.8)?;
+        test.cube(DVec3::new(f64::from(column), 1.0, 9.0), DVec3::splat(0.5))?;
     }
-    let mut play = Play::new(bench, props.scene)?;
+    let mut run = Run::new(context, test.scene)?;
     let away = camera(DVec3::ZERO, DVec3::NEG_Z)?;
     for _ in 0..3 {
-        play.frame(&away)?;
+        run.frame(&away)?;
     }
-    // Turning around, no cut: all are new in the frustum.
-    play.frame(&camera(DVec3::ZERO, DVec3::Z)?)?;
-    play.frame(&away)
+    // The camera turns around without a cut: all entities are new in the frustum.
+    run.frame(&camera(DVec3::ZERO, DVec3::Z)?)?;
+    run.frame(&away)
 }

@@ -1,34 +1,54 @@
-//! Worlds by size and place: what holds for metres holds for millimetres, for millions of kilometres, and far from the origin.
+//! The story about scale and origin: what holds in metres must hold in tenths of a millimetre, in units of 100,000 km, and far from the origin.
 
 use antumbra_scene::{Camera, Projection};
 use glam::DVec3;
 
 use crate::kit::failure::ViolationKind;
-use crate::kit::play::{Bench, Play};
-use crate::kit::props::Props;
+use crate::kit::run::{CaseContext, Run};
+use crate::kit::test_scene::TestScene;
 
-/// A metre in each world, and where the world lies in its own metres.
-const WORLDS: [(f64, f64); 3] = [(1e-4, 0.0), (1e8, 0.0), (1.0, 1e7)];
+/// The scale and the place of a world.
+struct World {
+    /// How many metres its unit is long.
+    unit: f64,
+    /// Each coordinate of its centre, in its units.
+    offset: f64,
+}
 
-pub(super) fn worlds(bench: &mut Bench<'_>) -> Result<(), ViolationKind> {
-    for (metre, away) in WORLDS {
-        let at = |x: f64, y: f64, z: f64| (DVec3::new(x, y, z) + DVec3::splat(away)) * metre;
-        let mut props = Props::new()?;
-        props.cube(at(0.0, 0.0, 0.0), DVec3::new(5.0, 4.0, 0.2) * metre)?;
+const WORLDS: [World; 3] = [
+    World {
+        unit: 1e-4,
+        offset: 0.0,
+    },
+    World {
+        unit: 1e8,
+        offset: 0.0,
+    },
+    World {
+        unit: 1.0,
+        offset: 1e7,
+    },
+];
+
+pub(super) fn worlds(context: &mut CaseContext<'_>) -> Result<(), ViolationKind> {
+    for World { unit, offset } in WORLDS {
+        let at = |x: f64, y: f64, z: f64| (DVec3::new(x, y, z) + DVec3::splat(offset)) * unit;
+        let mut test = TestScene::new()?;
+        test.cube(at(0.0, 0.0, 0.0), DVec3::new(5.0, 4.0, 0.2) * unit)?;
         for column in -2..=2 {
             let x = f64::from(column);
-            props.sphere(at(x, 0.1, -1.5), 0.7 * metre)?;
-            props.sphere(at(x * 1.7, 0.3, 1.2), 0.4 * metre)?;
-            props.cube(at(x * 2.0, 1.0, -4.0), DVec3::splat(metre))?;
+            test.sphere(at(x, 0.1, -1.5), 0.7 * unit)?;
+            test.sphere(at(x * 1.7, 0.3, 1.2), 0.4 * unit)?;
+            test.cube(at(x * 2.0, 1.0, -4.0), DVec3::splat(unit))?;
         }
         let projection = Projection::Perspective {
             fov_y: 1.0,
-            near: 0.1 * metre,
+            near: 0.1 * unit,
         };
-        let mut play = Play::new(bench, props.scene)?;
+        let mut run = Run::new(context, test.scene)?;
         for step in 0..2 {
             let eye = at(0.4 * f64::from(step), 0.5, 6.0);
-            play.frame(&Camera::look_at(
+            run.frame(&Camera::look_at(
                 eye,
                 at(0.0, 0.0, 0.0),
                 DVec3::Y,

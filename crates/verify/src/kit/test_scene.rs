@@ -1,4 +1,4 @@
-//! What the plays are made of: a few meshes, a few materials, and scenes of chance that follow from a seed.
+//! Scenes that the cases are built from: a few meshes, a few materials, and random scenes that follow from a seed.
 
 use antumbra_scene::{
     Aabb, AlphaMode, Camera, CameraError, Drawable, EntityKey, Geometry, Image, Light, Material,
@@ -9,22 +9,22 @@ use glam::{DAffine3, DQuat, DVec3, Vec3};
 use rand::RngExt;
 use rand_pcg::Pcg32;
 
-/// Meshes of about a metre around the origin.
+/// Meshes of about a metre, centred at the origin.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Shapes {
+pub(super) struct Meshes {
     pub sphere: MeshKey,
     pub cube: MeshKey,
     /// A triangle two metres long and a centimetre wide.
     pub sliver: MeshKey,
-    /// A square without thickness, facing +Z, with texture coordinates.
+    /// A square of no thickness that faces +Z, with texture coordinates.
     pub square: MeshKey,
-    /// A square that rises through its box from the lower front edge to the upper back one.
+    /// A slanted square: from the lower front edge of its box to the upper back edge.
     pub ramp: MeshKey,
     /// The edges of a cube.
     pub lines: MeshKey,
-    /// A few points.
+    /// Twenty points on a spiral.
     pub points: MeshKey,
-    /// One line a metre long, along X.
+    /// One line of a metre along X.
     pub line: MeshKey,
     /// One point.
     pub point: MeshKey,
@@ -32,32 +32,32 @@ pub(super) struct Shapes {
     pub collapsed: MeshKey,
 }
 
-/// Materials: four opaque colours first, so that neighbours can be told apart.
+/// Materials. There are four opaque colours, so that adjacent entities differ in the image.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Paints {
+pub(super) struct Materials {
     pub opaque: [MaterialKey; 4],
     pub double_sided: MaterialKey,
-    /// With holes, from a texture.
+    /// Alpha-masked by a texture with holes.
     pub mask: MaterialKey,
     pub blend: MaterialKey,
-    /// The same colour from every side, for surfaces in one place: whoever wins, the picture is the same.
+    /// The same colour from every side. For coplanar surfaces: the image is the same whichever of them is drawn last.
     pub unlit: MaterialKey,
 }
 
-/// A scene under construction.
-pub(super) struct Props {
+/// A scene, with the meshes and materials to build it from.
+pub(super) struct TestScene {
     pub scene: Scene,
-    pub shapes: Shapes,
-    pub paints: Paints,
+    pub meshes: Meshes,
+    pub materials: Materials,
 }
 
-impl Props {
+impl TestScene {
     /// A lit scene without a drawable entity.
     pub fn new() -> Result<Self, SceneError> {
         let mut scene = Scene::new();
         let mut mesh = |name: &str, geometry| scene.add_mesh(Mesh::new(name, geometry));
         let cube = Geometry::from_box(&Aabb::from_centre(DVec3::ZERO, DVec3::splat(0.5)));
-        let shapes = Shapes {
+        let meshes = Meshes {
             sphere: mesh("sphere", icosphere(2, 0.5))?,
             sliver: mesh("sliver", sliver())?,
             square: mesh("square", square())?,
@@ -66,14 +66,14 @@ impl Props {
             points: mesh("points", points())?,
             line: mesh(
                 "line",
-                bare(Topology::Lines, &[[-0.5, 0.0, 0.0], [0.5, 0.0, 0.0]]),
+                primitives(Topology::Lines, &[[-0.5, 0.0, 0.0], [0.5, 0.0, 0.0]]),
             )?,
-            point: mesh("point", bare(Topology::Points, &[[0.0; 3]]))?,
+            point: mesh("point", primitives(Topology::Points, &[[0.0; 3]]))?,
             collapsed: mesh("collapsed", collapsed(&cube))?,
             cube: mesh("cube", cube)?,
         };
         scene.ensure_proxies(&ProxyOptions::default());
-        let paints = paints(&mut scene)?;
+        let materials = materials(&mut scene)?;
         let sun = scene.spawn(None, DAffine3::from_rotation_x(-0.9))?;
         let light = Light::Directional {
             colour: [1.0; 3],
@@ -82,39 +82,40 @@ impl Props {
         scene.set_light(sun, light)?;
         Ok(Self {
             scene,
-            shapes,
-            paints,
+            meshes,
+            materials,
         })
     }
 
-    /// Puts a mesh somewhere.
-    pub fn put(
+    /// Adds an entity.
+    pub fn add(
         &mut self,
         mesh: MeshKey,
         material: MaterialKey,
-        place: DAffine3,
+        transform: DAffine3,
     ) -> Result<EntityKey, SceneError> {
-        put(&mut self.scene, mesh, material, place)
+        add(&mut self.scene, mesh, material, transform)
     }
 
-    /// A cube of some size in one of the opaque colours.
+    /// Adds a box of this size in metres, in the first opaque colour.
     pub fn cube(&mut self, centre: DVec3, size: DVec3) -> Result<EntityKey, SceneError> {
-        let [paint, ..] = self.paints.opaque;
-        self.put(self.shapes.cube, paint, placed(centre, size))
+        let [material, ..] = self.materials.opaque;
+        self.add(self.meshes.cube, material, placed(centre, size))
     }
 
-    /// A sphere of some diameter in another of the opaque colours.
+    /// Adds a sphere of this diameter in metres, in the second opaque colour.
     pub fn sphere(&mut self, centre: DVec3, diameter: f64) -> Result<EntityKey, SceneError> {
-        let [_, paint, ..] = self.paints.opaque;
+        let [_, material, ..] = self.materials.opaque;
         let place = placed(centre, DVec3::splat(diameter));
-        self.put(self.shapes.sphere, paint, place)
+        self.add(self.meshes.sphere, material, place)
     }
 
-    /// Strews entities of every shape and paint into a cube of eight metres, with two walls and some nested.
-    pub fn strew(&mut self, random: &mut Pcg32, count: u32) -> Result<(), SceneError> {
+    /// Adds two walls and `count` entities of various meshes and materials, at random places in a cube of eight metres. Each cube contains
+    /// a sphere.
+    pub fn scatter(&mut self, random: &mut Pcg32, count: u32) -> Result<(), SceneError> {
         self.cube(DVec3::new(0.3, 0.1, -1.1), DVec3::new(6.0, 5.0, 0.2))?;
         self.cube(DVec3::new(1.3, -0.2, 0.6), DVec3::new(0.15, 4.0, 5.0))?;
-        let Shapes {
+        let Meshes {
             sphere,
             cube,
             sliver,
@@ -122,19 +123,19 @@ impl Props {
             lines,
             points,
             ..
-        } = self.shapes;
-        let Paints {
+        } = self.meshes;
+        let Materials {
             opaque,
             double_sided,
             mask,
             blend,
             ..
-        } = self.paints;
+        } = self.materials;
         for number in 0..count {
             let place = DVec3::from_array(std::array::from_fn(|_| random.random_range(-4.0..4.0)));
-            let turn = turn(random);
+            let rotation = random_rotation(random);
             let mut size = DVec3::splat(random.random_range(0.3..1.4));
-            // Mirrored, of what is solid; every further kind of pipeline costs the kit its time.
+            // Only solid entities are mirrored: each further kind of pipeline costs the kit time.
             if number % 12 < 7 && random.random_bool(0.3) {
                 size.x = -size.x;
             }
@@ -142,7 +143,7 @@ impl Props {
                 .get(number as usize % opaque.len())
                 .copied()
                 .unwrap_or(double_sided);
-            let (mesh, paint) = match number % 12 {
+            let (mesh, material) = match number % 12 {
                 0..4 => (sphere, plain),
                 4..7 => (cube, plain),
                 7 => (sliver, double_sided),
@@ -151,55 +152,55 @@ impl Props {
                 10 => (lines, plain),
                 _ => (points, plain),
             };
-            self.put(
+            self.add(
                 mesh,
-                paint,
-                DAffine3::from_scale_rotation_translation(size, turn, place),
+                material,
+                DAffine3::from_scale_rotation_translation(size, rotation, place),
             )?;
             if mesh == cube {
-                // Nested: seen only through a blended shell.
-                self.put(sphere, plain, placed(place, size * 0.4))?;
+                // Nested: visible only if the cube around it is transparent.
+                self.add(sphere, plain, placed(place, size * 0.4))?;
             }
         }
         Ok(())
     }
 }
 
-/// Puts a mesh into a scene that is already playing.
-pub(super) fn put(
+/// Adds an entity to a scene, which may be in a run already.
+pub(super) fn add(
     scene: &mut Scene,
     mesh: MeshKey,
     material: MaterialKey,
-    place: DAffine3,
+    transform: DAffine3,
 ) -> Result<EntityKey, SceneError> {
-    let entity = scene.spawn(None, place)?;
+    let entity = scene.spawn(None, transform)?;
     scene.set_drawable(entity, Drawable { mesh, material })?;
     Ok(entity)
 }
 
-/// Upright, of some size.
+/// A transform without rotation: scale, then translation.
 pub(super) fn placed(centre: DVec3, size: DVec3) -> DAffine3 {
     DAffine3::from_scale_rotation_translation(size, DQuat::IDENTITY, centre)
 }
 
-/// A rotation of chance.
-pub(super) fn turn(random: &mut Pcg32) -> DQuat {
+/// A random rotation.
+pub(super) fn random_rotation(random: &mut Pcg32) -> DQuat {
     let [x, y, z] = std::array::from_fn(|_| random.random_range(-3.1..3.1));
     DQuat::from_euler(glam::EulerRot::XYZ, x, y, z)
 }
 
-/// A camera of a near plane at a tenth of a metre.
+/// A camera with its near plane at 0.1 m.
 pub(super) fn camera(eye: DVec3, target: DVec3) -> Result<Camera, CameraError> {
     camera_with(eye, target, 0.1)
 }
 
-/// A camera with its near plane at some distance.
+/// A camera with its near plane at `near` metres; its vertical field of view is 1 rad.
 pub(super) fn camera_with(eye: DVec3, target: DVec3, near: f64) -> Result<Camera, CameraError> {
     let projection = Projection::Perspective { fov_y: 1.0, near };
     Camera::look_at(eye, target, DVec3::Y, projection)
 }
 
-fn paints(scene: &mut Scene) -> Result<Paints, SceneError> {
+fn materials(scene: &mut Scene) -> Result<Materials, SceneError> {
     let colours = [
         [0.9, 0.2, 0.1, 1.0],
         [0.1, 0.7, 0.3, 1.0],
@@ -213,7 +214,7 @@ fn paints(scene: &mut Scene) -> Result<Paints, SceneError> {
         })
     });
     let holes = scene.add_image(checkers())?;
-    Ok(Paints {
+    Ok(Materials {
         opaque,
         double_sided: scene.add_material(Material {
             base_colour: [0.6, 0.4, 0.8, 1.0],
@@ -239,7 +240,7 @@ fn paints(scene: &mut Scene) -> Result<Paints, SceneError> {
     })
 }
 
-/// Eight by eight pixels, every other one a hole.
+/// A checkerboard of 8 x 8 pixels; every second one is a hole.
 fn checkers() -> Image {
     let pixel = |i: u32| {
         [
@@ -306,8 +307,8 @@ fn edges(cube: &Geometry) -> Geometry {
     }
 }
 
-/// Vertices in the order of their primitives.
-fn bare(topology: Topology, positions: &[[f32; 3]]) -> Geometry {
+/// Lines or points, their vertices in the order of the primitives.
+fn primitives(topology: Topology, positions: &[[f32; 3]]) -> Geometry {
     Geometry {
         topology,
         positions: positions.to_vec(),
@@ -317,12 +318,12 @@ fn bare(topology: Topology, positions: &[[f32; 3]]) -> Geometry {
 }
 
 fn points() -> Geometry {
-    // A golden-angle spiral: no two at the same height.
+    // A golden-angle spiral: no two points at the same height.
     let at = |i: u32| {
         let (height, angle) = (i as f32 / 20.0 - 0.5, i as f32 * 2.4);
         (Vec3::new(angle.cos(), 0.0, angle.sin()) * 0.4 + Vec3::Y * height).to_array()
     };
-    bare(Topology::Points, &(0..20).map(at).collect::<Vec<_>>())
+    primitives(Topology::Points, &(0..20).map(at).collect::<Vec<_>>())
 }
 
 fn collapsed(cube: &Geometry) -> Geometry {
