@@ -1,4 +1,4 @@
-//! The kit itself under test: strategies with one deliberate fault each, which it must find in the case made for that fault.
+//! Tests of the kit itself: strategies with one deliberate fault each, which the kit must find in the case made for that fault.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 #[path = "kit_bites/faulty.rs"]
@@ -19,7 +19,7 @@ fn kit(cases: &[Case]) -> Kit {
     }
 }
 
-/// What the kit finds, by case.
+/// The violations that the kit finds, one a case at most.
 fn found<S: Strategy + Clone + 'static>(strategy: S, cases: &[Case]) -> Vec<Violation> {
     let make = || -> Box<dyn Strategy> { Box::new(strategy.clone()) };
     match kit(cases).check_on(vulkan(), make) {
@@ -29,17 +29,17 @@ fn found<S: Strategy + Clone + 'static>(strategy: S, cases: &[Case]) -> Vec<Viol
     }
 }
 
-/// That each case finds a breach of this kind.
+/// Asserts that each of the cases finds a violation of this kind.
 fn bites<S: Strategy + Clone + 'static>(
     strategy: S,
     cases: &[Case],
-    kind: fn(&ViolationKind) -> bool,
+    expected: fn(&ViolationKind) -> bool,
 ) {
     let violations = found(strategy, cases);
     let caught: Vec<Case> = violations.iter().map(|v| v.case).collect();
     assert_eq!(caught, cases, "{violations:?}");
     for violation in violations {
-        assert!(kind(&violation.kind), "{violation}");
+        assert!(expected(&violation.kind), "{violation}");
     }
 }
 
@@ -64,8 +64,8 @@ fn culling_at_random_is_a_false_cull() {
     bites(Random, &[Case::RandomScenes, Case::Many], is_false_cull);
 }
 
-fn is_false_cull(breach: &ViolationKind) -> bool {
-    matches!(breach, ViolationKind::FalseCull { pixels, .. } if *pixels > 0)
+fn is_false_cull(kind: &ViolationKind) -> bool {
+    matches!(kind, ViolationKind::FalseCull { pixels, .. } if *pixels > 0)
 }
 
 #[test]
@@ -115,7 +115,7 @@ fn a_scene_of_ones_own_is_played_and_judged() {
     assert_eq!(verdicts.iter().map(Vec::len).collect::<Vec<_>>(), [2, 2]);
     let failure = play(Box::new(|| Box::new(Random))).unwrap_err();
     assert_eq!(failure.cases(), [Case::Custom]);
-    // Without a scene there is nothing to play.
+    // The case fails if it is played without a scene.
     let alone = found(Late::default(), &[Case::Custom]);
     assert!(alone[0].to_string().contains("check_scene"), "{}", alone[0]);
 }
@@ -126,10 +126,10 @@ fn trusting_answers_across_a_cut_is_found() {
         trusts_across_cuts: true,
         ..Late::default()
     };
-    bites(late, &[Case::Cut], |breach| {
-        matches!(breach, ViolationKind::CulledWithoutAnswer { .. })
+    bites(late, &[Case::Cut], |kind| {
+        matches!(kind, ViolationKind::CulledWithoutAnswer { .. })
     });
-    // And nothing else is wrong with it.
+    // The other cases find nothing wrong with it.
     assert_eq!(found(late, &[Case::SlotReuse, Case::NearPlane]).len(), 0);
 }
 
@@ -139,8 +139,8 @@ fn answers_about_a_former_occupant_are_found() {
         trusts_across_births: true,
         ..Late::default()
     };
-    bites(late, &[Case::SlotReuse], |breach| {
-        matches!(breach, ViolationKind::CulledWithoutAnswer { .. })
+    bites(late, &[Case::SlotReuse], |kind| {
+        matches!(kind, ViolationKind::CulledWithoutAnswer { .. })
     });
     assert_eq!(found(late, &[Case::Cut, Case::NearPlane]).len(), 0);
 }
@@ -148,8 +148,8 @@ fn answers_about_a_former_occupant_are_found() {
 #[test]
 fn boxes_tested_across_the_near_plane_are_found() {
     let boxes = BoxTest { knows_near: false };
-    bites(boxes, &[Case::InsideBox, Case::NearPlane], |breach| {
-        matches!(breach, ViolationKind::NearPlane { .. })
+    bites(boxes, &[Case::InsideBox, Case::NearPlane], |kind| {
+        matches!(kind, ViolationKind::NearPlane { .. })
     });
     let boxes = BoxTest { knows_near: true };
     assert_eq!(found(boxes, &[Case::InsideBox, Case::NearPlane]).len(), 0);
@@ -157,18 +157,18 @@ fn boxes_tested_across_the_near_plane_are_found() {
 
 #[test]
 fn verdicts_that_are_not_what_was_drawn_are_found() {
-    bites(Liar, &[Case::RandomScenes], |breach| {
-        matches!(breach, ViolationKind::FalseVerdicts { .. })
+    bites(Liar, &[Case::RandomScenes], |kind| {
+        matches!(kind, ViolationKind::FalseVerdicts { .. })
     });
 }
 
 #[test]
 fn verdicts_that_differ_each_time_are_found() {
-    bites(Moody::default(), &[Case::Repeat], |breach| {
-        matches!(breach, ViolationKind::NotRepeatable)
+    bites(Moody::default(), &[Case::Repeat], |kind| {
+        matches!(kind, ViolationKind::NotRepeatable)
     });
-    bites(Moody::default(), &[Case::Still], |breach| {
-        matches!(breach, ViolationKind::Unsettled { .. })
+    bites(Moody::default(), &[Case::Still], |kind| {
+        matches!(kind, ViolationKind::Unsettled { .. })
     });
 }
 
@@ -200,7 +200,7 @@ fn a_panic_is_told_with_its_case_and_the_rest_goes_on() {
     bites(
         Panics,
         &[Case::Empty, Case::Behind],
-        |breach| matches!(breach, ViolationKind::Panicked(message) if message == "on purpose"),
+        |kind| matches!(kind, ViolationKind::Panicked(message) if message == "on purpose"),
     );
 }
 

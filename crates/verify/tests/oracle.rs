@@ -1,4 +1,4 @@
-//! The oracle against what is known beforehand: who stands in front, who owns nothing, what transparency adds.
+//! The oracle on scenes with a known answer: which box is in front, which owns no pixel, what a transparent box adds.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_draw::{Gpu, GpuScene};
@@ -9,7 +9,7 @@ use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [50, 40];
 
-/// A box of half a metre around each of these places, in this material.
+/// Adds a cube of one metre at each of these places, with this alpha mode.
 fn boxes(scene: &mut Scene, alpha: AlphaMode, at: &[DVec3]) -> Vec<EntityKey> {
     let material = Material {
         alpha,
@@ -32,7 +32,7 @@ fn camera() -> Camera {
 
 fn owners_follow_the_scene(gpu: &Gpu) {
     let mut scene = Scene::new();
-    // Nobody, then one in front of another, a third beside, a fourth behind the camera.
+    // First no entity; then a box in front of another, a third beside them, and a fourth behind the camera.
     let mut gpu_scene = GpuScene::new(gpu, &mut scene).unwrap();
     let mut oracle = Oracle::new(&gpu_scene, SIZE);
     let camera = camera();
@@ -61,7 +61,7 @@ fn owners_follow_the_scene(gpu: &Gpu) {
     let owned = all.ids.iter().filter(|id| **id == middle).count();
     assert_eq!(counts[slot(&solid[0]) as usize] as usize, owned);
 
-    // Without the one in front the one behind owns pixels, and just where the front one did is the picture wrong.
+    // Without the box in front, the box behind it owns pixels, and exactly the pixels of the front box are wrong.
     let rest = [slot(&solid[2]), slot(&solid[1])];
     let less = oracle
         .render(&gpu_scene, &camera, EntitySet::Slots(&rest))
@@ -71,7 +71,7 @@ fn owners_follow_the_scene(gpu: &Gpu) {
     let mask = less.wrong_pixel_mask(&all);
     assert!((mask.iter().zip(&all.ids)).all(|(wrong, id)| *wrong == (*id == middle)));
 
-    // A transparent one in front of all, and one behind the first: only the front one has samples, and ids stay.
+    // A transparent box in front of all, and one behind the first box: only the front one has samples, and the ids do not change.
     let glass = [DVec3::new(0.0, 0.0, 2.0), DVec3::new(0.0, 0.0, -1.5)];
     let blended = boxes(&mut scene, AlphaMode::Blend, &glass);
     gpu_scene.sync(&mut scene).unwrap();
@@ -87,7 +87,7 @@ fn owners_follow_the_scene(gpu: &Gpu) {
     let samples = glazed.transparent.as_ref().unwrap().samples[slot(&blended[0]) as usize];
     assert!(samples > 0);
     assert!(glazed.wrong_pixels(&all) > 0);
-    // Its far side is culled, so each pixel is covered once.
+    // Its back faces are culled, so it covers each pixel once.
     assert_eq!(glazed.wrong_pixels(&all), samples as usize);
 }
 

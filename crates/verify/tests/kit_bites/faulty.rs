@@ -1,4 +1,4 @@
-//! Strategies with one deliberate fault each, and their faultless forms.
+//! Strategies with one deliberate fault each; some also have a correct form.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -43,12 +43,14 @@ impl Strategy for Random {
     }
 }
 
-/// Hardware queries, answered late: right, unless told to trust too much.
+/// Hardware queries with late answers: correct, unless a field introduces a fault.
 #[derive(Clone, Copy, Default)]
 pub struct Late {
+    /// Uses answers from before a camera cut.
     pub trusts_across_cuts: bool,
+    /// Uses answers about the former occupant of a slot.
     pub trusts_across_births: bool,
-    /// Entities whose slot is below it are always culled once asked about: an error that stays.
+    /// Culls each visible entity in a slot below this one as soon as an answer covers it: an error that persists.
     pub threshold: u32,
 }
 
@@ -64,7 +66,7 @@ impl Strategy for Late {
     }
 
     fn summary(&self) -> &str {
-        "believes last frame's queries"
+        "uses last frame's queries"
     }
 
     fn conservative(&self) -> bool {
@@ -131,10 +133,10 @@ impl Strategy for Late {
     }
 }
 
-/// Tests boxes against the depth of everything, within the frame.
+/// Tests boxes against the depth of all entities, with answers in the same frame.
 #[derive(Clone, Copy)]
 pub struct BoxTest {
-    /// Whether what reaches over the near plane is left out of it.
+    /// Whether entities that cross the near plane are drawn untested, as they must be.
     pub knows_near: bool,
 }
 
@@ -191,7 +193,7 @@ impl Strategy for BoxTest {
     }
 }
 
-/// Culls every third entity and says it drew them all.
+/// Culls every third entity, and reports all of them as drawn.
 #[derive(Clone, Copy)]
 pub struct Liar;
 
@@ -232,7 +234,7 @@ impl Strategy for Liar {
     }
 }
 
-/// Changes its mind with every frame it has ever drawn.
+/// Alternates between two verdicts from frame to frame, across all its instances.
 #[derive(Clone, Default)]
 pub struct Moody {
     frames: Arc<AtomicU32>,
@@ -280,7 +282,7 @@ impl Strategy for Moody {
     }
 }
 
-/// Panics.
+/// Panics when it declares its nodes.
 #[derive(Clone, Copy)]
 pub struct Panics;
 
@@ -306,7 +308,7 @@ impl Strategy for Panics {
     }
 }
 
-/// Takes what is smaller than a millimetre, or than a ten-thousandth of a radian, for invisible: true of most scenes and cameras.
+/// Culls entities smaller than a millimetre, or than a ten-thousandth of a radian: correct for most scenes and cameras, but not for all.
 #[derive(Clone)]
 pub enum Small {
     Metres,
@@ -348,7 +350,7 @@ impl Strategy for Small {
     }
 }
 
-/// Tests at a quarter of the view's size and claims to see all the same.
+/// Claims to be conservative at any `scale`, also where its test image has a quarter of the view's width and height.
 #[derive(Clone)]
 pub struct Coarse(pub ThreePass);
 
@@ -358,7 +360,7 @@ impl Strategy for Coarse {
     }
 
     fn summary(&self) -> &str {
-        "looks at every fourth pixel"
+        "tests every fourth pixel"
     }
 
     fn conservative(&self) -> bool {
