@@ -1,4 +1,4 @@
-//! Occluders and occludees need not be the same candidates: what nobody asks about is drawn, whenever the answers are used.
+//! Occluders and occludees may be different candidates. An entity that is not tested is drawn, at every latency.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{
@@ -7,7 +7,7 @@ use antumbra_cull::{
 use antumbra_draw::MeshDetail;
 use antumbra_verify::kit::{Case, Kit};
 
-/// Every third candidate hides, every second is asked about.
+/// Every third candidate is an occluder, every second is tested.
 struct Apart {
     latency: Latency,
     counting: Counting,
@@ -19,7 +19,7 @@ impl Strategy for Apart {
     }
 
     fn summary(&self) -> &str {
-        "asks some about others"
+        "tests some against others"
     }
 
     fn conservative(&self) -> bool {
@@ -36,23 +36,23 @@ impl Strategy for Apart {
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
         let candidates = g.in_frustum(view);
-        // What is added is dropped, and what comes twice counts once.
-        let hiding = g.narrowed(view, "hiding", candidates, |_, _, slots| {
+        // Added slots are dropped, and a slot that occurs twice counts once.
+        let occluders = g.narrowed(view, "occluders", candidates, |_, _, slots| {
             slots.retain(|slot| slot % 3 == 0);
             slots.extend([u32::MAX, 0, 0]);
             slots.reverse();
         });
-        let questioned = g.narrowed(view, "questioned", candidates, |_, _, slots| {
+        let occludees = g.narrowed(view, "occludees", candidates, |_, _, slots| {
             slots.retain(|slot| slot % 2 == 0);
         });
         let proxies = g.proxies_of(
             view,
             ProxySource {
-                candidates: hiding,
+                candidates: occluders,
                 detail: MeshDetail::Level(0),
             },
             ProxySource {
-                candidates: questioned,
+                candidates: occludees,
                 detail: MeshDetail::Level(0),
             },
         );

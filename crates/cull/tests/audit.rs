@@ -1,5 +1,5 @@
-//! The audit against the oracle: a census counts what the oracle counts, plan are right on average and within their interval as often as
-//! they say, and what is audited draws what it drew before.
+//! The audit against the oracle: a census finds the oracle's numbers, samples are unbiased and their intervals hold as often as they
+//! claim, and an audit does not change what a strategy draws.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{
@@ -21,7 +21,7 @@ use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [150, 110];
 
-/// Around the scene and into it, a step a frame.
+/// A camera path around the scene and into it, one step a frame.
 fn camera(frame: u32, reach: f64) -> Camera {
     let angle = f64::from(frame) * 0.05;
     let eye = DVec3::new(angle.cos(), 0.2, angle.sin()) * reach * (1.2 + 0.5 * (angle * 3.0).sin());
@@ -32,7 +32,7 @@ fn named(strategy: &str) -> Box<dyn Strategy> {
     registry().parse(strategy).unwrap()
 }
 
-/// Flies along, and hands out what is known of each frame as soon as it is: the audit, and the wrong pixels, in percent, by the oracle.
+/// Flies along the path. Calls back with the audit of each frame as soon as it is known, and with the oracle's wrong pixels in percent.
 fn fly(
     scene: &GpuScene,
     strategy: Box<dyn Strategy>,
@@ -72,7 +72,7 @@ const CENSUS: AuditOptions = AuditOptions {
     census: true,
 };
 
-/// Every strategy that errs, in each latency.
+/// Every aggressive strategy, in each latency.
 const AGGRESSIVE: [&str; 8] = [
     "three-pass",
     "three-pass:latency=same-frame:threshold=20",
@@ -106,7 +106,7 @@ fn a_census_counts_what_the_oracle_counts() {
     }
 }
 
-/// Leaves out every third entity, and nothing else.
+/// Culls every third entity, and no other.
 struct Thirds;
 
 impl Strategy for Thirds {
@@ -135,7 +135,7 @@ impl Strategy for Thirds {
     }
 }
 
-/// Spheres that are solid, of glass, full of holes, mirrored; and points.
+/// Solid, transparent, alpha-masked and mirrored spheres, and points.
 fn mixed() -> Scene {
     let mut scene = Scene::new();
     let sphere = scene
@@ -198,7 +198,7 @@ fn glass_holes_points_and_mirrored_meshes_are_audited_as_they_are_drawn() {
 fn lots_are_right_on_average() {
     let gpu = vulkan();
     let scene = GpuScene::new(gpu, &mut balls_with_proxies(7)).unwrap();
-    // Nothing moves: the truth is known from one look, and many plan are soon drawn.
+    // Nothing moves: one reference is enough, and many samples are cheap.
     let camera = camera(9, 9.0);
     let mut oracle = Oracle::new(&scene, SIZE);
     for strategy in [
@@ -305,7 +305,7 @@ fn an_audit_changes_nothing_that_is_drawn_and_is_not_there_unless_asked_for() {
     let (plain, none) = picture(None);
     let (audited, some) = picture(Some(AuditOptions::default()));
     assert_eq!((none, some > 0), (0, true));
-    assert!(plain == audited, "the pictures differ");
+    assert!(plain == audited, "the images differ");
 }
 
 #[test]
@@ -328,7 +328,7 @@ fn the_same_seed_draws_the_same_lots() {
     assert_ne!(found(3), found(4));
 }
 
-/// Somebody else's colour and depth.
+/// Colour and depth textures of the host.
 fn theirs(gpu: &Gpu, format: wgpu::TextureFormat) -> (wgpu::Texture, wgpu::Texture) {
     let texture = |format| {
         gpu.device.create_texture(&wgpu::TextureDescriptor {
@@ -349,7 +349,7 @@ fn theirs(gpu: &Gpu, format: wgpu::TextureFormat) -> (wgpu::Texture, wgpu::Textu
     (texture(format), texture(DEPTH_FORMAT))
 }
 
-/// Fills their depth.
+/// Fills the host's depth with one value.
 fn clear(encoder: &mut wgpu::CommandEncoder, depth: &wgpu::Texture, to: f32) {
     let view = depth.create_view(&Default::default());
     drop(encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -378,7 +378,7 @@ fn a_frame_inside_somebody_elses_is_audited_against_their_depth() {
     let mut stage = stage_with(&scene, Box::new(Thirds), views(&["main"], SIZE), options);
     let mut oracle = Oracle::new(&scene, SIZE);
     let camera = camera(4, 9.0);
-    // Nothing of theirs at first; then a wall right before the eye, behind which nothing can be wrong.
+    // At first the host draws nothing; then it draws a wall right in front of the camera, behind which no pixel can be wrong.
     for (wall, hidden) in [(0.0, false), (1.0, true)] {
         for _ in 0..4 {
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
@@ -406,7 +406,8 @@ fn a_frame_inside_somebody_elses_is_audited_against_their_depth() {
     }
 }
 
-/// How many patches a frame looks at once it knows what they cost, with the scene in the open or behind a wall that is nobody's entity.
+/// The number of patches that a frame samples once their cost is known. `wall` is the host's depth: 0 for none, 1 for a wall in front of
+/// the scene, which is no entity.
 fn patches_a_frame(scene: &GpuScene, strategy: Box<dyn Strategy>, wall: f32) -> f64 {
     let gpu = scene.gpu();
     let options = StageOptions {

@@ -1,5 +1,5 @@
-//! Budgets: every strategy's first step is conservative, a budget of nothing gets nothing wrong, and along paths with cuts and moving entities
-//! the mean of the wrong pixels stays under what was set.
+//! Budgets: every strategy's first step is conservative, a budget of zero allows no wrong pixel, and along paths with cuts and moving
+//! entities the mean of the wrong pixels stays within the budget.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::sync::Arc;
@@ -22,21 +22,21 @@ use glam::{DAffine3, DVec3};
 const SIZE: [u32; 2] = [160, 120];
 
 fn camera(frame: u32) -> Camera {
-    // A cut every ninety frames: somewhere else, and on from there.
+    // A cut every ninety frames, to another place on the path.
     let angle = f64::from(frame) * 0.01 + f64::from(frame / 90) * 2.1;
     let eye = DVec3::new(angle.cos(), 0.2, angle.sin()) * 9.0 * (1.2 + 0.3 * (angle * 3.0).sin());
     look_at(eye, DVec3::ZERO, perspective(0.9, 0.05))
 }
 
-/// What came of a flight.
+/// The result of a flight.
 struct Flown {
-    /// The mean of the wrong pixels in percent.
+    /// Wrong pixels in percent, mean of the frames.
     wrong: f64,
-    /// The worst frame's.
+    /// Wrong pixels in percent, of the worst frame.
     worst: f64,
-    /// The last step.
+    /// The step at the end.
     step: usize,
-    /// How often it changed.
+    /// How often the step changed.
     changes: u32,
 }
 
@@ -52,7 +52,7 @@ fn fly(strategy: &str, budget: Budget, frames: u32) -> Flown {
     let strategy = registry().parse(strategy).unwrap();
     let options = StageOptions {
         budget: Some(budget),
-        // A small image has few triangles to spare.
+        // The image is small and the scene has few triangles, so the audit gets a larger share.
         audit: Some(AuditOptions {
             share: 0.5,
             seed: 5,
@@ -193,14 +193,14 @@ fn a_strategy_without_steps_that_errs_cannot_keep_a_budget() {
     }
     let refused = Stage::new(&scene, Box::new(Nothing), specs.clone(), options.clone());
     let Err(StageError::Declare(error)) = refused else {
-        panic!("it was taken");
+        panic!("it was accepted");
     };
     let text = error.to_string();
     assert!(
         text.contains("'nothing'") && text.contains("wrong_pixels=0.1%"),
         "{text}"
     );
-    // In somebody else's frame nothing may wait: a strategy whose only conservative step does cannot keep a budget there.
+    // In a host's frame nothing may wait, so a strategy cannot keep a budget there if its only conservative step waits.
     let embedded = StageOptions {
         mode: antumbra_graph::Mode::Embedded,
         ..options.clone()
@@ -217,25 +217,25 @@ fn a_strategy_without_steps_that_errs_cannot_keep_a_budget() {
         assert!(stage(name).is_ok(), "{name}");
     }
     let Err(StageError::Declare(error)) = stage("occupancy-map:latency=frame-late") else {
-        panic!("it was taken");
+        panic!("it was accepted");
     };
     assert!(
         error.to_string().contains("waits within the frame"),
         "{error}"
     );
-    // One that never errs keeps any.
+    // A conservative strategy without steps keeps any budget.
     let frustum = registry().make("frustum").unwrap();
     assert!(Stage::new(&scene, frustum, specs, options).is_ok());
 }
 
-/// How often a strategy was declared, and whether what its nodes remember survives a change of step and back.
+/// Counts how often the strategy is declared, and whether the state of its nodes survives a change of step and back.
 struct Counted {
     declared: Arc<AtomicU32>,
     remembered: Arc<AtomicU32>,
     coarse: bool,
 }
 
-/// What a node of it remembers: the frames that its plan has run.
+/// The state of a node: the number of frames that its plan has run.
 #[derive(Default)]
 struct Frames(u32);
 
@@ -326,14 +326,14 @@ fn a_step_that_was_stood_on_before_keeps_its_plan_and_memory() {
         on_step[step] += 1;
         changes += u32::from(before.is_some_and(|before| before != step));
         before = Some(step);
-        // Each plan goes on counting where it was left.
+        // Each plan goes on counting from where it stopped.
         assert_eq!(
             remembered.load(Ordering::Relaxed),
             on_step[step],
             "frame {frame}"
         );
         assert_eq!(stage.shown::<Frames>(0, "frames").unwrap().0, on_step[step]);
-        // The coarse step is too slow at times, the other one too fast.
+        // The coarse step is sometimes too slow, and the other one too fast.
         stage.note_time(if step == 0 { 20.0 } else { 1.0 });
     }
     assert!(changes >= 2, "{changes} changes");

@@ -1,5 +1,5 @@
-//! One strategy before another: whatever the outer one takes away is neither drawn nor asked about by any inner one, and whoever comes back is
-//! judged as if they came into the frustum.
+//! One strategy before another: an entity that the outer one culls is neither drawn nor tested by any inner one. When it returns, the
+//! inner one treats it as if it entered the frustum.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::sync::Arc;
@@ -17,14 +17,14 @@ use antumbra_testing::{balls, look_at, perspective, stage_with, views, vulkan};
 use antumbra_verify::kit::{Case, Kit};
 use glam::DVec3;
 
-/// Whom an outer strategy takes away.
+/// Which entities an outer strategy culls.
 #[derive(Clone)]
 enum Takes {
-    /// Every third.
+    /// Every third entity.
     Third,
-    /// All of them, while this is on.
+    /// All entities, while this is on.
     All(Arc<AtomicBool>),
-    /// Nobody, after another of its kind has taken every third.
+    /// None, after another outer strategy has culled every third.
     None,
 }
 
@@ -63,14 +63,14 @@ impl Strategy for Outer {
     }
 
     fn summary(&self) -> &str {
-        "takes some away"
+        "culls some entities"
     }
 
     fn conservative(&self) -> bool {
         false
     }
 
-    /// It is held to nothing that late answers have to cover: it takes away what is visible.
+    /// `None`, so that the kit does not check which answers cover an entity: it culls visible ones.
     fn latency(&self) -> Option<Latency> {
         None
     }
@@ -123,12 +123,12 @@ impl Tunable for Outer {
     }
 }
 
-/// Every strategy of this crate, in every latency it has.
+/// Every registered strategy, in every latency it has.
 fn all() -> Vec<String> {
     let registry = registry();
     let mut all = Vec::new();
     for name in registry.names() {
-        // Of what is drawn small nothing is below the threshold.
+        // So that no entity is below the threshold in the small image.
         let text = match name {
             "three-pass" => "three-pass:threshold=0:scale=1",
             _ => name,
@@ -162,7 +162,7 @@ fn whoever_is_taken_away_is_not_drawn_by_any_strategy() {
     }
 }
 
-/// A row of small scenes' frames.
+/// A small scene, and its frames under an outer strategy.
 struct Play {
     scene: GpuScene,
     stage: Stage,
@@ -183,7 +183,7 @@ impl Play {
         }
     }
 
-    /// The verdict of each slot, and how many were asked about.
+    /// Runs a frame. Returns the verdict of each slot, and how many entities were tested.
     fn frame(&mut self) -> (Vec<Verdict>, u32) {
         let owners = Arc::new(self.scene.table().live_slots().collect());
         let input = ViewInput {
@@ -214,7 +214,7 @@ fn nobody_is_asked_about_who_was_taken_away_and_all_are_drawn_who_come_back() {
         for frame in 0..6 {
             let (verdicts, asked) = play.frame();
             assert!(verdicts.iter().all(|v| *v == Verdict::Occluded), "{text}");
-            // Late answers come with how many were asked for then.
+            // Late answers carry the number of entities that were tested in their own frame.
             assert!(asked == 0 || frame < 3, "{text}: {asked}");
         }
         on.store(false, Ordering::Relaxed);
@@ -272,7 +272,7 @@ fn what_is_wrong_is_said_of_the_strategy_it_is_wrong_of() {
             .to_string()
     };
     assert_eq!([find("then"), find("threshold")], ["three-pass", "7"]);
-    // Copies are set as the original.
+    // A copy has the settings of the original.
     let inner = Outer::before("three-pass:threshold=7", Takes::None).inner;
     assert_eq!(inner.clone().settings(), inner.settings());
 }

@@ -1,5 +1,5 @@
-//! Counting visible samples: the ways agree with each other to the sample, with the owners of pixels, and as booleans with the
-//! hardware's queries; thousands of occludees, on Vulkan and on GL.
+//! Counting visible samples: all ways give the same count for each entity, the counts equal the oracle's pixels, and as booleans they
+//! equal hardware queries. With thousands of occludees, on Vulkan and on OpenGL.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::sync::{Arc, Mutex};
@@ -18,7 +18,7 @@ use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [240, 180];
 
-/// Counts and shows what it counted; draws everything.
+/// Draws everything, counts samples, and keeps the counts.
 struct Counter {
     way: Counting,
     occludee: MeshDetail,
@@ -75,7 +75,7 @@ impl Strategy for Counter {
     }
 }
 
-/// The samples of every slot in the frustum, with the full meshes as occluders.
+/// The visible samples of every slot in the frustum, with full meshes as occluders.
 fn count(
     scene: &GpuScene,
     camera: &Camera,
@@ -100,7 +100,7 @@ fn count(
     candidates.inside().iter().map(of).collect()
 }
 
-/// 5,832 spheres in a lattice that is not quite regular; among them some of glass, some with holes, and a few points.
+/// 5,832 opaque spheres in a slightly irregular lattice, and twelve each of transparent spheres, alpha-masked spheres and clouds of points.
 fn scene() -> Scene {
     let mut scene = Scene::new();
     let sphere = scene
@@ -156,7 +156,7 @@ fn camera() -> Camera {
     )
 }
 
-/// The ways that count, where the device has them.
+/// The ways of counting that return numbers, as far as the device has them.
 fn counting_ways(gpu: &Gpu) -> Vec<Counting> {
     [Counting::Compare, Counting::Identity, Counting::Atomics]
         .into_iter()
@@ -186,8 +186,8 @@ fn all_ways_agree(gpu: &Gpu) {
         .collect();
     assert_eq!(asked, booleans);
 
-    // The oracle's pixels, added up on the host: of what hides, owned ones; of what is blended, visible ones. What has holes is left
-    // out of its picture, since it hides nothing from a count.
+    // Counts equal the oracle's pixels: owned pixels of occluders, visible fragments of transparent entities. Alpha-masked entities are
+    // left out of its image, since they occlude nothing in a count.
     let table = scene.table();
     let counts = |slot: &u32| table.is_occluder(*slot) || table.is_transparent(*slot);
     let members: Vec<u32> = table.live_slots().filter(counts).collect();

@@ -1,4 +1,5 @@
-//! What an environment does to a picture: a mirror shows what lies before it, rough metal shows all of it, on Vulkan and OpenGL alike.
+//! Environment lighting: a mirror reflects the part of the environment in front of it, rough metal averages all of it. The same on Vulkan
+//! and OpenGL.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{Stage, ViewInput};
@@ -10,7 +11,7 @@ use antumbra_testing::{add, gl, perspective, stage, views, vulkan};
 use glam::{DAffine3, DQuat, DVec3};
 
 const SIZE: [u32; 2] = [48, 40];
-/// The light from the six sides, in bytes: +X, -X, up, down, +Z, -Z.
+/// The environment's colour on each side, in bytes: +X, -X, +Y, -Y, +Z, -Z.
 const SIDES: [[u8; 3]; 6] = [
     [200, 40, 40],
     [40, 200, 40],
@@ -20,7 +21,7 @@ const SIDES: [[u8; 3]; 6] = [
     [30, 180, 200],
 ];
 
-/// An equirectangular image of one colour a side of a cube.
+/// An equirectangular image with one colour for each side of a cube.
 fn sides(colours: [[u8; 3]; 6]) -> Image {
     let (width, height) = (96, 48);
     let mut rgba = Vec::new();
@@ -45,7 +46,7 @@ fn sides(colours: [[u8; 3]; 6]) -> Image {
     }
 }
 
-/// Six plates around the origin, each looking outwards to its side, and nothing that shines but the environment.
+/// Six plates around the origin that face outwards, one a side. The environment is the only light.
 fn plates(material: Material) -> (Scene, ImageKey) {
     let mut scene = Scene::new();
     let square = Geometry {
@@ -99,7 +100,7 @@ fn mirror() -> Material {
     }
 }
 
-/// What stands before each plate and looks at it sees in its middle.
+/// Renders each plate from in front of it, and reads the middle pixel.
 struct Viewer {
     stage: Stage,
 }
@@ -178,8 +179,8 @@ fn rough_metal_and_matt_white_show_the_light_of_a_whole_half() {
     };
     for material in [rough, Material::default()] {
         let (mut scene, image) = plates(material);
-        // Light from +X alone, a square of 90 degrees: 55 % of what a plate that looks there gathers, 11 % of the others', and nothing
-        // behind. As sRGB bytes 196, 94 and 0.
+        // Light from +X alone, a square of 90 degrees: it gives 55 % of the irradiance of a full environment to the plate that faces it,
+        // 11 % to the four beside it, and none to the plate that faces away. As sRGB bytes: 196, 94 and 0.
         let mut one = [[0; 3]; 6];
         one[0] = [255; 3];
         scene.set_image(image, sides(one)).unwrap();
@@ -211,7 +212,7 @@ fn paint_reflects_little_and_metal_in_its_own_colour() {
     assert!(close(up(red(1.0)), [255, 0, 0], 1));
     // 4 % of white, as sRGB.
     assert!(close(up(red(0.0)), [255, 56, 56], 3), "{:?}", up(red(0.0)));
-    // Numbers that mean nothing are read as the nearest that do.
+    // NaN reads as 0, and infinities are clamped.
     for odd in [f32::NAN, f32::NEG_INFINITY] {
         assert_eq!(up(red(odd)), up(red(0.0)));
     }

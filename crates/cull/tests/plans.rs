@@ -1,4 +1,4 @@
-//! The plans that strategies compile to: where they wait, what they look back at, and what is not there.
+//! The plans that strategies compile to: their sync points, their edges to the previous frame, and the passes they do not have.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{Stage, ViewInput};
@@ -16,7 +16,7 @@ fn small_grid() -> Scene {
     balls(3)
 }
 
-/// The grid and a sphere of glass before it.
+/// The built-in grid with a transparent sphere in front of it.
 fn glazed_grid() -> Scene {
     let mut scene = small_grid();
     let (_, drawable) = scene.drawables().next().unwrap();

@@ -1,4 +1,4 @@
-//! What visible samples decide beyond being drawn: levels of detail; and what they do not: entities that are not tested.
+//! Visible samples choose levels of detail, and do not decide about entities that are not tested.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{SampleRule, Verdict};
@@ -14,12 +14,12 @@ fn camera() -> Camera {
     look_at(DVec3::ZERO, DVec3::NEG_Z, perspective(1.0, 0.1))
 }
 
-/// The fourth frame of a still scene.
+/// The result of the fourth frame of a still scene.
 fn settled(scene: &GpuScene, text: &str) -> Settled {
     antumbra_testing::settled(scene, text, camera(), SIZE, 4)
 }
 
-/// Spheres of four levels of detail, ever farther away, side by side; one of two levels; one of glass.
+/// Spheres with four levels of detail, side by side at growing distances; one with two levels; one transparent.
 fn spheres() -> (Scene, Vec<EntityKey>) {
     let mut scene = Scene::new();
     let mesh = |count: u32| Mesh {
@@ -113,7 +113,7 @@ fn a_rule_goes_one_level_coarser_a_quarter_of_the_samples() {
     assert_eq!(SampleRule::from(5).level(1), 0);
 }
 
-/// A wall, a small cube behind it, another one beside it.
+/// A wall, a small cube behind it, and one beside it.
 fn wall() -> (Scene, [EntityKey; 3]) {
     let mut scene = Scene::new();
     let mut of = |size: DVec3| drawable(&mut scene, "box", cuboid(size), Material::default());
@@ -135,7 +135,7 @@ fn what_is_not_tested_is_drawn_hides_others_and_is_known_to_be_hidden() {
     for key in [keys[0], keys[1]] {
         scene.set_tested(key, false).unwrap();
     }
-    // A third small cube, behind the wall as the first, and tested.
+    // A third small cube, behind the wall like the first, but tested.
     let small = scene.drawable(keys[1]).unwrap();
     let far = DAffine3::from_translation(DVec3::new(0.2, 0.0, -14.0));
     let far = add(&mut scene, far, small);
@@ -160,7 +160,7 @@ fn what_is_not_tested_is_drawn_hides_others_and_is_known_to_be_hidden() {
             (Some(true), Some(false)),
             "{text}"
         );
-        // Stop-and-wait asks nothing about what is not tested.
+        // Stop-and-wait issues no query for an entity that is not tested.
         let asked = text.starts_with("three-pass");
         assert_eq!(seen(keys[0]), asked.then_some(true), "{text}");
         assert_eq!(seen(keys[1]), asked.then_some(false), "{text}");
