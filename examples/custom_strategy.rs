@@ -1,5 +1,5 @@
-//! A strategy from outside: the depth of the occluders that look largest (their choice after Coorg and Teller, *Real-Time Occlusion
-//! Culling for Models with Large Occluders*, 1997), and a hardware query an occludee against it, answered on the GPU.
+//! A custom strategy: draws the depth of the occluders that appear largest (chosen after Coorg and Teller, *Real-Time Occlusion Culling for
+//! Models with Large Occluders*, 1997), and tests each occludee against it with a hardware query, whose answer stays on the GPU.
 
 use antumbra::cull::{
     Counting, DeclareError, FrameGraph, Latency, ProxySource, Stage, StageOptions,
@@ -9,7 +9,7 @@ use antumbra::draw::{AdapterChoice, Gpu, GpuScene, MeshDetail};
 use antumbra::measure::path::CameraPath;
 use antumbra::strategies::registry;
 
-/// How many occluders it draws, and what stands in for the occludees: `Level(0)`, their meshes, or, much faster, `Box`.
+/// The number of occluders, and the proxy of the occludees: `Level(0)` for their meshes or, much faster, `Box` for their bounding boxes.
 pub struct LargestOccluders(pub usize, pub MeshDetail);
 
 impl Strategy for LargestOccluders {
@@ -48,7 +48,7 @@ impl Strategy for LargestOccluders {
     }
 }
 
-/// Draws the built-in grid under three strategies, one of them ours.
+/// Draws the built-in grid with three strategies; one of them is the custom one.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut registry = registry();
     registry.register(|| Box::new(LargestOccluders(800, MeshDetail::Box)));

@@ -1,5 +1,5 @@
-//! The culling stage inside somebody else's frame. This program owns its instance, device, textures, encoder and passes; the stage
-//! records between two of them and submits nothing. One image, `out/embed.png`, is what the last frame left.
+//! The culling stage inside a host's frame. This program owns its instance, device, textures, encoder and passes; the stage records its passes
+//! between two of the host's and submits nothing. The last frame is saved as `out/embed.png`.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ const COLOUR: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8UnormSrgb;
 const NEAR: f64 = 0.1;
 const EYE: DVec3 = DVec3::new(6.0, 4.0, 8.0);
 
-/// This program's own drawing: a sky behind everything, a board that stands where the scene's middle is.
+/// The host's own drawing: a sky behind everything, and a board at the depth of the scene's centre.
 const SHADER: &str = "
     override depth: f32 = 0.0;
     @vertex fn sky(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {
@@ -47,7 +47,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Draws some frames and writes the last; answers with what a stage says that would have to wait in our frame.
+/// Draws some frames and saves the last. Returns the error of a stage that would have to wait within the host's frame.
 pub fn run(size: [u32; 2], frames: u32, output: &Path) -> Result<String, Box<dyn Error>> {
     let (gpu, scene) = pollster::block_on(open())?;
     let Gpu { device, queue, .. } = &gpu;
@@ -67,7 +67,7 @@ pub fn run(size: [u32; 2], frames: u32, output: &Path) -> Result<String, Box<dyn
 
     let colour = texture(device, "our colour", COLOUR, size);
     let depth = texture(device, "our depth", DEPTH_FORMAT, size);
-    // Reversed depth without an end: the near plane over the distance.
+    // Reversed depth with an infinite far plane: the near plane divided by the distance.
     let middle = NEAR / EYE.length();
     let sky = pipeline(device, ["sky", "blue"], wgpu::CompareFunction::Always, 0.0);
     let board = pipeline(
@@ -103,7 +103,7 @@ pub fn run(size: [u32; 2], frames: u32, output: &Path) -> Result<String, Box<dyn
             4,
         );
         queue.submit([encoder.finish()]);
-        // Where a window would present. The stage itself never waits; `check` alone would do to hear of a lost device.
+        // A window would present here. The stage itself never waits; calling `check` instead is enough to notice a lost device.
         gpu.wait()?;
         let verdicts = stage.verdicts(0, &scene)?;
         let drawn = verdicts.drawn().count();
@@ -119,7 +119,7 @@ pub fn run(size: [u32; 2], frames: u32, output: &Path) -> Result<String, Box<dyn
     Ok(refusal)
 }
 
-/// Our device, with what culling can make use of, and a scene on it.
+/// The host's device, with the features that culling can use, and a scene on it.
 async fn open() -> Result<(Gpu, GpuScene), Box<dyn Error>> {
     let mut backends = wgpu::InstanceDescriptor::new_without_display_handle();
     backends.backends = wgpu::Backends::VULKAN | wgpu::Backends::METAL | wgpu::Backends::DX12;
@@ -213,7 +213,7 @@ fn pipeline(
     })
 }
 
-/// One pass of our own. Its first clears the depth to infinitely far; the sky covers every pixel of the colour.
+/// One pass of the host. The first clears the depth to infinitely far; the sky covers every pixel of the colour.
 fn draw(
     encoder: &mut wgpu::CommandEncoder,
     [colour, depth]: [&wgpu::Texture; 2],

@@ -1,5 +1,5 @@
-//! A flight through a sub-surface model that is worked on meanwhile: only what is seen of the seismic volume is read, a slice is pulled through
-//! it, a fault is removed and a horizon pulled aside. One image, `out/subsurface.png`, is what the last frame left.
+//! A flight around a sub-surface model that changes meanwhile: a slice moves through the seismic volume, a fault is removed and a horizon moved
+//! aside. Only the visible bricks of the volume are read. The last frame is saved as `out/subsurface.png`.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -13,16 +13,16 @@ use antumbra::strategies::registry;
 use antumbra::subsurface::{SurfaceEntities, SurfaceKind};
 use glam::{DAffine3, DVec3};
 
-/// What came of the flight.
+/// The result of the flight.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Explored {
-    /// Bricks that were read.
+    /// Number of bricks that were read.
     pub bricks_read: u64,
-    /// Bricks that the slices and the lens went through.
+    /// Number of bricks that the slices and the lens intersect at the end.
     pub bricks_crossed: u64,
-    /// Entities of the scene at the end.
+    /// Number of entities at the end.
     pub entities: usize,
-    /// Of those, the ones drawn in the last frame.
+    /// Number of entities drawn in the last frame.
     pub drawn: usize,
 }
 
@@ -48,7 +48,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Flies, working on the model at a quarter, a half and three quarters of the way, and writes the last frame.
+/// Flies, changes the model at a quarter, a half and three quarters of the way, and saves the last frame.
 pub fn run(
     options: SubsurfaceSceneOptions,
     size: [u32; 2],
@@ -69,7 +69,7 @@ pub fn run(
     let mut drawn = 0;
     for frame in 0..frames {
         if frame == frames / 4 {
-            // Pulled a few samples along; what it shows there is read once it is seen.
+            // The slice moves by five samples; its bricks there are read once they are visible.
             let slice = sections.slices.first_mut().ok_or("no slice")?;
             slice.move_to(&mut scene, slice.index() + 5)?;
         }
@@ -89,7 +89,7 @@ pub fn run(
         on_gpu.sync(&mut scene)?;
         stage.frame(&on_gpu, &[ViewInput::new(camera)])?;
         gpu.wait()?;
-        // Verdicts are those of a frame before: what nobody has seen yet waits until somebody does.
+        // Verdicts are of the previous frame: a brick is not read until its tile has been visible.
         let verdicts = stage.verdicts(0, &on_gpu)?;
         let is_hidden = |entity: EntityKey| {
             let slot = on_gpu.slot(entity);
@@ -130,7 +130,7 @@ fn pull(scene: &mut Scene, root: EntityKey, by: &DAffine3) -> Result<(), Box<dyn
     Ok(())
 }
 
-/// A quarter of a circle around the model.
+/// The camera on a quarter of a circle around the model.
 fn camera(frame: usize, frames: usize) -> Result<Camera, Box<dyn Error>> {
     let projection = Projection::Perspective {
         fov_y: 0.7,

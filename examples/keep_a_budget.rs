@@ -1,11 +1,12 @@
-//! How well budgets are kept, on paths nobody has tuned for: flights with camera cuts through a scene in which every ninth entity moves. Fixed
-//! settings run beside them, so that the best of these, known only in hindsight, can be held against what a budget finds by itself.
+//! Measures how well budgets are kept on paths that no setting was tuned for: flights with camera cuts through a scene in which every ninth
+//! entity moves. Fixed settings run beside them, to compare the best of these, which is known only in hindsight, with what a budget finds.
 //!
 //! ```text
 //! cargo run --release --example keep_a_budget -- 500 640x480 18 300 0.1 out/budget
 //! ```
 //!
-//! Frames, image size, entities along a side of the grid, the first flight's seed, the audit's share of triangles, and the folder for `report.json` and `report.html`.
+//! The arguments: frames, image size, entities along a side of the grid, the first flight's seed, the audit's share of triangles, and the folder
+//! for `report.json` and `report.html`.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -24,13 +25,13 @@ use glam::{DAffine3, DVec3};
 
 /// Frames between two cuts.
 const CUT_EVERY: usize = 125;
-/// The flights' seeds are this one and those after it, if nobody says another.
+/// The default seed of the first flight; each further flight uses the next one.
 const SEED: u64 = 300;
 
-/// Frames in a row of one strategy's before it is another's turn.
+/// Consecutive frames of one strategy before the next strategy draws.
 const BLOCK: usize = 5;
 
-/// Fixed settings, from the most accurate, in each latency.
+/// Fixed settings, the most accurate first; each is used in each latency.
 const FIXED: [&str; 7] = [
     "threshold=0:scale=1:occluders=full:occludees=full",
     "threshold=0:scale=1",
@@ -46,7 +47,7 @@ const LATENCIES: [&str; 2] = ["same-frame", "on-gpu"];
 /// Budgets of wrong pixels, in percent.
 const BUDGETS: [f64; 3] = [0.02, 0.1, 0.5];
 
-/// Entities that swing up and down, each at a pace of its own.
+/// Entities that swing up and down, each in its own phase.
 struct Swinging(Vec<(EntityKey, DAffine3)>);
 
 impl Swinging {
@@ -147,9 +148,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         size,
         command: format!("keep_a_budget {frames} {wide}x{high} {per_side} {seed} {share}"),
         scene_name: format!("grid:{per_side}, every ninth entity swinging"),
-        // One flight is enough: a second one would be no unseen path.
+        // The path is flown once: the second time it would no longer be unseen.
         least_seconds: 0.0,
-        // Short blocks: whatever strikes the machine for some seconds strikes all alike.
+        // Short blocks, so that other load on the machine affects all strategies alike.
         block: Some(BLOCK),
         ..CompareOptions::default()
     };

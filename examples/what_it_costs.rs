@@ -1,11 +1,11 @@
-//! What a part of a scene costs when it is there: frames with it and without it, in turns, along the same orbit.
+//! Measures what a part of a scene costs: frames with it and without it, in alternating blocks, along the same orbit.
 //!
 //! ```text
 //! cargo run --release --example what_it_costs                       # all parts
 //! cargo run --release --example what_it_costs -- environment        # one of them
 //! ```
 //!
-//! A plan holds what its scene requires and nothing else, so "without" is what everybody pays who does not use a part.
+//! A plan contains only what its scene requires, so "without" is the cost for a scene that does not use the part.
 
 use std::error::Error;
 use std::time::Instant;
@@ -20,27 +20,27 @@ use antumbra::strategies::registry;
 use antumbra::subsurface::{Axis, Slice, SliceOptions, VolumeLayout};
 use glam::{DAffine3, DQuat, DVec3};
 
-/// What a scene, or a strategy's question, may require.
+/// A part that a scene, or a strategy's test, may require.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
-    /// Two views of everything.
+    /// A second view.
     SecondEye,
-    /// Something to blend.
+    /// A transparent entity.
     Transparency,
-    /// A number of samples, where any would do.
+    /// Counts of samples, in place of queries that answer zero or not.
     Counting,
-    /// A tree to walk.
+    /// A tree to traverse.
     Hierarchy,
-    /// An image around it all to reflect.
+    /// An environment image to reflect.
     Environment,
-    /// A light that stands somewhere.
+    /// A light with a position.
     PositionalLights,
     /// A slice through a volume.
     Volume,
 }
 
 impl Part {
-    /// All of them.
+    /// All parts.
     pub const ALL: [Self; 7] = [
         Self::SecondEye,
         Self::Transparency,
@@ -51,7 +51,7 @@ impl Part {
         Self::Volume,
     ];
 
-    /// What the command line calls it.
+    /// The name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::SecondEye => "second-eye",
@@ -64,12 +64,12 @@ impl Part {
         }
     }
 
-    /// Adds the part to a scene; those that are no part of a scene leave it as it is.
+    /// Adds the part to a scene. A part that belongs to the strategy or the views changes nothing.
     pub fn add_to(self, scene: &mut Scene) -> Result<(), Box<dyn Error>> {
         match self {
             Self::SecondEye | Self::Counting | Self::Hierarchy => {}
             Self::Transparency => {
-                // A ball of glass in the line of sight.
+                // A transparent ball between the camera and the scene.
                 let mesh = scene.drawables().next().map(|(_, drawable)| drawable.mesh);
                 let material = scene.add_material(Material {
                     alpha: AlphaMode::Blend,
@@ -135,7 +135,7 @@ impl Part {
     }
 }
 
-/// Balls under parallel light, so many along each side: nothing that any part stands for.
+/// The scene without any part: balls under parallel light, `per_side` along each side.
 pub fn plain(per_side: u32) -> Result<Scene, Box<dyn Error>> {
     let options = GridOptions {
         per_side,
@@ -144,7 +144,7 @@ pub fn plain(per_side: u32) -> Result<Scene, Box<dyn Error>> {
     Ok(grid(options)?)
 }
 
-/// Brighter towards the top.
+/// An environment image that is brighter towards the top.
 fn sky() -> Image {
     let rows = (0..32u8).flat_map(|row| [[200 - row * 5, 210 - row * 4, 230, 255]; 64]);
     Image {
@@ -156,11 +156,11 @@ fn sky() -> Image {
     }
 }
 
-/// Frames of a block, and blocks of each kind.
+/// Frames in a block, and blocks with and without the part.
 const FRAMES: u32 = 12;
 const BLOCKS: usize = 9;
 
-/// A scene at work.
+/// A scene on a stage, and the times of its blocks.
 struct Run {
     scene: GpuScene,
     stage: Stage,
@@ -190,7 +190,7 @@ impl Run {
         })
     }
 
-    /// Milliseconds a frame, each waited for.
+    /// Runs a block, waiting for each frame. Returns milliseconds a frame.
     fn block(&mut self, gpu: &Gpu) -> Result<f64, Box<dyn Error>> {
         let started = Instant::now();
         for frame in 0..FRAMES {
@@ -234,7 +234,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("|---|---|---|---|");
     for part in parts {
         let mut runs = [Run::new(&gpu, part, false)?, Run::new(&gpu, part, true)?];
-        // The first block warms up; then they take turns, so that what else the machine does hits both.
+        // The first block warms up. The runs alternate, so that other load on the machine affects both.
         for block in 0..=BLOCKS {
             for run in &mut runs {
                 let milliseconds = run.block(&gpu)?;

@@ -1,5 +1,5 @@
-//! The examples do what they say: the strategy from outside conforms and culls nothing visible, the embedded stage leaves our own
-//! passes where they were.
+//! The examples work: the custom strategy conforms and culls nothing visible, the embedded stage keeps the results of the host's passes, and
+//! the flight through the sub-surface model reads only what is visible.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 #[path = "../examples/custom_strategy.rs"]
@@ -26,7 +26,7 @@ fn the_strategy_from_outside_conforms() {
     assert!(ours(MeshDetail::Level(0))().conservative());
     kit::assert_conforms(ours(MeshDetail::Level(0)));
     kit::assert_conforms(ours(MeshDetail::Box));
-    // Where queries answer 0 or 1.
+    // On OpenGL, queries answer 0 or 1.
     let kit = Kit::default();
     kit.check_on(gl(), ours(MeshDetail::Level(0))).unwrap();
 }
@@ -77,7 +77,7 @@ fn the_embedded_stage_keeps_our_passes() {
     assert!(count(board) > 100, "the board was not drawn");
     assert!(count(sky) > 1_000, "the sky was not drawn, or not kept");
     assert!(count(scene) > 1_000, "the scene was not drawn");
-    // The board reaches over most of the middle row; what the scene has before it hides it there.
+    // The board covers most of the middle row, except where the scene is in front of it.
     let hidden = (16..144)
         .filter(|x| scene(image.get_pixel(*x, 60).0))
         .count();
@@ -87,7 +87,7 @@ fn the_embedded_stage_keeps_our_passes() {
     );
 }
 
-/// What the page on engines says of threads.
+/// As the page on engines promises.
 #[test]
 fn a_stage_may_live_on_another_thread() {
     fn moves<T: Send>() {}
@@ -108,5 +108,5 @@ fn a_flight_reads_only_what_is_seen_and_goes_on_while_surfaces_come_and_go() {
     assert!(0 < first.bricks_read && first.bricks_read < first.bricks_crossed);
     assert!(first.drawn < first.entities * 2 / 3, "{first:?}");
     assert!(image.is_file());
-    assert_eq!(first, explored(), "the same flight went otherwise");
+    assert_eq!(first, explored(), "the same flight gave another result");
 }

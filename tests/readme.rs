@@ -1,4 +1,4 @@
-//! What the README shows of a strategy is what compiles here, and it passes the kit.
+//! The strategy in the README compiles as shown, and passes the kit.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra::cull::{

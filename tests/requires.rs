@@ -1,11 +1,11 @@
-//! Model only what a scene requires: what a scene does not need is in no plan that is made for it, as no pass, resource or kind of pipeline; and what
-//! it needs is there.
+//! A plan contains only what its scene requires: no pass, resource or kind of pipeline for a feature that the scene does not use, and all for one
+//! that it does.
 //!
-//! Pass by pass, the second eye and transparency stand in `crates/cull/tests/plans.rs`; here, their buffers and pipelines.
+//! `crates/cull/tests/plans.rs` tests the passes of the second eye and of transparency; this file tests their buffers and pipelines.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 #[path = "../examples/what_it_costs.rs"]
-#[allow(dead_code, reason = "it measures; here its scenes are looked at")]
+#[allow(dead_code, reason = "it measures; here only its scenes are used")]
 mod what_it_costs;
 
 use std::collections::BTreeSet;
@@ -21,7 +21,7 @@ use antumbra::strategies::registry;
 use antumbra_testing::{stage_with, views, vulkan};
 use what_it_costs::Part;
 
-/// What every plan of this page is of.
+/// The strategies whose plans are tested.
 const STRATEGIES: [&str; 7] = [
     "none",
     "frustum",
@@ -37,14 +37,14 @@ fn plain() -> Scene {
     what_it_costs::plain(3).unwrap()
 }
 
-/// The same with a part that it requires.
+/// The same scene with a part added.
 fn with(part: Part) -> Scene {
     let mut scene = plain();
     part.add_to(&mut scene).unwrap();
     scene
 }
 
-/// The names of everything in the plan: passes that run, and resources.
+/// The names of the passes that run and of the resources that are used.
 struct Plan {
     passes: BTreeSet<String>,
     resources: BTreeSet<String>,
@@ -79,7 +79,7 @@ fn plan(scene: &mut Scene, text: &str, views: &[&str]) -> Plan {
     }
 }
 
-/// Draws what is in the frustum, and notes what pipelines a strategy is given to shade with.
+/// Draws what is in the frustum, and records the kind of pipeline that a strategy shades with.
 struct Probe {
     inner: Box<dyn Strategy>,
     kinds: Arc<Mutex<Vec<PipelineKind>>>,
@@ -90,7 +90,7 @@ impl Strategy for Probe {
         "probe"
     }
     fn summary(&self) -> &str {
-        "draws what is in the frustum and looks at its pipelines"
+        "draws what is in the frustum and records its pipelines"
     }
     fn conservative(&self) -> bool {
         true
@@ -105,7 +105,7 @@ impl Strategy for Probe {
     }
 }
 
-/// Whether surfaces are shaded by lights with a place, and whether they reflect an environment.
+/// Whether the shading pipelines have positional lights, and whether they have an environment.
 fn shading(scene: &mut Scene) -> [bool; 2] {
     let scene = GpuScene::new(vulkan(), scene).unwrap();
     let kinds = Arc::new(Mutex::new(Vec::new()));
@@ -156,7 +156,7 @@ fn transparency_has_lists_of_its_own_where_something_is_transparent() {
     }
 }
 
-/// Words of what counts samples: an id buffer, histograms, counts a slot.
+/// Words in the names of passes and resources that count samples: an id buffer, histograms, counts a slot.
 const COUNTING: [&str; 4] = ["entity ids", "histogram", "visible samples", "count"];
 
 #[test]
@@ -165,7 +165,7 @@ fn nothing_counts_where_zero_or_more_is_all_that_is_asked() {
         let queries = format!("three-pass:latency={latency}:counting=queries:threshold=0");
         let found = plan(&mut plain(), &queries, &["main"]);
         assert!(found.has("quer"), "{queries}: {:?}", found.passes);
-        // On the GPU the answers are brought from queries to slots, where the compaction looks for them.
+        // On the GPU the answers are copied from queries to slots, where the compaction reads them.
         let brought = |word: &&str| latency == "on-gpu" && *word == "visible samples";
         for word in COUNTING.iter().filter(|word| !brought(word)) {
             assert!(!found.has(word), "{queries} has '{word}'");
@@ -228,7 +228,7 @@ fn an_environment_is_reflected_where_there_is_one() {
     assert!(!shading(&mut plain())[1]);
     let mut scene = with(Part::Environment);
     assert!(shading(&mut scene.clone())[1]);
-    // Its image stays, and is nothing by itself.
+    // The image stays in the scene, and has no effect by itself.
     scene.set_environment(None).unwrap();
     assert!(!shading(&mut scene)[1]);
 }
@@ -243,13 +243,13 @@ fn distances_to_lights_are_computed_where_a_light_has_a_place() {
     assert!(!shading(&mut scene)[0]);
 }
 
-/// A volume is shown by slices, whose tiles are images: without one there is neither texture nor pipeline that samples one.
+/// A volume is shown by slices, whose tiles are images. Without a slice there is no texture, and no pipeline that samples one.
 #[test]
 fn a_volume_brings_textures_and_without_one_there_are_none() {
     let textured = |scene: &mut Scene| {
         let scene = GpuScene::new(vulkan(), scene).unwrap();
         let classes = scene.layout().classes().any(PipelineClass::textured);
-        // One white texel stands for no image.
+        // The first texture is one white texel, for materials without an image.
         assert_eq!(scene.frame().textures.len() > 1, classes);
         classes
     };

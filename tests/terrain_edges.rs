@@ -1,4 +1,4 @@
-//! Pictures of terrain from outside, over a hole, and in blocks: `horizon` culls, and no pixel of it is wrong.
+//! Terrain seen from outside, from over a hole, and in blocks: `horizon` culls, and no pixel is wrong.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::sync::Arc;
@@ -14,10 +14,10 @@ use antumbra::terrain::{
 use antumbra_testing::{auto, perspective};
 use glam::{DVec2, DVec3};
 
-/// Posts along a side, 30 m apart.
+/// Posts along each side, 30 m apart.
 const POSTS: u32 = 41;
 
-/// An island with ridges from west to east that fall to its shore, and maybe a hole in the valley in its middle.
+/// An island with ridges from west to east that fall to its shore, and a hole of radius `hole` in metres in its central valley; 0 for none.
 fn island(hole: f64) -> Field {
     let middle = DVec2::splat(f64::from(POSTS - 1) / 2.0);
     let posts = || (0..POSTS).flat_map(|row| (0..POSTS).map(move |column| (row, column)));
@@ -67,13 +67,13 @@ fn show(scene: &mut Scene, terrain: &Terrain, double_sided: bool) -> ShownTerrai
     terrain.show(scene, material).unwrap()
 }
 
-/// What `frustum` and `horizon` draw and get wrong, seen from some places towards others.
+/// Compares `frustum` with `horizon`. Each look is an eye and a target, in metres east, north and up.
 fn compared(
     mut scene: Scene,
     horizon: HorizonStrategy,
     looks: &[[[f64; 3]; 2]],
 ) -> [StrategyReport; 2] {
-    // East, north, up; the world has Y up and Z south.
+    // In the world, Y is up and Z is south.
     let world = |[east, north, up]: [f64; 3]| DVec3::new(east, up, -north);
     let poses = looks
         .iter()
@@ -99,7 +99,7 @@ fn compared(
     found.unwrap().report.strategies.try_into().unwrap()
 }
 
-/// Low and high, from all sides.
+/// Looks from all sides, low and high.
 fn from_outside() -> Vec<[[f64; 3]; 2]> {
     let around = [
         [-200.0, 600.0],
@@ -155,7 +155,7 @@ fn blocks_are_drawn_as_one_and_without_one_of_them_as_what_is_left() {
             let shown: Vec<ShownTerrain> = shown.collect();
             let horizon = HorizonStrategy::over(blocks.iter().cloned().zip(&shown));
             if let Some(gone) = gone {
-                // Some of it is enough.
+                // Removing a third of its groups is enough.
                 for (entity, _) in shown[gone].groups.iter().step_by(3) {
                     scene.despawn(*entity);
                 }
@@ -167,7 +167,7 @@ fn blocks_are_drawn_as_one_and_without_one_of_them_as_what_is_left() {
     });
     let [bare, wide] = drawn;
     assert!(bare[0] < 0.95 && wide[0] < bare[0], "{drawn:?}");
-    // Those that are left hide what they hide of themselves; with a margin they rest on what is gone.
+    // The remaining blocks still hide their own groups; those prepared with a margin depend on the removed block and hide nothing.
     assert!(bare[1] < 1.0 && bare[2] < 1.0, "{drawn:?}");
     assert!(wide[1] == 1.0 && wide[2] == 1.0, "{drawn:?}");
 }

@@ -1,11 +1,11 @@
-//! Numbers of entities: none, one, just as many as a set has queries, one more, and a hundred thousand.
+//! Numbers of entities: none, one, exactly as many as a query set has queries, one more, and a hundred thousand.
 
 use antumbra_testing::{SceneBuilder, look_at, perspective_degrees, placed};
 use glam::DVec3;
 
 use crate::play::{Play, strategies};
 
-/// So many squares, most of them behind a wall that covers the left half, looked at head on.
+/// `count` squares that face the camera. The first is a wall that covers the left half and hides most of the others there.
 fn crowd(count: u32) -> Play {
     let mut set = SceneBuilder::new();
     let wide = f64::from(count).sqrt().ceil() as u32;
@@ -14,7 +14,7 @@ fn crowd(count: u32) -> Play {
         let place = DVec3::new(along(number % wide), along(number / wide), -1.0) * 40.0;
         let size = 30.0 / f64::from(wide);
         let place = if number == 0 {
-            // The wall is one of them.
+            // The wall.
             placed(DVec3::new(-5.0, 0.0, -20.0), DVec3::new(10.0, 30.0, 1.0))
         } else {
             placed(place, DVec3::splat(size))
@@ -39,7 +39,7 @@ fn no_entity_and_one() {
     }
 }
 
-/// What asks hardware queries, as many as it can in one batch.
+/// The strategies that use hardware queries, with as many as possible in one batch.
 fn asking() -> Vec<String> {
     let exact = "threshold=0:scale=1:coarser=0:occluders=full:occludees=full";
     let mut asking = vec![
@@ -63,7 +63,7 @@ fn as_many_entities_as_a_set_has_queries_and_one_more() {
         for (strategy, frames) in &runs {
             let verdicts = &frames[1][0];
             if strategy.contains("three-pass") {
-                // Each has a query, the last one too, and what is behind the wall stays there.
+                // Each entity has a query, also the last one, and the hidden ones are culled.
                 assert_eq!(verdicts.tested(), count, "{strategy}");
                 let drawn = verdicts.drawn().count();
                 assert!(drawn * 4 < count as usize * 3, "{strategy}: {drawn}");

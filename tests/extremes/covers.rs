@@ -1,4 +1,4 @@
-//! Between covered and seen: exact covers, a hole of one pixel, dust, and twins in one place.
+//! The limit between covered and visible: exact covers, a hole of one pixel, grains smaller than a pixel, and coplanar twins.
 
 use antumbra::cull::{Verdict, Verdicts};
 use antumbra::scene::EntityKey;
@@ -9,12 +9,12 @@ use crate::play::{Play, id_of, strategies};
 
 const SIZE: [u32; 2] = [64, 48];
 
-/// What a run says of an entity in each frame and view. Slots are given in the order of spawning, lights not counted.
+/// The verdicts of one slot in all frames and views of a run.
 fn said_of(frames: &[Vec<Verdicts>], slot: u32) -> impl Iterator<Item = Verdict> {
     frames.iter().flatten().map(move |view| view.get(slot))
 }
 
-/// Whose slot it is; the same on every backend.
+/// The slot of an entity. Slots follow the order of spawning, without lights, and are the same on every backend.
 fn slot(play: &Play, entity: EntityKey) -> u32 {
     let [gpu, _] = gpus();
     id_of(&play.seen(gpu).0, Some(entity)) - 1
@@ -24,7 +24,7 @@ fn slot(play: &Play, entity: EntityKey) -> u32 {
 fn an_occluder_that_ends_where_the_occludee_ends() {
     let mut set = SceneBuilder::new();
     let size = DVec3::new(20.0, 16.0, 1.0);
-    // On the grid of pixels, and off it.
+    // Aligned with the pixel grid, and off it.
     let mut hidden = Vec::new();
     for place in [DVec3::new(-16.0, 0.0, -20.0), DVec3::new(16.3, 0.4, -20.0)] {
         set.cube(place, size);
@@ -35,7 +35,7 @@ fn an_occluder_that_ends_where_the_occludee_ends() {
     play.apart = 0.25;
     play.agrees_with_the_twin(0.8, 3);
     let runs = play.is_right();
-    // Being right would allow to draw them; exact strategies see that nothing of them shows.
+    // A correct image does not forbid drawing the hidden boxes; exact strategies find that no sample of them is visible.
     for entity in hidden {
         let slot = slot(&play, entity);
         for (strategy, frames) in &runs {
@@ -51,7 +51,7 @@ fn an_occluder_that_ends_where_the_occludee_ends() {
 
 #[test]
 fn what_shows_through_a_hole_of_one_pixel_is_drawn() {
-    // A frame of four walls around the pixel right of the middle and above it.
+    // Four walls around one pixel: the first to the right of the image's centre and above it.
     let mut set = SceneBuilder::new();
     for (x, y, wide, high) in [
         (-10.0, 0.5, 20.0, 41.0),
@@ -90,7 +90,8 @@ fn what_shows_through_a_hole_of_one_pixel_is_drawn() {
 
 #[test]
 fn dust_of_a_hundredth_of_a_pixel_adds_up_to_a_surface() {
-    // Grains a tenth of a pixel wide, in a sheet of six by six pixels; each overlaps the next by a hundredth, so that snapping leaves no crack.
+    // A sheet of six by six pixels, made of grains a tenth of a pixel wide. Each overlaps the next by a hundredth of a pixel, so that vertex
+    // snapping leaves no crack.
     let mut set = SceneBuilder::plain();
     let across = 60;
     for row in 0..across {
@@ -117,7 +118,7 @@ fn dust_of_a_hundredth_of_a_pixel_adds_up_to_a_surface() {
         assert!(!owns(hidden) && owns(seen));
     }
     let runs = play.is_right();
-    // Thousands of grains own no pixel: whoever tests them at the pixel draws few.
+    // Thousands of grains own no pixel: a strategy that tests them at full resolution draws few.
     for (strategy, frames) in &runs {
         if strategy.contains("three-pass") || strategy.contains("ideal") {
             let drawn = frames[0][0].drawn().count();
@@ -126,7 +127,8 @@ fn dust_of_a_hundredth_of_a_pixel_adds_up_to_a_surface() {
     }
 }
 
-/// Surfaces at equal depth: the same place twice, a square flat on a face, two that overlap in one plane; and something behind all of them.
+/// Surfaces at equal depth: two equal cubes in one place, a square on the face of a cube, and two squares that overlap in one plane. One ball
+/// is hidden behind them. Returns the play, the entities that tie, and the hidden one.
 fn twins(mut set: SceneBuilder) -> (Play, Vec<EntityKey>, EntityKey) {
     let size = DVec3::new(12.0, 12.0, 4.0);
     let place = DVec3::new(-16.0, 0.0, -20.0);
@@ -151,7 +153,7 @@ fn twins_in_one_place_and_at_equal_depth() {
     let tied: Vec<u32> = tied.into_iter().map(|entity| slot(&play, entity)).collect();
     let hidden = slot(&play, hidden);
     for (strategy, frames) in &runs {
-        // A tie counts as visible, whoever shows; only who knows the owners leaves the others out.
+        // All entities at equal depth count as visible; only a strategy that knows the owners of the pixels culls the others.
         let knows = strategy.ends_with("ideal") || strategy.contains("three-pass:latency=same");
         for slot in &tied {
             assert!(
@@ -168,7 +170,7 @@ fn twins_in_one_place_and_at_equal_depth() {
     }
 }
 
-/// In colours that tell the twins apart.
+/// The twins have different colours here.
 #[test]
 fn twins_show_the_same_to_all_that_shade_one_list() {
     let (play, ..) = twins(SceneBuilder::new());

@@ -1,4 +1,4 @@
-//! Images of one pixel, and of one row as wide as a device can draw.
+//! Images of one pixel, and of one row as wide as the device allows.
 
 use antumbra::scene::Projection;
 use antumbra_testing::{SceneBuilder, gpus, look_at, perspective_degrees};
@@ -8,7 +8,7 @@ use crate::play::Play;
 
 #[test]
 fn an_image_of_one_pixel() {
-    // Three walls with something behind each, looked at one by one, then nothing.
+    // Three walls with a ball behind each, one a frame; then an empty view.
     let mut set = SceneBuilder::new();
     for x in [0.0, 8.0, 16.0] {
         set.cube(DVec3::new(x, 0.0, 0.0), DVec3::new(4.0, 4.0, 0.5));
@@ -26,14 +26,14 @@ fn an_image_of_one_pixel() {
     play.is_right();
 }
 
-/// As wide as the widest images that software draws, where the device allows it.
+/// The widest image that software adapters draw.
 const WIDE: u32 = 16384;
 
 #[test]
 fn an_image_of_16384_pixels_in_one_row() {
     for gpu in gpus() {
         let most = gpu.device.limits().max_texture_dimension_2d;
-        // Of a device that draws less, `refusals` says what it answers.
+        // `refusals` tests what a device answers to an image wider than its limit.
         let width = most.min(WIDE);
         let mut set = SceneBuilder::new();
         for column in -20..=20 {
@@ -42,7 +42,7 @@ fn an_image_of_16384_pixels_in_one_row() {
             set.cube(DVec3::new(x * 1.5, 0.0, -9.0), DVec3::new(0.12, 1.0, 0.5));
             set.ball(DVec3::new(x, 0.0, -5.0), 0.01);
         }
-        // A right angle from side to side.
+        // A horizontal field of view of 90 degrees.
         let projection = Projection::Perspective {
             fov_y: 2.0 * (1.0 / f64::from(width)).atan(),
             near: 0.1,

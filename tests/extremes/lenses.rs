@@ -1,4 +1,4 @@
-//! Optics: near planes a hair or a kilometre away, telescopes, fish eyes, and views without perspective.
+//! Projections: near planes at a tenth of a millimetre and at a kilometre, telescopes, fish eyes, and orthographic views.
 
 use antumbra::scene::Projection;
 use antumbra_testing::{SceneBuilder, gpus, look_at, perspective_degrees};
@@ -6,7 +6,8 @@ use glam::DVec3;
 
 use crate::play::Play;
 
-/// The still life and something that the near plane cuts, from six metres; a metre is `metre` metres.
+/// The still life from six units away, with a ball and a cube across the near plane. A unit is `metre` metres, the near plane is at `near`
+/// metres.
 fn before(near: f64, metre: f64) -> Play {
     let mut set = SceneBuilder::still_life(metre, DVec3::ZERO);
     let eye = DVec3::new(0.25, 0.5, 6.0) * metre;
@@ -38,7 +39,7 @@ fn a_near_plane_of_a_kilometre() {
     play.is_right();
 }
 
-/// The still life from so far away that it fills the view.
+/// The still life from the distance at which it fills a view of `degrees`.
 fn filling(degrees: f64) -> Play {
     let away = 2.5 / (degrees.to_radians() * 0.5).tan();
     let set = SceneBuilder::still_life(1.0, DVec3::ZERO);
@@ -62,7 +63,7 @@ fn a_field_of_view_of_a_hundredth_of_a_degree() {
 
 #[test]
 fn a_field_of_view_of_179_degrees() {
-    // From within: a wall on every side, something before each, something behind each.
+    // The camera is inside: a wall on each side, with an object in front of it and two behind it.
     let mut set = SceneBuilder::new();
     for side in [-1.0, 1.0] {
         for axis in DVec3::AXES {
@@ -87,7 +88,7 @@ fn a_field_of_view_of_179_degrees() {
     play.is_right();
 }
 
-/// The still life without perspective, six metres high; a metre is `metre` metres, and so are `near` and `far`.
+/// The still life in an orthographic view six units high. A unit is `metre` metres; `near` and `far` are in units.
 fn parallel(set: SceneBuilder, metre: f64, near: f64, far: f64) -> Play {
     let set = set.with_still_life(metre, DVec3::ZERO);
     let projection = Projection::Orthographic {
@@ -110,7 +111,7 @@ fn parallel_views_of_a_centimetre_and_of_a_thousand_kilometres() {
         (1e-2 / 6.0, 0.0, 100.0, 7),
         (1e6 / 6.0, 0.0, 100.0, 7),
         (1.0, -20.0, 50.0, 7),
-        // The near and the far plane cut the wall, whose back faces nobody sees.
+        // The near and the far plane clip the wall, and its back faces are not drawn.
         (1.0, 6.0, 50.0, 3),
         (1.0, 1.0, 6.0, 6),
     ] {
@@ -120,7 +121,7 @@ fn parallel_views_of_a_centimetre_and_of_a_thousand_kilometres() {
     }
 }
 
-/// Without perspective, depth tells apart what differs by a 2^24th of what it spans: here, nothing. All that ties is drawn.
+/// Orthographic depth resolves a 2^24th of its range, which is here larger than the scene. All entities tie, and all are drawn.
 #[test]
 fn a_parallel_view_so_deep_that_all_depths_are_equal() {
     let play = parallel(SceneBuilder::plain(), 1e-3, 0.0, 1e12);

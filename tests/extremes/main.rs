@@ -1,7 +1,7 @@
-//! Extremes are tests, not hopes: of size, place, number, flatness, optics and order. Each is played to every strategy in settings that promise
-//! no wrong pixel, on Vulkan and on GL, and held against the oracle; what the oracle shows is held against a twin in f64 where one can say it.
+//! Tests at the extremes: of size, place, number, flatness, projection and order. Each scene is played to every strategy in conservative
+//! settings, on Vulkan and on OpenGL, and compared with the oracle. The oracle is compared with a CPU twin in f64 where the twin is certain.
 //!
-//! `docs/accuracy.md`, "At the extremes", lists them. What the kit plays to every strategy is not played again here: `crates/verify/src/kit/stories`.
+//! `docs/accuracy.md`, "At the extremes", lists them. They do not repeat the kit's stories (`crates/verify/src/kit/stories`).
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod counts;

@@ -10,7 +10,7 @@ use antumbra_testing::gpus;
 
 use crate::twin::Twin;
 
-/// Every registered strategy in settings that promise no wrong pixel. One that is registered anew must be given its own here.
+/// Every registered strategy, in conservative settings. A strategy that is newly registered needs its settings here.
 pub fn strategies() -> Vec<String> {
     let exact = "threshold=0:scale=1:coarser=0:occluders=full:occludees=full";
     let registry = registry();
@@ -45,15 +45,15 @@ pub fn made(text: &str) -> Box<dyn Strategy> {
     registry().parse(text).unwrap()
 }
 
-/// A scene and how it is looked at.
+/// A scene, and a camera path through it.
 pub struct Play {
     pub scene: Scene,
     pub size: [u32; 2],
-    /// A camera a frame.
+    /// One camera a frame.
     pub frames: Vec<Camera>,
-    /// Metres between the eyes, for strategies that need two.
+    /// Metres between the eyes, for strategies that need two views.
     pub apart: f64,
-    /// Rays of the twin around a pixel's middle: more where things are thinner than a tenth of a pixel.
+    /// The twin's rays around the centre of a pixel, in each direction; more for objects thinner than a tenth of a pixel.
     pub steps: i32,
 }
 
@@ -68,7 +68,7 @@ impl Play {
         }
     }
 
-    /// The cameras that a strategy gets: two eyes for the one that is about them.
+    /// The cameras that a strategy gets in each frame: two for a stereo strategy.
     fn eyes(&self, strategy: &str) -> Vec<Vec<Camera>> {
         let stereo = strategy.starts_with("stereo");
         let eyes = |left: &Camera| {
@@ -85,13 +85,13 @@ impl Play {
         self.frames.iter().map(eyes).collect()
     }
 
-    /// Every strategy draws all that owns a pixel, and the right picture, in every frame on every backend. What it answers is the verdicts of
-    /// each run: by backend and strategy, then frame, then view.
+    /// Asserts that every strategy draws every owner of a pixel, and the correct image, in every frame on every backend. Returns the verdicts
+    /// of each run (backend and strategy), by frame, then by view.
     pub fn is_right(&self) -> Vec<(String, Vec<Vec<Verdicts>>)> {
         self.is_right_by(&strategies())
     }
 
-    /// The same for some strategies alone.
+    /// The same for some of the strategies.
     pub fn is_right_by(&self, strategies: &[String]) -> Vec<(String, Vec<Vec<Verdicts>>)> {
         let mut all = Vec::new();
         let mut failures = Vec::new();
@@ -122,7 +122,7 @@ impl Play {
             .map_err(|failure| failure.to_string())
     }
 
-    /// What the oracle sees in each frame, with the scene to ask for slots.
+    /// The oracle's id buffer of each frame, and the scene to look up slots in.
     pub fn seen(&self, gpu: &Gpu) -> (GpuScene, Vec<IdBuffer>) {
         let scene = GpuScene::new(gpu, &mut self.scene.clone()).unwrap();
         let mut oracle = Oracle::new(&scene, self.size);
@@ -134,13 +134,13 @@ impl Play {
         (scene, images)
     }
 
-    /// The oracle agrees with the twin in f64 wherever the twin is sure, which is at least this share of the pixels; and at least so many entities
-    /// and backgrounds own one.
+    /// Asserts that the oracle agrees with the twin wherever the twin is certain; that this is at least a share `sure` of the pixels; and that
+    /// at least `owners` entities, the background among them, own one.
     pub fn agrees_with_the_twin(&self, sure: f64, owners: usize) {
         self.agrees_with_the_twin_on(&gpus(), sure, owners);
     }
 
-    /// The same on some backends alone.
+    /// The same on some of the backends.
     pub fn agrees_with_the_twin_on(&self, gpus: &[&Gpu], sure: f64, owners: usize) {
         let twin = Twin::of(&self.scene);
         let looks: Vec<_> = (self.frames.iter())
@@ -153,7 +153,7 @@ impl Play {
                 let whole = expected.len() as f64;
                 assert!(
                     certain as f64 >= sure * whole,
-                    "frame {frame}: the twin is sure of {certain} of {whole} pixels"
+                    "frame {frame}: the twin is certain of {certain} of {whole} pixels"
                 );
                 let mut found: Vec<_> = expected.iter().flatten().collect();
                 found.sort_unstable();
@@ -178,7 +178,7 @@ impl Play {
     }
 }
 
-/// The number that stands for an entity in an [`IdBuffer`]; 0 for none.
+/// The id of an entity in an [`IdBuffer`]; 0 for none.
 pub fn id_of(scene: &GpuScene, entity: Option<EntityKey>) -> u32 {
     entity.map_or(0, |entity| scene.slot(entity).unwrap() + 1)
 }

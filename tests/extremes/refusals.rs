@@ -1,4 +1,4 @@
-//! Where the answer is an error: it names the entity, the pose or the view, and the number.
+//! Input that is refused: the error names the entity, the pose or the view, and the number.
 
 use antumbra::cull::{Stage, StageOptions, ViewInput, ViewSpec};
 use antumbra::draw::GpuScene;
@@ -8,7 +8,7 @@ use antumbra::strategies::registry;
 use antumbra_testing::{SceneBuilder, gpus, look_at, perspective_degrees};
 use glam::{DAffine3, DQuat, DVec3};
 
-/// A message that holds all of these words.
+/// Asserts that a message contains all of these words.
 fn says(message: impl std::fmt::Display, words: &[&str]) {
     let message = message.to_string();
     for word in words {
@@ -55,7 +55,7 @@ fn an_infinite_box_names_its_mesh_or_entity_and_the_number() {
         let error = Scene::new().add_mesh(Mesh::new("sheet", geometry));
         says(error.unwrap_err(), &["\"sheet\"", "position 2", number]);
     }
-    // Finite each for itself, and beyond all numbers together: when it is made, when it comes, and when it moves there.
+    // Two transforms that are finite each, but not their product: at creation, when an entity is added, and when it moves.
     let huge = DAffine3::from_scale(DVec3::splat(1e300));
     let [gpu, _] = gpus();
     for (scale, number) in [

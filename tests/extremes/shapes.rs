@@ -1,4 +1,4 @@
-//! Shapes by transform and flatness: mirrored, squeezed to nothing, blown up beyond all measure, flat, and as thin as blades.
+//! Shapes: mirrored, rotated and sheared, scaled to zero and to 1e20, flat, and thinner than a pixel.
 
 use antumbra::scene::{Geometry, Mesh};
 use antumbra_testing::{SceneBuilder, look_at, perspective_degrees, placed};
@@ -6,7 +6,7 @@ use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use crate::play::Play;
 
-/// From before the origin, then a little beside.
+/// Two frames: from in front of the origin, then a little to the side.
 fn before(set: SceneBuilder) -> Play {
     let from = |x: f64| {
         let eye = DVec3::new(x, 0.25, 6.0);
@@ -57,7 +57,7 @@ fn scales_of_nothing_of_1e_minus_20_and_of_1e20() {
         set.put(set.cube, placed(at, scale));
         set.put(set.ball, placed(at + DVec3::Y, scale));
     };
-    // In sight and hidden.
+    // Visible and hidden.
     for z in [1.5, -2.0] {
         for scale in [0.0, 1e-20, -1e-20, 1e-300] {
             place(DVec3::splat(scale), DVec3::new(0.5, -0.5, z));
@@ -65,7 +65,7 @@ fn scales_of_nothing_of_1e_minus_20_and_of_1e20() {
         place(DVec3::new(0.0, 1e-20, 1.0), DVec3::new(-0.5, -0.5, z));
         place(DVec3::new(1.0, 0.0, 0.0), DVec3::new(-0.5, -0.6, z));
     }
-    // So large that it is a wall at infinity.
+    // As large as a wall at infinity.
     set.cube(DVec3::new(0.0, 0.3e20, -2e20), DVec3::splat(1e20));
     set.put(
         set.ball,
@@ -76,7 +76,7 @@ fn scales_of_nothing_of_1e_minus_20_and_of_1e20() {
     play.is_right();
 }
 
-/// A mesh of its own, put upright.
+/// Adds a mesh, and an entity that shows it.
 fn put_mesh(set: &mut SceneBuilder, name: &str, geometry: Geometry, place: DAffine3) {
     let mesh = set.scene.add_mesh(Mesh::new(name, geometry)).unwrap();
     set.put(mesh, place);
@@ -96,11 +96,11 @@ fn flat_boxes_face_on_and_edge_on() {
     .enumerate()
     {
         let x = number as f64 - 2.0;
-        // In sight, and hidden behind the wall.
+        // Visible, and hidden behind the wall.
         set.cube(DVec3::new(x, 0.9, 1.5), size * 0.8);
         set.cube(DVec3::new(x, 0.0, -1.0), size * 0.8);
     }
-    // Squares as tiles of one plane, as large as the wall, in the plane of its front and a hair before it.
+    // Squares that tile a plane as wide as the wall, in the plane of its front and a millimetre in front of it.
     for x in -2..=2 {
         for off in [0.0, 1e-3] {
             let at = DVec3::new(f64::from(x), -1.5, 0.125 + off);
@@ -120,7 +120,7 @@ fn blades_thinner_than_a_pixel_a_hundred_metres_long() {
         indices: vec![0, 1, 2, 0, 2, 1],
         ..Geometry::default()
     };
-    // Along the view, across it, through the wall and beside it.
+    // Along the viewing direction, across it, through the wall and beside it.
     for number in 0..24 {
         let t = f64::from(number);
         let turn = DQuat::from_rotation_y(t * 0.26) * DQuat::from_rotation_x((t * 1.7).sin() * 0.3);

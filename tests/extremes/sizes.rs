@@ -1,4 +1,4 @@
-//! Sizes: from what no pixel can show to what fills the sky, in one scene.
+//! Sizes: from a hundredth of a pixel to half the sky, in one scene.
 
 use antumbra_testing::{SceneBuilder, gpus, look_at, perspective_degrees};
 use glam::DVec3;
@@ -11,11 +11,11 @@ fn a_scene_of_sizes_a_billion_to_one() {
     let mut place = |far: f64, x: f64, y: f64, size: f64| {
         let centre = DVec3::new(x, y, -1.0) * far;
         set.ball(centre, size);
-        // Hidden behind it, and beside it.
+        // One cube hidden behind the ball, one beside it.
         set.cube(centre * 1.5, DVec3::splat(size * 0.4));
         set.cube(centre * 1.25 + DVec3::X * size, DVec3::splat(size * 0.6));
     };
-    // A millimetre before the eye to a thousand kilometres away, each as large as it takes to be seen.
+    // From a centimetre to ten thousand kilometres away, each large enough to be visible.
     for (number, power) in (-2..=7).enumerate() {
         let far = 10_f64.powi(power);
         let (column, row) = (number % 5, number / 5);
@@ -28,7 +28,7 @@ fn a_scene_of_sizes_a_billion_to_one() {
     }
     // The ground, a thousand kilometres wide.
     set.cube(DVec3::new(0.0, -3.0, -4e5), DVec3::new(1e6, 1.0, 1e6));
-    // And a grain of dust upon it, a hundredth of a pixel.
+    // A grain on the ground, a hundredth of a pixel wide.
     set.ball(DVec3::new(0.5, -2.49, -10.0), 1e-3);
     let from = |x: f64| {
         let eye = DVec3::X * x;
@@ -37,7 +37,7 @@ fn a_scene_of_sizes_a_billion_to_one() {
     let mut play = Play::new(set.scene, vec![from(0.0), from(1e-3)]);
     play.size = [96, 72];
     play.apart = 1e-3;
-    // On GL what is farther than a few kilometres ties: see the worlds.
+    // On OpenGL, depths beyond a few kilometres are equal: see `worlds.rs`.
     let [vulkan, _] = gpus();
     play.agrees_with_the_twin_on(&[vulkan], 0.7, 15);
     play.is_right();
@@ -45,7 +45,7 @@ fn a_scene_of_sizes_a_billion_to_one() {
 
 #[test]
 fn objects_of_a_hundredth_of_a_pixel_alone() {
-    // None of them is wider than a tenth of a pixel; where a pixel's middle falls into one, it owns that pixel.
+    // None is wider than a tenth of a pixel. One that covers the centre of a pixel owns that pixel.
     let mut set = SceneBuilder::new();
     for number in 0..400 {
         let t = f64::from(number);
@@ -54,7 +54,7 @@ fn objects_of_a_hundredth_of_a_pixel_alone() {
         let pixel = far * 2.0 * 30_f64.to_radians().tan() / 48.0;
         set.cube(place * far, DVec3::splat(pixel * 0.1));
     }
-    // One just in the middle of a pixel.
+    // One exactly at the centre of a pixel.
     let half = 30_f64.to_radians().tan() / 48.0;
     let hit = set.cube(DVec3::new(half, half, -1.0) * 3.0, DVec3::splat(half * 0.6));
     set.ball(DVec3::new(0.0, -0.2, -60.0), 8.0);

@@ -1,4 +1,5 @@
-//! Terrain by size and place: the strategy `horizon` over ridges of a millimetre, of a thousand kilometres, and ten thousand kilometres away.
+//! Terrain by size and place: the strategy `horizon` on terrain a millimetre wide, a thousand kilometres wide, and ten thousand kilometres from
+//! the origin.
 
 use std::sync::Arc;
 
@@ -10,10 +11,10 @@ use glam::DVec3;
 
 use crate::play::Play;
 
-/// Posts along a side.
+/// Posts along each side.
 const POSTS: u32 = 33;
 
-/// Ridges from west to east, a post a metre, where a metre is `metre` metres.
+/// Ridges from west to east, with one post a unit. A unit is `metre` metres.
 fn ridges(metre: f64, origin: DVec3) -> Field {
     let posts = (0..POSTS).flat_map(|row| (0..POSTS).map(move |column| [column, row]));
     let points = posts.map(|at| {
@@ -32,7 +33,8 @@ fn ridges(metre: f64, origin: DVec3) -> Field {
     Field::new(points.collect(), triangles.collect()).unwrap()
 }
 
-/// How many entities `horizon` draws of how many in the frustum, every pixel being right, looked at from a valley and from above.
+/// Asserts that `horizon` gets every pixel right from a valley and from above, and culls. Returns, of the first frame, how many groups are drawn
+/// and how many are in the frustum.
 fn holds(metre: f64, origin: DVec3) -> [usize; 2] {
     let field = ridges(metre, origin);
     let count = field.triangles().len();
@@ -54,7 +56,7 @@ fn holds(metre: f64, origin: DVec3) -> [usize; 2] {
     });
     let shown = terrain.show(&mut scene, material).unwrap();
     let horizon = HorizonStrategy::new(Arc::new(terrain), &shown);
-    // East, north, up; the world has Y up and Z south.
+    // East, north, up. In the world, Y is up and Z is south.
     let world = |east: f64, north: f64, up: f64| {
         let at = origin + DVec3::new(east, north, up) * metre;
         DVec3::new(at.x, at.z, -at.y)
@@ -84,7 +86,7 @@ fn horizons_of_a_world_of_millimetres_and_of_a_thousand_kilometres() {
     let metres = holds(1.0, DVec3::ZERO);
     for power in [-15, 15] {
         let found = holds(2_f64.powi(power), DVec3::ZERO);
-        // Rims allow for roundings in metres, not in shares: a group at the edge of being hidden may fall either way.
+        // Rims allow for rounding in metres, not relative to the scale: the verdict of a group that is just hidden may differ.
         assert_eq!(found[1], metres[1]);
         assert!(
             found[0].abs_diff(metres[0]) <= 2,

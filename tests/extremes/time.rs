@@ -1,6 +1,6 @@
-//! Time running backwards: paths flown back, scenes that return to what they were, and answers about another past or another scene.
+//! Reversed time: paths flown back, scenes that return to an earlier state, and answers about another scene.
 //!
-//! That an older frame's answer never follows a newer one's is the graph's to keep: `crates/graph/tests/gpu/late.rs`.
+//! That answers arrive in the order of frames is tested with the graph: `crates/graph/tests/gpu/late.rs`.
 
 use antumbra::cull::{Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
 use antumbra::draw::{Gpu, GpuScene};
@@ -11,7 +11,7 @@ use glam::DVec3;
 
 use crate::play::{Play, made, strategies};
 
-/// What answers a frame late and errs by its lateness alone.
+/// Frame-late strategies whose only error is their latency.
 const LATE: [&str; 4] = [
     "three-pass:latency=frame-late:threshold=0:scale=1:coarser=0:occluders=full:occludees=full",
     "coherent:latency=frame-late",
@@ -33,7 +33,7 @@ fn camera(x: f64) -> Camera {
     )
 }
 
-/// A stage of one view that is asked frame by frame.
+/// A stage with one view, run frame by frame.
 struct Run<'a> {
     gpu: &'a Gpu,
     stage: Stage,
@@ -51,7 +51,8 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Who owns a pixel and is not drawn, with the verdicts. The answers have arrived when the next frame asks for them.
+    /// Runs a frame. Returns the slots that own a pixel and are not drawn, and the verdicts. Answers have arrived before the next frame reads
+    /// them.
     fn frame(&mut self, scene: &GpuScene, camera: Camera) -> (Vec<u32>, Verdicts) {
         let mut oracle = Oracle::new(scene, [64, 48]);
         let owners = oracle
@@ -82,7 +83,7 @@ fn a_path_flown_back_is_seen_as_it_was_flown() {
         ..Play::new(set.scene, frames)
     };
     for (strategy, frames) in play.is_right() {
-        // What remembers may draw more on the way back; what does not says the same of the same pose.
+        // A strategy with memory may draw more on the way back; others give the same verdicts at the same pose.
         let remembers = ["coherent", "occupancy-map"];
         if remembers.iter().any(|name| strategy.contains(name)) {
             continue;
@@ -92,7 +93,7 @@ fn a_path_flown_back_is_seen_as_it_was_flown() {
             assert!(there[0].agree(&back[0]), "{strategy}: pose {pose}");
         }
     }
-    // Late answers cover what is new on the way back as on the way there (the kit sees to it), and settle.
+    // Late answers cover new entities on the way back as well (the kit checks this), and settle.
     let still = std::iter::repeat_n(camera(-1.5), 5);
     let frames = play.frames.iter().copied().chain(still).collect();
     let play = Play { frames, ..play };
@@ -123,7 +124,7 @@ fn a_scene_that_returns_to_what_it_was_is_no_past_state() {
         let mut scene = GpuScene::new(gpu, &mut set.scene).unwrap();
         let mut run = Run::new(gpu, &scene, text);
         let mut epoch = scene.table().epoch();
-        // Hidden, gone, back under another key in the same slot and in sight, hidden again: there is no way back to an earlier epoch.
+        // The cube is hidden, removed, added again (another key, the same slot) where it is visible, and hidden again. Its epoch never returns.
         let mut here = moves;
         for step in 0..6 {
             let (missed, _) = run.frame(&scene, camera(0.0));
@@ -137,7 +138,7 @@ fn a_scene_that_returns_to_what_it_was_is_no_past_state() {
                 let (missed, _) = run.frame(&scene, camera(0.0));
                 assert!(
                     missed.is_empty(),
-                    "{text}, step {step}: an answer about who is gone"
+                    "{text}, step {step}: an answer about the removed entity is used"
                 );
             } else {
                 set.scene.set_local(here, hidden).unwrap();
@@ -153,7 +154,7 @@ fn a_scene_that_returns_to_what_it_was_is_no_past_state() {
 fn answers_about_another_scene_are_not_applied() {
     let [vulkan, gl] = gpus();
     for gpu in [vulkan, gl] {
-        // The same slots, and what is hidden in one is in sight in the other.
+        // Both scenes have the same slots; the entities hidden in one are visible in the other.
         let mut sets = [1.0, -1.0].map(|front| {
             let mut set = SceneBuilder::still_life(1.0, DVec3::ZERO);
             for column in -2..=2 {
@@ -165,7 +166,7 @@ fn answers_about_another_scene_are_not_applied() {
         let [mut first, mut second] = sets
             .each_mut()
             .map(|set| GpuScene::new(gpu, &mut set.scene).unwrap());
-        // The first is many changes ahead: to it, answers about the second are old; to the second, those about the first are of the future.
+        // The first scene has a later epoch: answers about the second are older than it, and those about the first are newer than the second.
         for _ in 0..5 {
             let moved = sets[0].ball(DVec3::new(0.0, 0.0, -9.0), 0.5);
             first.sync(&mut sets[0].scene).unwrap();

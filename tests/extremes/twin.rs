@@ -1,26 +1,26 @@
-//! The twin of the oracle: rays through pixels in f64, against every triangle. It knows nothing of frusta, matrices, slots or rasterisers.
+//! The CPU twin of the oracle: casts rays through pixels against every triangle, in f64. It uses no frusta, matrices, slots or rasteriser.
 
 use antumbra::scene::{Camera, EntityKey, Projection, Scene};
 use glam::DVec3;
 
-/// How far around a pixel's middle all must be the same for the pixel to be sure, in pixels: more than vertices are snapped by and f32 loses.
+/// A pixel is certain if it has one owner within this distance of its centre, in pixels: more than vertex snapping and f32 rounding.
 const AROUND: f64 = 0.1;
-/// Depths that differ by less, as a share, may fall either way.
+/// Depths with a smaller relative difference may be in either order.
 const SAME_DEPTH: f64 = 1e-5;
 
-/// Triangles in the world, with whom they belong to.
+/// All triangles in world space, each with its entity.
 pub struct Twin {
     triangles: Vec<(EntityKey, [DVec3; 3])>,
 }
 
-/// Where a ray starts, relative to the eye, and where it goes.
+/// A ray: its origin relative to the eye, and its direction.
 struct Ray {
     from: DVec3,
     towards: DVec3,
 }
 
 impl Twin {
-    /// Of every triangle of a scene, all of them single-sided.
+    /// The twin of a scene. All triangles are single-sided.
     pub fn of(scene: &Scene) -> Self {
         let triangles = scene
             .drawables()
@@ -41,8 +41,8 @@ impl Twin {
         Self { triangles }
     }
 
-    /// Who owns each pixel, row after row from the top: nobody, somebody, or `None` where a little would change it. Rays go through the
-    /// pixel's middle and as many `steps` around it; what is thinner than a step may slip through.
+    /// The owner of each pixel, row by row from the top: an entity, the background, or `None` where the pixel is not certain. Casts rays through
+    /// the centre of the pixel and `steps` to each side of it; an object thinner than a step may be missed.
     pub fn look(
         &self,
         camera: &Camera,
@@ -73,7 +73,7 @@ impl Twin {
 
 fn ray(camera: &Camera, [width, height]: [u32; 2], x: f64, y: f64) -> Ray {
     let [wide, high] = [width, height].map(f64::from);
-    // -1 to 1, upwards.
+    // Normalised device coordinates, -1 to 1, Y up.
     let (x, y) = (x / wide * 2.0 - 1.0, 1.0 - y / high * 2.0);
     let across = |half: f64| camera.right() * (x * half * wide / high) + camera.up() * (y * half);
     match camera.projection {
@@ -85,11 +85,12 @@ fn ray(camera: &Camera, [width, height]: [u32; 2], x: f64, y: f64) -> Ray {
             from: across(height * 0.5),
             towards: camera.forward(),
         },
-        other => panic!("the twin does not look through {other:?}"),
+        other => panic!("the twin does not support {other:?}"),
     }
 }
 
-/// The nearest front face beyond the near plane; `None` where two owners are as near. `towards` goes a metre ahead a metre of depth.
+/// The entity of the nearest front face beyond the near plane; `None` if two entities are equally near. The ray's `towards` is one metre long
+/// along the viewing direction, so that its parameter is the depth.
 fn nearest(
     triangles: &[(EntityKey, [DVec3; 3])],
     camera: &Camera,
@@ -134,7 +135,7 @@ fn nearest(
     }
 }
 
-/// How far along the ray it meets the front of a triangle (Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997).
+/// The ray parameter at which the ray hits the front of a triangle (Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997).
 fn hit([a, b, c]: &[DVec3; 3], ray: &Ray) -> Option<f64> {
     let (along, across) = (b - a, c - a);
     let normal = ray.towards.cross(across);

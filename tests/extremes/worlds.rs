@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use crate::play::Play;
 
-/// The still life, seen from the front and a little beside, in a world where a metre is `metre` metres.
+/// The still life from the front, then from a little to the side, in a world whose unit is `metre` metres.
 fn world(metre: f64, origin: DVec3) -> Play {
     let set = SceneBuilder::still_life(metre, origin);
     let at = |x: f64, y: f64, z: f64| origin + DVec3::new(x, y, z) * metre;
@@ -22,7 +22,7 @@ fn world(metre: f64, origin: DVec3) -> Play {
     }
 }
 
-/// A metre that halves and doubles without rounding.
+/// A unit that is a power of two, so that scaling is exact.
 fn metre(power: i32) -> f64 {
     2.0_f64.powi(power)
 }
@@ -48,7 +48,7 @@ fn ten_thousand_kilometres_away_the_verdicts_are_the_same() {
     assert_eq!(away.is_right(), world(1.0, DVec3::ZERO).is_right());
 }
 
-/// Three walls a hundred thousand kilometres apart, each half hidden by the one before it, behind what is as near as a hand.
+/// Three walls a hundred thousand kilometres apart, each half hidden by the one in front of it, behind a cube close to the camera.
 fn walls_far_away(near: f64) -> Play {
     let mut set = SceneBuilder::new();
     set.cube(
@@ -60,7 +60,7 @@ fn walls_far_away(near: f64) -> Play {
         let size = DVec3::new(0.5 * far, 0.6 * far, 1e6);
         set.cube(DVec3::new(x, 0.0, -far), size);
     }
-    // Hidden by the nearest of them.
+    // Hidden by the nearest wall.
     set.ball(DVec3::new(-0.3e9, 0.0, -1.3e9), 1e8);
     let from = |x: f64| {
         let eye = DVec3::X * x;
@@ -75,6 +75,6 @@ fn what_stands_a_million_kilometres_away_is_still_in_order() {
     let play = walls_far_away(1e-4);
     play.agrees_with_the_twin_on(&[vulkan], 0.9, 5);
     play.is_right();
-    // On GL depth passes through -1..1, where a 2^24th of the near plane's is all that is left: what is farther than that ties.
+    // On OpenGL depth is mapped from -1..1, which leaves a resolution of a 2^24th of the near plane's depth: beyond that, depths are equal.
     walls_far_away(1e3).agrees_with_the_twin_on(&[gl], 0.9, 5);
 }
