@@ -1,12 +1,22 @@
-//! CoherentSettings from frame to frame and from eye to eye: what was visible is drawn first and hides the rest.
+//! Coherence between frames and between the views of a stereo pair: the entities that were visible are drawn first, and the others are tested
+//! against their depth.
 //!
-//! Mansa, Amundarain, Garcia-Alonso, Matey, *Occlusion Culling for Stereoscopic Display of Complex Mechanical Sets*, 2007: OCF for one eye, scOCF for
-//! two. The scenes it is for are whole in the frustum and not densely occluded, so there is no hierarchy to walk and nothing to prepare.
+//! Mansa, Amundarain, Garcia-Alonso, Matey, *Occlusion Culling for Stereoscopic Display of Complex Mechanical Sets*, 2007: OCF for one view,
+//! scOCF for two. The method is meant for scenes that lie in the frustum as a whole and hide little of themselves, so it needs neither a hierarchy nor preparation.
+//!
+//! | file | content |
+//! |---|---|
+//! | `single_view.rs` | a view on its own, answers on the host |
+//! | `next_view.rs` | a further view that reuses the first one, answers in the same frame |
+//! | `on_gpu.rs` | both, without the host |
+//! | `memory.rs`, `fraction.rs`, `picker.rs`, `schedule.rs` | what is known of each entity, and which occluded entities a frame tests |
 
+mod entity_test;
 mod fraction;
 mod memory;
 mod next_view;
 mod on_gpu;
+mod picker;
 mod queried_list;
 mod schedule;
 mod screen_distance;
@@ -14,27 +24,27 @@ mod settings;
 mod single_view;
 
 use antumbra_graph::Buffer;
-use fraction::Share;
-use single_view::Eye;
+use fraction::FractionRule;
+use single_view::{DrawnAnswers, ViewState};
 
 use antumbra_cull::{
     DeclareError, FrameGraph, Latency, Setting, SettingError, Step, Strategy, Tunable, Value,
     ViewNodes, VisibleSet, assign, describe,
 };
 
-/// What both strategies can be told.
+/// The settings of both strategies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CoherentSettings {
-    /// When the answers of the tests are used.
+    /// When the answers of the queries are used.
     pub latency: Latency,
-    /// The part of the occluded that is tested a frame: above 0, at most 1. Below 1 what appears may be late.
+    /// The part of the occluded entities that is tested a frame: above 0, at most 1. Below 1 an entity may appear late.
     pub fraction: f64,
-    /// How many entities may be late on average: the fraction grows as far as that needs. 0: it is fixed.
+    /// Entities that may be late on average. The fraction grows as far as that needs. 0: the fraction is fixed.
     pub late: f64,
-    /// How far the camera moves before the visible are sorted anew, as a part of its distance to the one in the middle of their list.
+    /// Camera motion after which the visible entities are sorted again, as a part of the distance to the middle one of their list.
     pub resort: f64,
-    /// Up to how many of the occluded are asked about together, by one query: where it finds a sample, all of them are drawn and asked about alone next
-    /// time. 1: each alone, as in the paper.
+    /// Most occluded entities that share a query. Where it finds a sample, all of them are drawn, and the next frame queries each on its own.
+    /// 1: no sharing, as in the paper.
     pub together: u32,
 }
 
@@ -51,15 +61,15 @@ impl Default for CoherentSettings {
 }
 
 impl CoherentSettings {
-    fn share(self) -> Share {
-        Share {
+    fn fraction_rule(self) -> FractionRule {
+        FractionRule {
             least: self.fraction,
             late: self.late,
         }
     }
 
-    /// The same with all of the occluded tested: an eye after the first needs no fraction (section 3.2).
-    fn whole(self) -> Self {
+    /// The same with all occluded entities tested: a view after the first needs no fraction (section 3.2).
+    fn testing_all(self) -> Self {
         Self {
             fraction: 1.0,
             late: 0.0,
@@ -67,7 +77,7 @@ impl CoherentSettings {
         }
     }
 
-    /// Refuses what does not go together.
+    /// Refuses settings that contradict each other.
     fn check(self, strategy: &str) -> Result<(), DeclareError> {
         if self.latency == Latency::OnGpu && self.late > 0.0 {
             return Err(DeclareError::Settings {
@@ -94,7 +104,7 @@ impl Tunable for CoherentSettings {
 
     /// From all of the occluded entities tested to a twentieth of them.
     fn steps(&self) -> Vec<Step> {
-        let now = match self.latency {
+        let current = match self.latency {
             Latency::SameFrame => Latency::SameFrame,
             Latency::FrameLate | Latency::OnGpu => Latency::OnGpu,
         };
@@ -105,7 +115,7 @@ impl Tunable for CoherentSettings {
                 ("fraction", fraction.into()),
             ])
         };
-        let mut steps = vec![step(now, 1.0)];
+        let mut steps = vec![step(current, 1.0)];
         if self.latency == Latency::FrameLate {
             steps.push(step(self.latency, 1.0));
         }
@@ -135,34 +145,36 @@ impl Tunable for StereoCoherent {
     }
 }
 
-/// The strategy `coherent`: each view on its own (OCF).
+/// The strategy `coherent`: every view on its own (OCF).
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Coherent {
-    /// Its settings.
+    /// The settings of the strategy.
     pub settings: CoherentSettings,
 }
 
-/// The strategy `stereo-coherent`: the first view as `coherent` does it, the others from what the first one saw (scOCF).
+/// The strategy `stereo-coherent`: the first view as in `coherent`; the others start with what the first one shows (scOCF).
 #[derive(Debug, Clone, Copy, Default)]
 pub struct StereoCoherent {
-    /// Its settings.
+    /// The settings of the strategy.
     pub settings: CoherentSettings,
-    first: Option<First>,
+    /// The first view of the present declaration, for the views after it.
+    first: Option<FirstView>,
 }
 
-/// What the first eye leaves to the others.
+/// What the first view passes on to the views after it.
 #[derive(Debug, Clone, Copy)]
-enum First {
-    OnHost(Eye),
-    /// How many pixels each slot owns in it.
+enum FirstView {
+    /// Memory, lists and verdicts on the host.
+    OnHost(ViewState),
+    /// The pixels that each slot owns in it, a u32 a slot.
     OnGpu(Buffer),
 }
 
 impl StereoCoherent {
-    /// With these settings.
-    pub fn new(coherence: CoherentSettings) -> Self {
+    /// The strategy with these settings.
+    pub fn new(settings: CoherentSettings) -> Self {
         Self {
-            settings: coherence,
+            settings,
             first: None,
         }
     }
@@ -198,16 +210,18 @@ impl Strategy for Coherent {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
-        let how = self.settings;
-        how.check(self.name())?;
-        Ok(match how.latency {
+        let settings = self.settings;
+        settings.check(self.name())?;
+        Ok(match settings.latency {
             Latency::FrameLate => {
-                VisibleSet::drawn(single_view::frame_late(g, view, how, None).verdicts)
+                let state = single_view::frame_late(g, view, settings, None);
+                VisibleSet::drawn(state.verdicts)
             }
             Latency::SameFrame => {
-                VisibleSet::drawn(single_view::same_frame(g, view, how, true).verdicts)
+                let state = single_view::same_frame(g, view, settings, DrawnAnswers::ReadHere);
+                VisibleSet::drawn(state.verdicts)
             }
-            Latency::OnGpu => on_gpu::first(g, view, how).set,
+            Latency::OnGpu => on_gpu::first(g, view, settings).set,
         })
     }
 }
@@ -242,36 +256,44 @@ impl Strategy for StereoCoherent {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
-        let how = self.settings;
-        how.check(self.name())?;
+        let settings = self.settings;
+        settings.check(self.name())?;
         let first = self.first.take().filter(|_| view.index() > 0);
-        let (set, first) = match (how.latency, first) {
-            (Latency::OnGpu, Some(First::OnGpu(owned))) => (
-                on_gpu::next(g, view, how.whole(), owned),
-                First::OnGpu(owned),
+        let (set, first) = match (settings.latency, first) {
+            (Latency::OnGpu, Some(FirstView::OnGpu(owned))) => (
+                on_gpu::next(g, view, settings.testing_all(), owned),
+                FirstView::OnGpu(owned),
             ),
             (Latency::OnGpu, _) => {
-                let eye = on_gpu::first(g, view, how);
-                (eye.set, First::OnGpu(eye.owned))
+                let state = on_gpu::first(g, view, settings);
+                (state.set, FirstView::OnGpu(state.owned))
             }
-            (Latency::FrameLate, Some(First::OnHost(eye))) => {
-                let own = single_view::frame_late(g, view, how.whole(), Some(eye.verdicts));
-                (VisibleSet::drawn(own.verdicts), First::OnHost(eye))
+            (Latency::FrameLate, Some(FirstView::OnHost(first))) => {
+                let lent = Some(first.verdicts);
+                let own = single_view::frame_late(g, view, settings.testing_all(), lent);
+                (VisibleSet::drawn(own.verdicts), FirstView::OnHost(first))
             }
             (Latency::FrameLate, _) => {
-                let eye = single_view::frame_late(g, view, how, None);
-                (VisibleSet::drawn(eye.verdicts), First::OnHost(eye))
+                let state = single_view::frame_late(g, view, settings, None);
+                (VisibleSet::drawn(state.verdicts), FirstView::OnHost(state))
             }
-            (Latency::SameFrame, Some(First::OnHost(mut eye))) => {
-                // A third view finds in the memory what the second one has collected.
-                let collects = view.index() == 1;
-                let verdicts = next_view::same_frame(g, view, how, &mut eye, collects);
-                (VisibleSet::drawn(verdicts), First::OnHost(eye))
+            (Latency::SameFrame, Some(FirstView::OnHost(mut first))) => {
+                // A third view finds the answers in the memory: the second one has read them.
+                let answers = match view.index() {
+                    1 => DrawnAnswers::ReadHere,
+                    _ => DrawnAnswers::ReadElsewhere,
+                };
+                let verdicts = next_view::same_frame(g, view, settings, &mut first, answers);
+                (VisibleSet::drawn(verdicts), FirstView::OnHost(first))
             }
             (Latency::SameFrame, _) => {
-                // Its answers are the next eye's to collect, where there is one.
-                let eye = single_view::same_frame(g, view, how, view.is_last());
-                (VisibleSet::drawn(eye.verdicts), First::OnHost(eye))
+                // The second view, if there is one, reads the answers about what this one draws.
+                let answers = match view.is_last() {
+                    true => DrawnAnswers::ReadHere,
+                    false => DrawnAnswers::ReadElsewhere,
+                };
+                let state = single_view::same_frame(g, view, settings, answers);
+                (VisibleSet::drawn(state.verdicts), FirstView::OnHost(state))
             }
         };
         self.first = Some(first);

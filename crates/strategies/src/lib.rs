@@ -1,19 +1,49 @@
-//! The built-in culling strategies, one file or folder each, and [`registry`], which makes them by name.
+//! The built-in culling strategies, one file or folder each.
 //!
-//! Each is an ordinary plug-in of `antumbra-cull`: what a strategy here can do, a strategy of another crate can do as well.
+//! | name | type | source |
+//! |---|---|---|
+//! | `none`, `frustum`, `ideal` | [`Everything`], [`Frustum`], [`Ideal`] | baselines of `antumbra-cull` |
+//! | `stop-and-wait` | [`StopAndWait`] | Bartz, Meissner, Huettner 1999 |
+//! | `three-pass` | [`ThreePass`] | Plate, Grundhoefer, Schmidt, Froehlich 2004 |
+//! | `coherent`, `stereo-coherent` | [`Coherent`], [`StereoCoherent`] | Mansa, Amundarain, Garcia-Alonso, Matey 2007 |
+//! | `occupancy-map`, `occupancy-map-single` | [`OccupancyMapBatched`], [`OccupancyMapSingle`] | Staneker, Bartz, Strasser 2004 |
+//!
+//! [`registry`] makes a strategy from its name and settings, as the command line writes them:
 //!
 //! ```
 //! let strategy = antumbra_strategies::registry().parse("three-pass:latency=on-gpu:threshold=4")?;
 //! assert_eq!(strategy.name(), "three-pass");
 //! # Ok::<(), antumbra_cull::RegistryError>(())
 //! ```
+//!
+//! In code a strategy is a struct with public settings. Either form goes to `antumbra_cull::Stage::new`:
+//!
+//! ```
+//! use antumbra_cull::{Latency, Strategy};
+//! use antumbra_strategies::{TestGeometry, ThreePass};
+//!
+//! let exact = ThreePass {
+//!     latency: Latency::SameFrame,
+//!     threshold: 0,
+//!     occluders: TestGeometry::Full,
+//!     occludees: TestGeometry::Full,
+//!     scale: 1.0,
+//!     ..ThreePass::default()
+//! };
+//! assert!(exact.conservative());
+//! ```
+//!
+//! Every strategy is an ordinary plug-in of `antumbra-cull` and uses its public interface only. [`traversal`] and [`occupancy`] are the parts of
+//! the hierarchical strategies that other strategies can reuse.
 
 mod coherent;
 pub mod occupancy;
 mod occupancy_map;
+mod query_results;
 mod sketch;
 mod stop_and_wait;
 mod three_pass;
+mod transparent;
 pub mod traversal;
 
 use antumbra_cull::{Everything, Frustum, Ideal, Registry};
@@ -24,7 +54,7 @@ pub use sketch::{NodeOutcome, Sketch, SketchNode};
 pub use stop_and_wait::StopAndWait;
 pub use three_pass::{TestGeometry, ThreePass};
 
-/// The strategies of this crate, by name.
+/// A registry of the strategies of this crate.
 pub fn registry() -> Registry {
     let mut registry = Registry::new();
     registry.register(|| Box::new(Everything));

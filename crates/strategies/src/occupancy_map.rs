@@ -1,8 +1,8 @@
-//! Hierarchical culling with occupancy maps: what reaches a part of the screen that nothing was drawn to is visible without a query, and what has to be
-//! asked about is asked about in batches that do not cover each other.
+//! Hierarchical culling with an occupancy map. A node of the tree that reaches a part of the screen where nothing was drawn is visible without a
+//! query. All other nodes are queried in batches of nodes that do not cover each other.
 //!
-//! Staneker, Bartz, Strasser, *Efficient Multiple Occlusion Queries for Scene Graph Systems*, 2004: `occupancy-map` is its multiple queries,
-//! `occupancy-map-single` the authors' scheme before it, a query at a time.
+//! Staneker, Bartz, Strasser, *Efficient Multiple Occlusion Queries for Scene Graph Systems*, 2004. `occupancy-map` is the paper's multiple
+//! queries; `occupancy-map-single` is the authors' earlier scheme (Staneker, Bartz, Meissner 2003), which waits for each query.
 
 mod settings;
 
@@ -16,35 +16,35 @@ use antumbra_cull::{
     ViewNodes, VisibleSet, assign, describe,
 };
 
-/// What both strategies can be told.
+/// The settings of both strategies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OccupancySettings {
-    /// Where the tree's inner nodes come from.
+    /// How the inner nodes of the tree are made.
     pub tree: HierarchyShape,
     /// Pixels along a side of a block of the map: 1 to 256.
     pub block: u32,
-    /// Triangles below a node that is not opened: opening it would cost more queries than it can save.
+    /// A node with at most this many triangles is not opened: its children would cost more queries than they can save.
     pub grain: u32,
-    /// Pixels in width and height below which a sub-tree is dropped, aggressive; 0: none is.
+    /// Width and height in pixels below which a sub-tree is culled (aggressive); 0: none is.
     pub small: f32,
-    /// The part of a batch that must come out visible for the next one to be organised as well; below it, nothing new stands before those who wait. 0:
-    /// batches are organised whatever came of the last one, as in the paper.
+    /// The part of a batch, 0..=1, that must be visible for the next batch to be organised too. Below it, little new was drawn that could hide
+    /// the waiting nodes. 0: every batch is organised, as in the paper.
     pub least_seen: f32,
-    /// Up to how many neighbours in the tree that were hidden a frame ago one query asks about: where it finds a sample, each is asked about for itself. 1: each alone, as
-    /// in the paper.
+    /// Most neighbours in the tree, hidden one frame ago, that share a query. Where it finds a sample, each gets a query of its own. 1: no
+    /// sharing, as in the paper.
     pub together: u32,
-    /// Triangles that a wait must be able to save, beside 190 a query: where all who wait have no more between them, they are drawn without a question. 0:
-    /// whoever waits is asked about, as in the paper.
+    /// Triangles that a wait must be able to save, beside 190 a query. Where all waiting nodes together hold no more, they are drawn without a
+    /// query. 0: every waiting node is queried, as in the paper.
     pub worth: u32,
-    /// Frames for which what was found visible is drawn without another query, while the camera is slow.
+    /// Frames for which a visible node is drawn without another query, while the camera is slow.
     pub visible_for: u32,
-    /// Frames for which what was found occluded is left out without another query, while the camera is slow: aggressive.
+    /// Frames for which an occluded node is culled without another query, while the camera is slow: aggressive above 0.
     pub occluded_for: u32,
-    /// What counts as slow: the way the eye has come since the answer, as a part of its distance to the node.
+    /// Most motion of the eye since an answer that counts as slow, as a part of the distance from the eye to the node.
     pub slow: f64,
-    /// Whether the entities of a batch are drawn near ones first, not by pipeline, texture and mesh.
-    pub by_depth: bool,
-    /// Whether a sketch of the walk is left for whoever debugs it.
+    /// The order in which the entities of a batch are drawn.
+    pub order: DrawOrder,
+    /// Whether the traversal keeps a [`Sketch`](crate::Sketch) for debugging.
     pub sketch: bool,
 }
 
@@ -61,32 +61,29 @@ impl Default for OccupancySettings {
             visible_for: 5,
             occluded_for: 0,
             slow: 0.1,
-            by_depth: false,
+            order: DrawOrder::State,
             sketch: false,
         }
     }
 }
 
 impl OccupancySettings {
-    fn how(&self, asking: QueryMode) -> TraversalSettings {
+    fn traversal(&self, queries: QueryMode) -> TraversalSettings {
         TraversalSettings {
-            asking,
-            map: true,
+            queries,
+            occupancy_map: true,
             block: self.block,
             grain: self.grain,
             small: self.small,
             least_seen: self.least_seen,
             together: self.together,
             worth: self.worth,
-            remember: AnswerLifetime {
+            lifetime: AnswerLifetime {
                 visible: self.visible_for,
                 occluded: self.occluded_for,
                 slow: self.slow,
             },
-            order: match self.by_depth {
-                true => DrawOrder::Depth,
-                false => DrawOrder::State,
-            },
+            order: self.order,
             sketch: self.sketch,
         }
     }
@@ -96,13 +93,13 @@ impl OccupancySettings {
     }
 }
 
-/// What the steps of a trade drop, in pixels of width and height.
+/// The setting `small` of the steps from exact to fast, in pixels.
 const SMALL: [f64; 7] = [0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0];
 
-/// The strategy `occupancy-map`: multiple queries.
+/// The strategy `occupancy-map`: queries in batches.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct OccupancyMapBatched {
-    /// Its settings.
+    /// The settings of the traversal.
     pub settings: OccupancySettings,
     /// When the answers are used: [`Latency::SameFrame`] or [`Latency::FrameLate`].
     pub latency: Latency,
@@ -111,7 +108,7 @@ pub struct OccupancyMapBatched {
 /// The strategy `occupancy-map-single`: a query at a time.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct OccupancyMapSingle {
-    /// Its settings.
+    /// The settings of the traversal.
     pub settings: OccupancySettings,
 }
 
@@ -145,11 +142,11 @@ impl Strategy for OccupancyMapBatched {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
-        let how = self.settings.how(QueryMode::Batches);
+        let settings = self.settings.traversal(QueryMode::Batches);
         let shape = self.settings.tree;
         Ok(match self.latency {
-            Latency::FrameLate => frame_late(g, view, shape, how),
-            _ => same_frame(g, view, shape, how),
+            Latency::FrameLate => frame_late(g, view, shape, settings),
+            _ => same_frame(g, view, shape, settings),
         })
     }
 }
@@ -184,11 +181,11 @@ impl Strategy for OccupancyMapSingle {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
-        let how = TraversalSettings {
+        let settings = TraversalSettings {
             worth: 0,
-            ..self.settings.how(QueryMode::Single)
+            ..self.settings.traversal(QueryMode::Single)
         };
-        Ok(same_frame(g, view, self.settings.tree, how))
+        Ok(same_frame(g, view, self.settings.tree, settings))
     }
 }
 
@@ -232,12 +229,12 @@ impl Tunable for OccupancyMapBatched {
 impl Tunable for OccupancyMapSingle {
     fn settings(&self) -> Vec<Setting> {
         let mut settings = describe(settings::PARAMETERS, &self.settings);
-        settings.retain(|setting| !settings::OF_BATCHES.contains(&setting.key));
+        settings.retain(|setting| !settings::BATCHES_ONLY.contains(&setting.key));
         settings
     }
 
     fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
-        if settings::OF_BATCHES.contains(&key) {
+        if settings::BATCHES_ONLY.contains(&key) {
             return Err(unknown(self, key));
         }
         assign(
@@ -260,7 +257,7 @@ impl Tunable for OccupancyMapSingle {
     }
 }
 
-/// The error for a setting that a strategy does not have.
+/// The error for a key that is no setting of the strategy.
 fn unknown(strategy: &(impl Strategy + Tunable), key: &str) -> SettingError {
     let known = strategy.settings();
     SettingError::Unknown {

@@ -1,11 +1,11 @@
-//! What a hierarchical strategy can leave for whoever debugs it: the map as it was when the first question was asked, and where every node lay
-//! that was met, in which batch, with which answer.
+//! A debugging record of a traversal: the occupancy map before the first query, and for each visited node its place on the screen, its batch
+//! and its outcome. The setting `sketch` turns it on.
 
 use antumbra_scene::Aabb;
 
-use crate::occupancy::{OccupancyMap, PixelRect, Place, Screen};
+use crate::occupancy::{BoxPlacement, Containment, OccupancyMap, PixelRect, Screen};
 
-/// A walk's sketch. Empty where none was asked for.
+/// The record of one frame's traversal. Empty where the setting `sketch` is off.
 #[derive(Debug, Clone, Default)]
 pub struct Sketch {
     on: bool,
@@ -14,30 +14,39 @@ pub struct Sketch {
     nodes: Vec<SketchNode>,
 }
 
-/// A node that was met.
+/// A visited node.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SketchNode {
     /// The pixels under its box.
     pub pixels: PixelRect,
-    /// The batch it was asked about in, from 1; 0: it was not asked about.
+    /// The batch that queried it, from 1; 0: no query.
     pub batch: u32,
-    /// What became of it.
+    /// Why it was drawn, opened or culled.
     pub outcome: NodeOutcome,
 }
 
-/// What became of a node.
+/// Why a visited node was drawn, opened or culled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NodeOutcome {
-    /// It reached a free block, or was remembered as visible: drawn or opened without a query.
+    /// It reached a free block, or an earlier answer "visible" was still valid: drawn or opened without a query.
     Free,
     /// A query found it visible.
     Visible,
-    /// A query found it occluded, or it was remembered as such.
+    /// A query found it occluded, or an earlier answer "occluded" was still valid.
     Occluded,
 }
 
+impl NodeOutcome {
+    pub(crate) fn of_query(visible: bool) -> Self {
+        match visible {
+            true => Self::Visible,
+            false => Self::Occluded,
+        }
+    }
+}
+
 impl Sketch {
-    /// The name that strategies show it by: `stage.shown::<Sketch>(view, Sketch::NAME)`.
+    /// The name under which strategies show it: `stage.shown::<Sketch>(view, Sketch::NAME)`.
     pub const NAME: &str = "sketch";
 
     /// Pixels along a side of a block.
@@ -45,16 +54,17 @@ impl Sketch {
         self.block
     }
 
-    /// The map as it was before the first question.
+    /// The occupancy map before the first query.
     pub fn occupancy(&self) -> &OccupancyMap {
         &self.map
     }
 
-    /// The nodes that were met, in that order.
+    /// The visited nodes, in the order of their visits.
     pub fn nodes(&self) -> &[SketchNode] {
         &self.nodes
     }
 
+    /// Starts a frame. `on`: whether the frame is recorded. `block`: pixels along a side of a block.
     pub(crate) fn begin(&mut self, on: bool, block: u32) {
         self.on = on;
         self.block = block.max(1);
@@ -77,7 +87,7 @@ impl Sketch {
         if !self.on {
             return;
         }
-        if let Place::OnScreen { pixels, .. } = screen.place(bounds, false) {
+        if let BoxPlacement::OnScreen { pixels, .. } = screen.place(bounds, Containment::Partial) {
             self.nodes.push(SketchNode {
                 pixels,
                 batch,

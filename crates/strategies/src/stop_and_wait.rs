@@ -1,8 +1,9 @@
-//! Stop and wait: front to back, one query an entity, its answer waited for, then its mesh. The classic, and the reason for all others.
+//! Stop and wait: for each entity, front to back, one hardware query, a wait for its answer, then its mesh if the answer is "visible". The
+//! classic use of occlusion queries, and the baseline of the papers that improve on it.
 //!
-//! As the papers describe it before they improve on it: Plate et al. 2004, section 2; Staneker et al. 2004, section 2 (after Bartz,
-//! Meissner and Huettner, *OpenGL-assisted occlusion culling for large polygonal models*, 1999). Each turn of the loop draws what the
-//! last one found visible and asks about the next; its sync point is where the machine waits.
+//! Bartz, Meissner, Huettner, *OpenGL-Assisted Occlusion Culling for Large Polygonal Models*, 1999, as described in Plate et al. 2004,
+//! section 2, and Staneker et al. 2004, section 2. Each iteration of a host loop draws what the last answers showed visible, queries the next
+//! entities, and waits for their answers at a sync point.
 
 use antumbra_draw::passes::{self, PassSpec};
 use antumbra_draw::{MeshDetail, PipelineKind};
@@ -16,14 +17,16 @@ use antumbra_cull::{
 };
 use antumbra_scene::hierarchy::HierarchyShape;
 
-use crate::traversal::{QueryMode, TraversalSettings, same_frame, submit_transparent};
+use crate::query_results::query_results;
+use crate::transparent::shade_transparent;
+use crate::traversal::{QueryMode, TraversalSettings, same_frame};
 
 /// The strategy `stop-and-wait`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StopAndWait {
-    /// Entities asked about between two waits: 1 is the classic. Entities of one batch are not tested against each other.
+    /// Entities queried between two waits: 1 is the classic. Entities of one batch are not tested against each other.
     pub batch: u32,
-    /// A tree to be walked, a query a node; none: a query an entity.
+    /// The tree to traverse, with a query a node; `None`: no tree, a query an entity.
     pub tree: Option<HierarchyShape>,
 }
 
@@ -54,10 +57,10 @@ const PARAMETERS: &[Parameter<StopAndWait>] = &[
     ),
 ];
 
-/// How a tree is walked: no map, no memory, a query for every node in the frustum.
-const A_QUERY_A_NODE: TraversalSettings = TraversalSettings {
-    asking: QueryMode::Single,
-    map: false,
+/// The traversal of a tree: a query for every node in the frustum, without occupancy map and without memory.
+const QUERY_PER_NODE: TraversalSettings = TraversalSettings {
+    queries: QueryMode::Single,
+    occupancy_map: false,
     ..TraversalSettings::PAPER
 };
 
@@ -71,15 +74,28 @@ impl Tunable for StopAndWait {
     }
 }
 
-/// Where the traversal stands.
+/// The state of the loop.
 #[derive(Debug, Default)]
-struct Traversal {
+struct Progress {
     /// Slots front to back.
     order: Vec<u32>,
-    /// How many of them have been asked about.
-    asked: usize,
-    /// Those of the last question.
-    pending: Vec<u32>,
+    /// How many of them have been queried.
+    queried: usize,
+    /// The slots of the last batch of queries.
+    batch: Vec<u32>,
+}
+
+/// What one iteration of the loop hands to the next.
+#[derive(Clone, Copy)]
+struct LoopState {
+    progress: Host<Progress>,
+    verdicts: Host<Verdicts>,
+}
+
+/// The drawing nodes of an iteration.
+struct IterationPasses {
+    draw: PassSpec,
+    query: PassSpec,
 }
 
 impl Strategy for StopAndWait {
@@ -117,152 +133,143 @@ impl Strategy for StopAndWait {
                 return Err(DeclareError::Settings {
                     strategy: self.name().to_owned(),
                     conflict:
-                        "a walk asks about one node at a time: set batch to 1, or tree to none"
+                        "a traversal queries one node at a time: set batch to 1, or tree to none"
                             .to_owned(),
                 });
             }
-            return Ok(same_frame(g, view, shape, A_QUERY_A_NODE));
+            return Ok(same_frame(g, view, shape, QUERY_PER_NODE));
         }
         let candidates = g.in_frustum(view);
-        let (walk, verdicts) = begin(g, view, candidates);
+        let mut state = begin(g, view, candidates);
         let kind = g.shaded_kind();
-        let drawing = g.pass(view.named("draw the visible"), DRAW, kind);
-        let asking = g.pass(view.named("ask about the next"), CULL, PipelineKind::Query);
-        let mut ends = (walk, verdicts);
+        let passes = IterationPasses {
+            draw: g.pass(view.named("draw the visible"), DRAW, kind),
+            query: g.pass(view.named("ask about the next"), CULL, PipelineKind::Query),
+        };
         let batch = self.batch;
         g.host_loop(view.named("stop and wait"), |g| {
-            turn(g, view, &mut ends, &drawing, &asking, batch)
+            iterate(g, view, &mut state, &passes, batch)
         });
-        let verdicts = ends.1;
-        if g.scene_layout().transparent {
-            let list = g.unsubmitted(&view.named("visible transparent set"));
-            let list = submit_transparent(g, view, verdicts, list);
-            g.shade_list(view, "transparent", list);
-        }
-        Ok(VisibleSet::drawn(verdicts))
+        shade_transparent(g, view, state.verdicts);
+        Ok(VisibleSet::drawn(state.verdicts))
     }
 }
 
-/// Orders the candidates by the nearest corners of their bounds.
-fn begin(
-    g: &mut FrameGraph<'_>,
-    view: &ViewNodes,
-    candidates: Host<Candidates>,
-) -> (Host<Traversal>, Host<Verdicts>) {
+/// Sorts the candidates by the nearest corners of their bounds.
+fn begin(g: &mut FrameGraph<'_>, view: &ViewNodes, candidates: Host<Candidates>) -> LoopState {
     let inputs = view.inputs();
-    let walk = g.graph().host::<Traversal>(view.named("walk"));
+    let progress = g.graph().host::<Progress>(view.named("walk"));
     let verdicts = g.graph().host::<Verdicts>(view.named("verdicts"));
     let mut node = g.graph().host_node(view.named("sort front to back"));
     node.group(CULL)
         .read(inputs.scene)
         .read(inputs.view)
         .read(candidates);
-    let (walk, verdicts) = (node.write(walk), node.write(verdicts));
+    let state = LoopState {
+        progress: node.write(progress),
+        verdicts: node.write(verdicts),
+    };
     node.run(move |ctx| {
         let (scene, frame, candidates) = (
             ctx.get(inputs.scene)?,
             ctx.get(inputs.view)?,
             ctx.get(candidates)?,
         );
-        let (mut walk, mut verdicts) = (ctx.get_mut(walk)?, ctx.get_mut(verdicts)?);
+        let (mut progress, mut verdicts) =
+            (ctx.get_mut(state.progress)?, ctx.get_mut(state.verdicts)?);
         verdicts.reset_outside(&scene.table);
         for slot in candidates.exempt() {
             verdicts.set(*slot, Verdict::Untested);
         }
-        walk.asked = 0;
-        walk.order.clear();
-        walk.order.extend(candidates.testable());
-        // What no test may judge is drawn first, as if a question about it had been answered.
-        walk.pending.clear();
-        walk.pending.extend(candidates.exempt());
-        by_nearest_corner(&mut walk.order, &scene.table, &frame);
+        progress.queried = 0;
+        progress.order.clear();
+        progress.order.extend(candidates.testable());
+        // The slots that no test may cull are drawn first, like a batch whose answers are known.
+        progress.batch.clear();
+        progress.batch.extend(candidates.exempt());
+        by_nearest_corner(&mut progress.order, &scene.table, &frame);
         Ok(())
     });
-    (walk, verdicts)
+    state
 }
 
-/// One turn: draw what the last answers showed, ask about the next, wait.
-fn turn(
+/// Declares one iteration: draw what the last answers showed visible, query the next `batch` entities, wait. Returns whether the loop is done.
+fn iterate(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
-    ends: &mut (Host<Traversal>, Host<Verdicts>),
-    drawing: &PassSpec,
-    asking: &PassSpec,
+    state: &mut LoopState,
+    passes: &IterationPasses,
     batch: u32,
 ) -> Host<bool> {
     let inputs = view.inputs();
-    let (walk, verdicts) = *ends;
-    let draw = g.unsubmitted(&view.named("to draw"));
-    let ask = g.unsubmitted(&view.named("to ask about"));
+    let LoopState { progress, verdicts } = *state;
+    let visible = g.unsubmitted(&view.named("to draw"));
+    let queries = g.unsubmitted(&view.named("to ask about"));
     let mut node = g.graph().host_node(view.named("next"));
     node.group(CULL)
         .read(inputs.scene)
         .read(inputs.view)
         .read(verdicts);
-    let draw = draw.written_by(&mut node);
-    let ask = ask.written_by(&mut node);
-    let walk = node.write(walk);
+    let visible = visible.written_by(&mut node);
+    let queries = queries.written_by(&mut node);
+    let progress = node.write(progress);
     node.run(move |ctx| {
         let (scene, verdicts) = (ctx.get(inputs.scene)?, ctx.get(verdicts)?);
         let table = &scene.table;
-        let (mut walk, mut draw_list, mut ask_list) = (
-            ctx.get_mut(walk)?,
-            ctx.get_mut(draw.list)?,
-            ctx.get_mut(ask.list)?,
+        let (mut progress, mut visible_list, mut query_list) = (
+            ctx.get_mut(progress)?,
+            ctx.get_mut(visible.list)?,
+            ctx.get_mut(queries.list)?,
         );
         let seen = |slot: &u32| verdicts.get(*slot).draws() && !table.is_transparent(*slot);
-        draw_list.fill(
+        visible_list.fill(
             table,
-            walk.pending.iter().copied().filter(seen),
+            progress.batch.iter().copied().filter(seen),
             MeshDetail::Level(0),
         );
-        let next = walk.order.len().min(walk.asked + batch as usize);
-        let Traversal {
+        let next = progress.order.len().min(progress.queried + batch as usize);
+        let Progress {
             order,
-            asked,
-            pending,
-        } = &mut *walk;
-        pending.clear();
-        pending.extend_from_slice(order.get(*asked..next).unwrap_or_default());
-        *asked = next;
+            queried,
+            batch,
+        } = &mut *progress;
+        batch.clear();
+        batch.extend_from_slice(order.get(*queried..next).unwrap_or_default());
+        *queried = next;
         let frame = ctx.get(inputs.view)?;
-        ask_list.clear();
-        for slot in pending.iter() {
-            ask_list.push(table, *slot, query_detail(table, &frame, *slot));
+        query_list.clear();
+        for slot in batch.iter() {
+            query_list.push(table, *slot, query_detail(table, &frame, *slot));
         }
-        ctx.upload(draw.slots, 0, bytemuck::cast_slice(draw_list.slots()))?;
-        ctx.upload(ask.slots, 0, bytemuck::cast_slice(ask_list.slots()))?;
+        ctx.upload(visible.slots, 0, bytemuck::cast_slice(visible_list.slots()))?;
+        ctx.upload(queries.slots, 0, bytemuck::cast_slice(query_list.slots()))?;
         Ok(())
     });
-    view.targets = passes::shaded_pass(g.graph(), drawing, inputs, draw, view.targets);
+    view.targets = passes::shaded_pass(g.graph(), &passes.draw, inputs, visible, view.targets);
     let depth = view.targets.depth;
     let answers = g
         .graph()
         .buffer(view.named("answers"), BufferDesc::new(u64::from(batch) * 8));
-    let answers = passes::query_pass(g.graph(), asking, inputs, ask, depth, answers);
+    let answers = passes::query_pass(g.graph(), &passes.query, inputs, queries, depth, answers);
     let done = g.graph().host::<bool>(view.named("done"));
     let mut node = g.graph().host_node(view.named("wait"));
-    node.group(CULL).read(walk).read_back(answers);
+    node.group(CULL).read(progress).read_back(answers);
     let (verdicts, done) = (node.write(verdicts), node.write(done));
     node.run(move |ctx| {
-        let walk = ctx.get(walk)?;
+        let progress = ctx.get(progress)?;
         let mut verdicts = ctx.get_mut(verdicts)?;
-        let answers = ctx.bytes(answers)?;
-        for (slot, answer) in walk.pending.iter().zip(answers.as_chunks::<8>().0) {
-            let seen = u64::from_le_bytes(*answer) != 0;
-            verdicts.set(
-                *slot,
-                if seen {
-                    Verdict::Visible
-                } else {
-                    Verdict::Occluded
-                },
-            );
+        let results = query_results(ctx.bytes(answers)?);
+        for (slot, visible) in progress.batch.iter().zip(results) {
+            let verdict = match visible {
+                true => Verdict::Visible,
+                false => Verdict::Occluded,
+            };
+            verdicts.set(*slot, verdict);
         }
-        verdicts.add_tested(walk.pending.len() as u32);
-        *ctx.get_mut(done)? = walk.pending.is_empty();
+        verdicts.add_tested(progress.batch.len() as u32);
+        *ctx.get_mut(done)? = progress.batch.is_empty();
         Ok(())
     });
-    *ends = (walk, verdicts);
+    *state = LoopState { progress, verdicts };
     done
 }

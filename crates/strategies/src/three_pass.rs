@@ -1,7 +1,9 @@
-//! Three passes: the depth of the proxies, the visible samples of the proxies against it, the meshes above the threshold.
+//! Three passes. The first renders the depth of proxies. The second counts, for each entity, the samples of its proxy that pass the depth test
+//! against the first. The third draws the meshes of the entities with more visible samples than a threshold.
 //!
-//! Plate, Grundhoefer, Schmidt, Froehlich, *Occlusion Culling for Sub-Surface Models in Geo-Scientific Applications*, 2004. No order of
-//! drawing is needed and nothing is asked of the scene but proxies whose occlusion is that of their meshes. It errs where they are not.
+//! Plate, Grundhoefer, Schmidt, Froehlich, *Occlusion Culling for Sub-Surface Models in Geo-Scientific Applications*, 2004. The passes need no
+//! drawing order, and no preparation of the scene but proxies that hide what their meshes hide. The result is wrong where a proxy hides
+//! something else than its mesh.
 
 use antumbra_draw::MeshDetail;
 
@@ -16,35 +18,35 @@ use antumbra_cull::{
 pub struct ThreePass {
     /// When the counts are used.
     pub latency: Latency,
-    /// How samples are counted; `None` takes what is fastest here.
+    /// How samples are counted; `None`: the fastest way that the device and the other settings allow.
     pub counting: Option<Counting>,
-    /// An entity is drawn when more samples of its proxy are visible, in pixels of the final image.
+    /// An entity is drawn when more samples of its proxy than this are visible, in pixels of the final image.
     pub threshold: u32,
-    /// The part of the image, in percent, that a frame may leave out though it was seen: those with the fewest visible samples first, as many as
-    /// share no more than that. Beside the threshold; where answers stay on the GPU it may be turned only if it was above 0 when the plan was made.
+    /// The part of the image, in percent, that a frame may leave out although it is visible. The entities with the fewest visible samples go
+    /// first. It acts in addition to the threshold. With [`Latency::OnGpu`] it can change at run time only if it was above 0 when the plan was made.
     pub allow: Dial,
-    /// With at most this many visible samples an entity is drawn one level of detail coarser, with at most a quarter of them two,
-    /// with a sixteenth three, in pixels of the final image; 0: never.
+    /// An entity with at most this many visible samples is drawn one level of detail coarser, with at most a quarter of them two levels,
+    /// with a sixteenth three. In pixels of the final image; 0: never.
     pub coarser: u32,
-    /// What stands in for the meshes in the first pass.
+    /// The geometry of the occluders in the first pass.
     pub occluders: TestGeometry,
-    /// What stands in for the meshes in the second pass.
+    /// The geometry of the occludees in the second pass.
     pub occludees: TestGeometry,
-    /// A low-resolution version stands in where it deviates from its mesh by at most so many pixels of the final image; nearer by, the mesh stands
-    /// for itself. Infinity: anywhere.
+    /// A proxy is used where it deviates from its mesh by at most this many pixels of the final image. Nearer to the camera the mesh itself is
+    /// used. Infinity: the proxy everywhere.
     pub deviation: f64,
-    /// Side of the first two passes' image as a part of the final one's: at most 1.
+    /// Side of the first two passes' image as a part of the final image's: above 0, at most 1.
     pub scale: f64,
 }
 
-/// What stands in for a mesh.
+/// The geometry that an entity is tested with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TestGeometry {
-    /// Its low-resolution version.
+    /// Its low-resolution mesh.
     Proxy,
-    /// Itself.
+    /// Its full mesh.
     Full,
-    /// Its bounding box; never as an occluder, since a box hides more than what is in it.
+    /// Its bounding box. Never used for occluders: a box hides more than the mesh in it.
     Box,
 }
 
@@ -82,7 +84,7 @@ impl Default for ThreePass {
     }
 }
 
-/// Ways of counting by their place in the setting `counting`, after `auto`.
+/// The words of the setting `counting`: `auto`, then those of [`Counting::ALL`] in order.
 const COUNTING: &[&str] = &["auto", "queries", "atomics", "compare", "identity"];
 const OCCLUDERS: [TestGeometry; 2] = [TestGeometry::Proxy, TestGeometry::Full];
 const OCCLUDEES: [TestGeometry; 3] = [TestGeometry::Proxy, TestGeometry::Full, TestGeometry::Box];
@@ -158,12 +160,13 @@ const PARAMETERS: &[Parameter<ThreePass>] = &[
     ),
 ];
 
-/// Below this scale a budget has a step between it and full size, at their geometric mean; above, the two are too close for one more.
-const BETWEEN: f64 = 0.75;
+/// Below this scale there is a step between the scale and 1, at their geometric mean. Above it the two are too close for another step.
+const INTERMEDIATE_STEP_BELOW: f64 = 0.75;
 
 impl ThreePass {
-    fn way(&self, g: &FrameGraph<'_>) -> Result<Counting, DeclareError> {
-        let alike = self.occluders == self.occludees;
+    /// The way of counting that the settings and the device allow.
+    fn counting(&self, g: &FrameGraph<'_>) -> Result<Counting, DeclareError> {
+        let same_geometry = self.occluders == self.occludees;
         if let Some(way) = self.counting {
             if let Some(lacking) = way.lacking(g.gpu()) {
                 return Err(DeclareError::Device {
@@ -175,12 +178,12 @@ impl ThreePass {
             if way == Counting::Queries && self.needs_counts() {
                 return Err(self.conflict("hardware queries say whether any sample is visible, not how many: set threshold and coarser to 0, or counting to auto"));
             }
-            if way == Counting::Identity && !alike {
+            if way == Counting::Identity && !same_geometry {
                 return Err(self.conflict("an entity-id buffer counts what it draws: set occludees to what occluders is, or counting to auto"));
             }
             return Ok(way);
         }
-        // Where occluders are what is tested, one geometry pass does for two.
+        // Counting by ids needs one geometry pass instead of two, where both passes draw the same geometry.
         let preferred = [
             Counting::Identity,
             Counting::Atomics,
@@ -189,7 +192,7 @@ impl ThreePass {
         ];
         let possible = |way: &Counting| {
             way.lacking(g.gpu()).is_none()
-                && (alike || *way != Counting::Identity)
+                && (same_geometry || *way != Counting::Identity)
                 && (!self.needs_counts() || *way != Counting::Queries)
         };
         preferred
@@ -224,7 +227,8 @@ impl Strategy for ThreePass {
     }
 
     fn conservative(&self) -> bool {
-        // Not with boxes: that of a flat entity lies in its plane and may lose a pixel to it; those of lines and points cover less.
+        // Boxes are not conservative. The box of a flat entity lies in the entity's plane and may lose a pixel to it; the boxes of lines and points
+        // cover fewer pixels than the lines and points.
         self.latency != Latency::FrameLate
             && self.threshold == 0
             && self.allow.get() == 0.0
@@ -251,11 +255,11 @@ impl Strategy for ThreePass {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
-        let way = self.way(g)?;
+        let way = self.counting(g)?;
         let size = view
             .size()
             .map(|side| ((f64::from(side) * self.scale).round() as u32).max(1));
-        // Settings are in pixels of the final image; the counts are of a smaller one.
+        // The settings are in pixels of the final image. The counts are those of a smaller image.
         let scaled = |pixels: u32| (f64::from(pixels) * self.scale * self.scale).floor() as u32;
         let rule = SampleRule {
             threshold: scaled(self.threshold),
@@ -299,13 +303,13 @@ impl Tunable for ThreePass {
     }
 
     fn steps(&self) -> Vec<Step> {
-        // A late answer costs pixels whatever it is about.
-        let now = match self.latency {
+        // A late answer costs pixels at any setting, so the accurate steps use the answers of the same frame.
+        let current = match self.latency {
             Latency::SameFrame => Latency::SameFrame,
             Latency::FrameLate | Latency::OnGpu => Latency::OnGpu,
         };
         let base = Step::of([
-            ("latency", now.word().into()),
+            ("latency", current.word().into()),
             ("threshold", 0u32.into()),
             ("allow", 0u32.into()),
             ("coarser", 0u32.into()),
@@ -313,7 +317,7 @@ impl Tunable for ThreePass {
         let at_scale = |scale: f64| base.clone().and([("scale", scale.into())]);
         let exact = [("occluders", "full".into()), ("occludees", "full".into())];
         let mut steps = vec![at_scale(1.0).and(exact), at_scale(1.0).with_dial("allow")];
-        if self.scale < BETWEEN {
+        if self.scale < INTERMEDIATE_STEP_BELOW {
             steps.push(at_scale(self.scale.sqrt()).with_dial("allow"));
         }
         if self.scale < 1.0 {

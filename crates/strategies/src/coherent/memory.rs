@@ -1,84 +1,112 @@
-//! What one view remembers from frame to frame: who was visible, in the order of drawing, and who was occluded since when.
+//! What one view remembers from frame to frame: the visible entities in drawing order, the occluded entities, and the age of each answer.
 //!
-//! The lists of Mansa et al. 2007, section 3.1: what was visible last starts what is visible next, what was occluded last is tested,
-//! in parts. Each memory is of one entity, not of the slot it happens to lie in: an entity that is replaced takes its memory along.
+//! These are the lists of Mansa et al. 2007, section 3.1: the entities visible in the last frame are drawn first in the next one, and those
+//! occluded in the last frame are tested, a part of them a frame. A record belongs to an entity, not to its slot: the next entity in a slot starts without one.
 
 use antumbra_draw::{SceneTable, ViewFrame};
 use antumbra_scene::EntityKey;
 use glam::DVec3;
 
-use super::fraction::Fraction;
+use super::fraction::AdaptiveFraction;
 use antumbra_cull::order::by_nearest_corner;
 use antumbra_cull::{Candidates, CountLayout, Queried};
 
 /// What is known of an entity in a view.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(crate) enum Known {
+pub(crate) enum Visibility {
     /// Nothing that holds for this frame.
     #[default]
-    Nothing,
-    /// It had a sample when it was last drawn or tested.
+    Unknown,
+    /// A sample of it was visible when it was last drawn or tested.
     Visible,
-    /// It had none.
+    /// No sample of it was.
     Occluded,
 }
 
-#[derive(Debug, Clone, Copy, Default)]
-struct Memo {
-    of: Option<EntityKey>,
-    known: Known,
-    /// The frame of the last answer.
-    answered: u64,
-    /// The last frame it was in the frustum.
-    inside: u64,
-    /// The last frame it was put into the list of the visible.
-    listed: u64,
-    /// How many answers in a row said that it is occluded.
-    streak: u8,
-    /// For how many tests by the next eye it is asked about alone there.
-    alone: u8,
-    /// A test of its box made it visible, and no sample of its mesh has been seen since.
-    by_box: bool,
-    /// Motions of the camera for which it is drawn in vain: its box is visible and its mesh is not, which testing would only find again.
-    in_vain: u8,
+/// What the queries of a list enclosed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum QuerySubject {
+    /// The meshes, as they were drawn.
+    DrawnMeshes,
+    /// Test geometry, which is not shaded.
+    Tests,
 }
 
-/// For how many motions of the camera something is drawn in vain before its box is asked again.
-const IN_VAIN: u8 = 16;
+/// The answers of a list of queries.
+#[derive(Clone, Copy)]
+pub(crate) struct Answers<'a> {
+    /// The slots and the frame of the queries.
+    pub queried: &'a Queried,
+    /// A u64 a query.
+    pub bytes: &'a [u8],
+    pub subject: QuerySubject,
+}
 
-/// For how many tests an eye asks about something alone after it was visible to that eye only.
+/// What a memory keeps at a camera cut.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum AfterCut {
+    /// Nothing.
+    Forget,
+    /// Visible entities stay visible, as a first guess. Right for a view that tests all other entities in the same frame.
+    KeepVisible,
+}
+
+#[derive(Debug, Clone, Copy, Default)]
+struct EntityRecord {
+    entity: Option<EntityKey>,
+    visibility: Visibility,
+    /// The frame of the last answer.
+    answered: u64,
+    /// The last frame in which it was in the frustum.
+    last_inside: u64,
+    /// The last frame in which it was put into the list of visible slots.
+    last_listed: u64,
+    /// Consecutive answers "occluded".
+    occluded_streak: u8,
+    /// Tests by the next view for which it shares no query there.
+    alone_in_next_view: u8,
+    /// A test of its box made it visible, and no sample of its mesh has been visible since.
+    visible_by_box: bool,
+    /// Camera motions for which it is drawn although its mesh is occluded. Its box is visible, so a test would only make it visible again.
+    drawn_in_vain: u8,
+}
+
+/// Camera motions for which an entity is drawn in vain before its box is tested again.
+const DRAWN_IN_VAIN: u8 = 16;
+
+/// Tests for which an entity shares no query in the next view after it was visible in that view only.
 const ALONE: u8 = 16;
 
-/// After how many answers in a row an occluded entity may be asked about together with others.
+/// Consecutive answers "occluded" after which an entity may share a query.
 const SETTLED: u8 = 2;
 
-impl Memo {
-    /// Its mesh was drawn, and a sample of it passed or none.
-    fn was_drawn(&mut self, seen: bool) {
+impl EntityRecord {
+    /// Takes the answer of a query around its drawn mesh.
+    fn take_drawn(&mut self, seen: bool) {
         if seen {
-            self.known = Known::Visible;
-            self.by_box = false;
-            self.in_vain = 0;
-        } else if self.by_box {
-            // Its box would be found visible again, and so on: it stays, for a while.
-            self.by_box = false;
-            self.in_vain = IN_VAIN;
-        } else if self.in_vain == 0 {
-            self.known = Known::Occluded;
-            self.streak = 0;
+            self.visibility = Visibility::Visible;
+            self.visible_by_box = false;
+            self.drawn_in_vain = 0;
+        } else if self.visible_by_box {
+            // A test of its box would make it visible again, and so on: it stays visible for a while.
+            self.visible_by_box = false;
+            self.drawn_in_vain = DRAWN_IN_VAIN;
+        } else if self.drawn_in_vain == 0 {
+            self.visibility = Visibility::Occluded;
+            self.occluded_streak = 0;
         }
     }
 
-    /// Its box was tested, alone or together with others.
-    fn was_tested(&mut self, seen: bool, alone: bool) {
+    /// Takes the answer of a test. `entities`: the number of entities that shared the query.
+    fn take_test(&mut self, seen: bool, entities: u32) {
         if seen {
-            self.known = Known::Visible;
-            // Of several that were tested together most are none the wiser: what is not seen once drawn goes back to be tested alone.
-            self.by_box = alone;
-            self.streak = 0;
+            self.visibility = Visibility::Visible;
+            // Of several entities that shared a query most are still occluded. One that turns out so when it is drawn is tested on its own next.
+            self.visible_by_box = entities == 1;
+            self.occluded_streak = 0;
         } else {
-            self.known = Known::Occluded;
-            self.streak = self.streak.saturating_add(1);
+            self.visibility = Visibility::Occluded;
+            self.occluded_streak = self.occluded_streak.saturating_add(1);
         }
     }
 }
@@ -86,111 +114,110 @@ impl Memo {
 /// One view's memory.
 #[derive(Debug, Default)]
 pub(crate) struct Memory {
-    memos: Vec<Memo>,
-    /// Slots of the visible, in the order they are drawn; what is blended is not among them.
+    records: Vec<EntityRecord>,
+    /// Visible opaque slots, in drawing order.
     visible: Vec<u32>,
-    /// Slots of the occluded in the frustum.
+    /// Occluded slots in the frustum.
     occluded: Vec<u32>,
-    /// Slots in the frustum of which nothing is known.
+    /// Slots in the frustum without a valid answer.
     unknown: Vec<u32>,
-    /// Blended slots in the frustum that are not occluded.
-    blended: Vec<u32>,
-    sorted: Option<Sorted>,
+    /// Visible transparent slots in the frustum.
+    transparent: Vec<u32>,
+    sorted: Option<LastSort>,
     frame: u64,
     cuts: u64,
-    pub fraction: Fraction,
+    pub fraction: AdaptiveFraction,
 }
 
-/// When the visible were sorted last.
+/// When the visible slots were last sorted.
 #[derive(Debug, Clone, Copy)]
-struct Sorted {
+struct LastSort {
     eye: DVec3,
-    /// Metres to the nearest corner of the one in the middle of the list.
+    /// Metres to the nearest corner of the middle entity of the list.
     middle: f64,
 }
 
 impl Memory {
-    /// Takes the answers of a query pass in, asked in this frame or an earlier one; `drawn` when the queries enclosed the meshes as
-    /// they were drawn. Answers about others than those who live in the slots now, and about another camera cut, are dropped. Returns how
-    /// many questions about what was occluded were answered with a sample.
-    pub fn take(
-        &mut self,
-        table: &SceneTable,
-        cuts: u64,
-        (asked, layout, bytes): (&Queried, CountLayout, &[u8]),
-        drawn: bool,
-    ) -> u32 {
+    /// Takes the answers of queries of this frame or an earlier one. An answer about an entity that has left its slot, or from before a camera
+    /// cut, is dropped. Returns the number of queries that found a sample of occluded entities. `cuts`: camera cuts of the view so far.
+    pub fn take(&mut self, table: &SceneTable, cuts: u64, answers: Answers<'_>) -> u32 {
+        let Answers {
+            queried,
+            bytes,
+            subject,
+        } = answers;
         let mut appeared = 0;
-        if asked.stamp.cuts != cuts {
+        if queried.stamp.cuts != cuts {
             return appeared;
         }
         let mut last = None;
-        for (slot, query, seen) in layout.answers(asked, bytes) {
+        for (slot, query, seen) in CountLayout::ByQuery.answers(queried, bytes) {
             let Some(occupant) = table.occupant(slot) else {
                 continue;
             };
-            let Some(memo) = self.memos.get_mut(slot as usize) else {
+            let Some(record) = self.records.get_mut(slot as usize) else {
                 continue;
             };
-            if occupant.added_epoch > asked.stamp.epoch || memo.of != Some(occupant.key) {
+            if occupant.added_epoch > queried.stamp.epoch || record.entity != Some(occupant.key) {
                 continue;
             }
             if seen
-                && memo.known == Known::Occluded
+                && record.visibility == Visibility::Occluded
                 && last.replace(query.number) != Some(query.number)
             {
                 appeared += 1;
             }
-            memo.answered = self.frame;
-            match drawn {
-                true => memo.was_drawn(seen),
-                false => memo.was_tested(seen, query.slots == 1),
+            record.answered = self.frame;
+            match subject {
+                QuerySubject::DrawnMeshes => record.take_drawn(seen),
+                QuerySubject::Tests => record.take_test(seen, query.slots),
             }
         }
         appeared
     }
 
-    /// Begins a frame: forgets what left the frustum, was replaced or lies before a cut, and lists the rest. With `guesses` what was
-    /// visible before a cut counts as visible still: for those who test all else in this same frame.
-    pub fn begin(&mut self, table: &SceneTable, candidates: &Candidates, guesses: bool) {
+    /// Starts a frame: forgets the entities that have left the frustum or their slot, and sorts the other slots into the lists.
+    pub fn begin(&mut self, table: &SceneTable, candidates: &Candidates, after_cut: AfterCut) {
         let cuts = candidates.stamp().cuts;
-        let jumped = cuts != self.cuts;
+        let cut = cuts != self.cuts;
         self.cuts = cuts;
         self.frame += 1;
-        self.memos
-            .resize_with(table.slots() as usize, Memo::default);
+        self.records
+            .resize_with(table.slots() as usize, EntityRecord::default);
         self.occluded.clear();
         self.unknown.clear();
-        self.blended.clear();
+        self.transparent.clear();
         let frame = self.frame;
         for slot in candidates.inside() {
-            let (Some(memo), Some(occupant)) =
-                (self.memos.get_mut(*slot as usize), table.occupant(*slot))
+            let (Some(record), Some(occupant)) =
+                (self.records.get_mut(*slot as usize), table.occupant(*slot))
             else {
                 continue;
             };
-            if memo.of != Some(occupant.key) {
-                *memo = Memo {
-                    of: Some(occupant.key),
-                    ..Memo::default()
+            if record.entity != Some(occupant.key) {
+                *record = EntityRecord {
+                    entity: Some(occupant.key),
+                    ..EntityRecord::default()
                 };
             }
-            if memo.inside + 1 != frame || (jumped && !(guesses && memo.known == Known::Visible)) {
-                memo.known = Known::Nothing;
-                memo.streak = 0;
-                memo.by_box = false;
-                memo.in_vain = 0;
+            let kept =
+                after_cut == AfterCut::KeepVisible && record.visibility == Visibility::Visible;
+            if record.last_inside + 1 != frame || (cut && !kept) {
+                record.visibility = Visibility::Unknown;
+                record.occluded_streak = 0;
+                record.visible_by_box = false;
+                record.drawn_in_vain = 0;
             }
-            memo.inside = frame;
-            let exempt = candidates.is_exempt(*slot);
-            match memo.known {
-                _ if exempt => {}
-                Known::Nothing => self.unknown.push(*slot),
-                Known::Occluded => self.occluded.push(*slot),
-                Known::Visible if table.is_transparent(*slot) => self.blended.push(*slot),
-                Known::Visible => {}
+            record.last_inside = frame;
+            match record.visibility {
+                _ if candidates.is_exempt(*slot) => {}
+                Visibility::Unknown => self.unknown.push(*slot),
+                Visibility::Occluded => self.occluded.push(*slot),
+                Visibility::Visible if table.is_transparent(*slot) => self.transparent.push(*slot),
+                Visibility::Visible => {}
             }
         }
+        // Slots that were listed before keep their order; new ones follow.
         let mut visible = std::mem::take(&mut self.visible);
         visible.retain(|slot| self.lists(table, candidates, *slot));
         self.visible = visible;
@@ -201,28 +228,28 @@ impl Memory {
         }
     }
 
-    /// Whether a slot belongs into the list of the visible and is not in it yet; from now on it is.
+    /// Whether a slot belongs into the list of visible slots and is not in it yet. If so, it counts as listed from now on.
     fn lists(&mut self, table: &SceneTable, candidates: &Candidates, slot: u32) -> bool {
         let frame = self.frame;
-        let Some(memo) = self.memos.get_mut(slot as usize) else {
+        let Some(record) = self.records.get_mut(slot as usize) else {
             return false;
         };
-        let lists = memo.inside == frame
-            && memo.listed != frame
-            && memo.known == Known::Visible
+        let lists = record.last_inside == frame
+            && record.last_listed != frame
+            && record.visibility == Visibility::Visible
             && table
                 .occupant(slot)
-                .is_some_and(|occupant| Some(occupant.key) == memo.of)
+                .is_some_and(|occupant| Some(occupant.key) == record.entity)
             && !table.is_transparent(slot)
             && !candidates.is_exempt(slot);
         if lists {
-            memo.listed = frame;
+            record.last_listed = frame;
         }
         lists
     }
 
-    /// Sorts the visible by the nearest corner of their boxes, if the camera has moved by more than `threshold` of its distance to
-    /// the one in the middle of the list since they were sorted last.
+    /// Sorts the visible slots by the nearest corner of their boxes, if the camera has moved since the last sort by more than `threshold` of its
+    /// distance to the middle entity of the list.
     pub fn sort(&mut self, table: &SceneTable, view: &ViewFrame, threshold: f64) {
         let eye = view.camera.position;
         let moved = self
@@ -233,77 +260,75 @@ impl Memory {
         }
         by_nearest_corner(&mut self.visible, table, view);
         let middle = self.visible.get(self.visible.len() / 2);
-        self.sorted = middle.map(|slot| Sorted {
+        self.sorted = middle.map(|slot| LastSort {
             eye,
             middle: view.camera.nearest_corner_distance(&table.bounds(*slot)),
         });
-        for memo in &mut self.memos {
-            memo.in_vain = memo.in_vain.saturating_sub(1);
+        for record in &mut self.records {
+            record.drawn_in_vain = record.drawn_in_vain.saturating_sub(1);
         }
     }
 
-    /// Slots of the visible, in the order of drawing.
+    /// The visible opaque slots, in drawing order.
     pub fn visible(&self) -> &[u32] {
         &self.visible
     }
 
-    /// Slots of the occluded, ascending.
+    /// The occluded slots, ascending.
     pub fn occluded(&self) -> &[u32] {
         &self.occluded
     }
 
-    /// Slots that a test may judge and of which nothing is known; ascending.
+    /// The slots that a test may cull and that have no valid answer, ascending.
     pub fn unknown(&self) -> &[u32] {
         &self.unknown
     }
 
-    /// Blended slots that were visible; ascending.
-    pub fn blended(&self) -> &[u32] {
-        &self.blended
+    /// The visible transparent slots, ascending.
+    pub fn transparent(&self) -> &[u32] {
+        &self.transparent
     }
 
-    /// What is known of a slot.
-    pub fn known(&self, slot: u32) -> Known {
-        self.memos
-            .get(slot as usize)
-            .map_or(Known::Nothing, |memo| memo.known)
+    /// What is known of a slot's entity.
+    pub fn visibility(&self, slot: u32) -> Visibility {
+        let record = self.records.get(slot as usize);
+        record.map_or(Visibility::Unknown, |record| record.visibility)
     }
 
     /// The frame of a slot's last answer.
     pub fn answered(&self, slot: u32) -> u64 {
-        self.memos
-            .get(slot as usize)
-            .map_or(0, |memo| memo.answered)
+        let record = self.records.get(slot as usize);
+        record.map_or(0, |record| record.answered)
     }
 
-    /// Whether a slot has been occluded for long enough to be asked about together with others.
-    pub fn settled(&self, slot: u32) -> bool {
-        self.memos
-            .get(slot as usize)
-            .is_some_and(|memo| memo.known == Known::Occluded && memo.streak >= SETTLED)
+    /// Whether a slot has been occluded for long enough to share a query.
+    pub fn may_share_query(&self, slot: u32) -> bool {
+        let record = self.records.get(slot as usize);
+        record.is_some_and(|record| {
+            record.visibility == Visibility::Occluded && record.occluded_streak >= SETTLED
+        })
     }
 
-    /// Whether the next eye may ask about a slot together with others.
-    pub fn settled_there(&self, slot: u32) -> bool {
-        let memo = self.memos.get(slot as usize);
-        self.settled(slot) && memo.is_some_and(|memo| memo.alone == 0)
+    /// Whether a slot may share a query of the next view.
+    pub fn may_share_query_of_next_view(&self, slot: u32) -> bool {
+        let record = self.records.get(slot as usize);
+        self.may_share_query(slot) && record.is_some_and(|record| record.alone_in_next_view == 0)
     }
 
-    /// Takes in what the next eye's test of a slot said.
-    pub fn was_tested_there(&mut self, slot: u32, seen: bool) {
-        if let Some(memo) = self.memos.get_mut(slot as usize) {
-            memo.alone = if seen {
-                ALONE
-            } else {
-                memo.alone.saturating_sub(1)
+    /// Takes the answer of the next view's test of a slot.
+    pub fn take_next_view_test(&mut self, slot: u32, seen: bool) {
+        if let Some(record) = self.records.get_mut(slot as usize) {
+            record.alone_in_next_view = match seen {
+                true => ALONE,
+                false => record.alone_in_next_view.saturating_sub(1),
             };
         }
     }
 
-    /// Has nothing known of a slot: what it was drawn for says nothing about this view.
+    /// Drops what is known of a slot.
     pub fn forget(&mut self, slot: u32) {
-        if let Some(memo) = self.memos.get_mut(slot as usize) {
-            memo.known = Known::Nothing;
+        if let Some(record) = self.records.get_mut(slot as usize) {
+            record.visibility = Visibility::Unknown;
         }
     }
 }

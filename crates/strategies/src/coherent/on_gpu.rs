@@ -1,8 +1,9 @@
-//! The same without the host: compute nodes keep, of all candidates, what owned a pixel last frame, then what their tests find.
+//! Coherent culling without the host. Compute nodes first keep the candidates that owned a pixel in the last frame, then those that the tests
+//! of this frame find visible.
 //!
-//! Beyond Mansa et al. 2007, whose host waits for every answer. Who owns a pixel is read off entity ids written beside the colour, which is exact where
-//! a query around a mesh depends on the order of drawing. (Drawing last frame's visible first on the GPU alone: Haar and Aaltonen, *GPU-Driven
-//! Rendering Pipelines*, 2015.)
+//! This goes beyond Mansa et al. 2007, where the host waits for every answer. The owner of a pixel is read from entity ids written beside the colour. That is
+//! exact, while the answer of a query around a mesh depends on the drawing order. (Drawing the last frame's visible set first, on the GPU alone:
+//! Haar and Aaltonen, *GPU-Driven Rendering Pipelines*, 2015.)
 
 use std::sync::Arc;
 
@@ -12,22 +13,36 @@ use antumbra_graph::{Bind, Buffer, Clear, Host, TextureDesc};
 use antumbra_shaders::jobs;
 
 use super::CoherentSettings;
-use super::schedule::Turns;
+use super::entity_test::{fill_with_tests, sorted_tests};
+use super::schedule::TestSchedule;
 use antumbra_cull::indirect::{IndirectLayout, LayoutSize, SampleBounds};
 use antumbra_cull::order::back_to_front;
 use antumbra_cull::{
     CULL, Candidates, CountLayout, Counting, Counts, FrameGraph, Queried, ViewNodes, VisibleSet,
-    query_detail,
 };
 
-/// An eye, and how many pixels each slot owns in it: last frame for the first eye, this frame for those after it.
-pub(super) struct Eye {
+/// The first view of a stereo pair, or the only view.
+pub(super) struct FirstOnGpu {
     pub set: VisibleSet,
+    /// The pixels that each slot owns in this frame, a u32 a slot.
     pub owned: Buffer,
 }
 
-/// The first eye.
-pub(super) fn first(g: &mut FrameGraph<'_>, view: &mut ViewNodes, how: CoherentSettings) -> Eye {
+/// Whether a layout holds the candidates that no test may cull.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum ExemptEntities {
+    /// They are laid out, and drawn whatever their counts.
+    Included,
+    /// They are not laid out: an earlier pass has drawn them.
+    LeftOut,
+}
+
+/// Declares the first view.
+pub(super) fn first(
+    g: &mut FrameGraph<'_>,
+    view: &mut ViewNodes,
+    settings: CoherentSettings,
+) -> FirstOnGpu {
     let candidates = g.in_frustum(view);
     let [width, height] = view.size();
     let blank = Clear::Colour(wgpu::Color::TRANSPARENT);
@@ -37,47 +52,72 @@ pub(super) fn first(g: &mut FrameGraph<'_>, view: &mut ViewNodes, how: CoherentS
     );
     let owned = g.sample_counts(view);
     let seen = owned.previous();
-    let all = solid(g, view, "last visible", candidates, true);
+    let all = opaque(
+        g,
+        view,
+        "last visible",
+        candidates,
+        ExemptEntities::Included,
+    );
     let last = g.compact(view, "last visible", all, seen);
     let ids = g.shade_identified(view, "shade last visible", last, ids);
-    let found = test(g, view, candidates, how, seen);
-    let rest = solid(g, view, "found visible", candidates, false);
+    let found = test(g, view, candidates, settings, seen);
+    let rest = opaque(
+        g,
+        view,
+        "found visible",
+        candidates,
+        ExemptEntities::LeftOut,
+    );
     let new = g.compact(view, "found visible", rest, found);
     let ids = g.shade_identified(view, "shade found visible", new, ids);
-    shade_blended(g, view, candidates, found);
+    shade_transparent(g, view, candidates, found);
     let owned = g.histogram(view, ids, [width, height], owned);
-    Eye {
+    FirstOnGpu {
         set: verdicts(g, view, candidates, seen, found),
         owned,
     }
 }
 
-/// An eye after it: draws what owns a pixel in the first one and tests all else.
+/// Declares a further view: draws the entities that own a pixel in the first view and tests all others. `owned`: their pixels in the first
+/// view, a u32 a slot.
 pub(super) fn next(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
-    how: CoherentSettings,
+    settings: CoherentSettings,
     owned: Buffer,
 ) -> VisibleSet {
     let candidates = g.in_frustum(view);
-    let all = solid(g, view, "seen by the other eye", candidates, true);
+    let all = opaque(
+        g,
+        view,
+        "seen by the other eye",
+        candidates,
+        ExemptEntities::Included,
+    );
     let lent = g.compact(view, "seen by the other eye", all, owned);
     g.shade_indirect(view, "shade what the other eye sees", lent);
-    let found = test(g, view, candidates, how, owned);
-    let rest = solid(g, view, "found visible", candidates, false);
+    let found = test(g, view, candidates, settings, owned);
+    let rest = opaque(
+        g,
+        view,
+        "found visible",
+        candidates,
+        ExemptEntities::LeftOut,
+    );
     let new = g.compact(view, "found visible", rest, found);
     g.shade_indirect(view, "shade found visible", new);
-    shade_blended(g, view, candidates, found);
+    shade_transparent(g, view, candidates, found);
     verdicts(g, view, candidates, owned, found)
 }
 
-/// Lays the full meshes of the solid candidates out, to be kept with any sample; `exempt`: those that no test may judge are among them, and drawn.
-fn solid(
+/// Lays out the full meshes of the opaque candidates. The compaction keeps those with any sample.
+fn opaque(
     g: &mut FrameGraph<'_>,
     view: &ViewNodes,
     name: &str,
     candidates: Host<Candidates>,
-    exempt: bool,
+    exempt: ExemptEntities,
 ) -> IndirectLayout {
     let most = g.scene_layout().batches;
     g.lay_out(
@@ -93,7 +133,8 @@ fn solid(
         move |ctx, table, _, laid| {
             let candidates = ctx.get(candidates)?;
             let wanted = |slot: &u32| {
-                !table.is_transparent(*slot) && (exempt || !candidates.is_exempt(*slot))
+                !table.is_transparent(*slot)
+                    && (exempt == ExemptEntities::Included || !candidates.is_exempt(*slot))
             };
             let members = candidates.inside().iter().copied().filter(wanted);
             laid.list.fill(table, members, MeshDetail::Level(0));
@@ -107,17 +148,17 @@ fn solid(
     )
 }
 
-/// Counts the samples of the stand-ins of what was not seen, against what was drawn.
+/// Tests the entities without a sample in `seen`: counts the visible samples of their test geometry against the depth so far.
 fn test(
     g: &mut FrameGraph<'_>,
     view: &ViewNodes,
     candidates: Host<Candidates>,
-    how: CoherentSettings,
+    settings: CoherentSettings,
     seen: Buffer,
 ) -> Buffer {
-    // Each batch by boxes, by meshes, or both.
+    // A batch may be tested by boxes, by meshes, or by both.
     let most = g.scene_layout().batches * 2;
-    let mut turns = Turns::default();
+    let mut schedule = TestSchedule::default();
     let layout = g.lay_out(
         view,
         "last occluded",
@@ -130,25 +171,13 @@ fn test(
         },
         move |ctx, table, frame, laid| {
             let candidates = ctx.get(candidates)?;
-            turns.begin(table, &candidates);
-            let due = |slot: &u32| turns.is_due(*slot, how.fraction) || table.is_transparent(*slot);
-            let mut tests: Vec<(u32, bool, u32)> = candidates
-                .testable()
-                .filter(due)
-                .map(|slot| {
-                    let boxed = query_detail(table, frame, slot) == MeshDetail::Box;
-                    (table.batch_of(slot), boxed, slot)
-                })
-                .collect();
-            tests.sort_unstable();
-            laid.list.clear();
-            for (_, boxed, slot) in tests {
-                let detail = match boxed {
-                    true => MeshDetail::Box,
-                    false => MeshDetail::Level(0),
-                };
-                laid.list.push(table, slot, detail);
-            }
+            schedule.begin(table, &candidates);
+            let due = |slot: &u32| {
+                schedule.is_due(*slot, settings.fraction) || table.is_transparent(*slot)
+            };
+            let due = candidates.testable().filter(due);
+            let tests = sorted_tests(table, frame, due, |_| false);
+            fill_with_tests(laid.list, table, &tests);
             laid.bound(table, |_| SampleBounds::HIDDEN, |_| false);
             Ok(())
         },
@@ -157,7 +186,7 @@ fn test(
     count(g, view, tests)
 }
 
-/// Counts the visible samples of what was kept.
+/// Counts the visible samples of indirect draws, a u32 a slot.
 fn count(g: &mut FrameGraph<'_>, view: &ViewNodes, what: IndirectDraws) -> Buffer {
     let (inputs, depth) = (view.inputs(), view.targets.depth);
     let way = Counting::by_fragments(g.gpu());
@@ -171,8 +200,8 @@ fn count(g: &mut FrameGraph<'_>, view: &ViewNodes, what: IndirectDraws) -> Buffe
     passes::count_indirect_pass(g.graph(), &spec, inputs, what, test, counts)
 }
 
-/// Shades what is blended and was found visible.
-fn shade_blended(
+/// Shades the transparent entities that were found visible.
+fn shade_transparent(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
     candidates: Host<Candidates>,
@@ -195,8 +224,8 @@ fn shade_blended(
         },
         move |ctx, table, frame, laid| {
             let candidates = ctx.get(candidates)?;
-            let blended = |slot: &u32| table.is_transparent(*slot);
-            let members = candidates.inside().iter().copied().filter(blended);
+            let transparent = |slot: &u32| table.is_transparent(*slot);
+            let members = candidates.inside().iter().copied().filter(transparent);
             back_to_front(laid.list, table, frame, members.map(|slot| (slot, 0)));
             laid.bound(
                 table,
@@ -210,7 +239,7 @@ fn shade_blended(
     g.shade_indirect(view, "transparent", kept);
 }
 
-/// What was drawn, for whoever measures: what was seen, and what was found.
+/// The verdicts for measurements: an entity is drawn if it has samples in `seen` or in `found`.
 fn verdicts(
     g: &mut FrameGraph<'_>,
     view: &ViewNodes,
@@ -218,13 +247,13 @@ fn verdicts(
     seen: Buffer,
     found: Buffer,
 ) -> VisibleSet {
-    let asked = g.graph().host::<Queried>(view.named("asked"));
+    let queried = g.graph().host::<Queried>(view.named("asked"));
     let mut node = g.graph().host_node(view.named("note asked"));
     node.group(CULL).read(candidates);
-    let asked = node.write(asked);
+    let queried = node.write(queried);
     node.run(move |ctx| {
         let candidates = ctx.get(candidates)?;
-        *ctx.get_mut(asked)? = Queried {
+        *ctx.get_mut(queried)? = Queried {
             stamp: candidates.stamp(),
             slots: Arc::new(candidates.inside().to_vec()),
             ends: Arc::default(),
@@ -232,15 +261,15 @@ fn verdicts(
         Ok(())
     });
     let counts = Counts {
-        buffer: join(g, view, seen, found),
+        buffer: larger_counts(g, view, seen, found),
         layout: CountLayout::BySlot,
-        queried: asked,
+        queried,
     };
     VisibleSet::on_gpu(candidates, counts, 0)
 }
 
-/// The larger of two counts a slot.
-fn join(g: &mut FrameGraph<'_>, view: &ViewNodes, one: Buffer, other: Buffer) -> Buffer {
+/// The larger of two counts, a slot.
+fn larger_counts(g: &mut FrameGraph<'_>, view: &ViewNodes, one: Buffer, other: Buffer) -> Buffer {
     let pipeline = g.compute_pipeline(&jobs::max_counts::JOB, "max_counts");
     let groups = g.scene_layout().slots.div_ceil(64).max(1);
     let joined = g.sample_counts(view);
@@ -253,7 +282,7 @@ fn join(g: &mut FrameGraph<'_>, view: &ViewNodes, one: Buffer, other: Buffer) ->
             Bind::Buffer(1, other),
             Bind::Buffer(2, joined),
         ];
-        // In rows of at most what a dimension may have.
+        // A dispatch may have at most 65,535 workgroups along a dimension.
         let wide = groups.min(65_535);
         pipeline.dispatch(ctx, &binds, [wide, groups.div_ceil(wide)])
     });

@@ -1,4 +1,4 @@
-//! Draw lists with a query around each entry, and what goes along with the answers.
+//! Draw lists with a hardware query around each entry, or around several neighbours, and the record that travels with the answers.
 
 use std::sync::Arc;
 
@@ -6,144 +6,136 @@ use antumbra_draw::passes::{self, ListDraws};
 use antumbra_draw::{DrawList, MeshDetail, PipelineKind, SceneTable, ViewFrame};
 use antumbra_graph::{BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext};
 
-use antumbra_cull::{CULL, DRAW, FrameGraph, Queried, Stamp, ViewNodes, query_detail};
+use super::entity_test::{fill_with_tests, sorted_tests};
+use antumbra_cull::{CULL, DRAW, FrameGraph, Queried, Stamp, ViewNodes};
 
-/// What is asked about an entity; in the order of asking.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Test {
-    batch: u32,
-    boxed: bool,
-    settled: bool,
-    slot: u32,
-}
-
-/// A list, and its answers.
+/// A draw list with queries, and their answers.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Asking {
+pub(super) struct QueriedList {
     pub list: ListDraws,
-    pub asked: Host<Queried>,
-    /// A u64 an entry.
+    /// The slots and the frame of the queries.
+    pub queried: Host<Queried>,
+    /// A u64 a query.
     pub answers: Buffer,
 }
 
-impl Asking {
+/// What the lists of a frame are made from.
+#[derive(Clone, Copy)]
+pub(super) struct ListSource<'a> {
+    pub table: &'a SceneTable,
+    pub view: &'a ViewFrame,
+    /// The frame and the camera cut of the candidates.
+    pub stamp: Stamp,
+}
+
+/// Which tests may share a query.
+pub(super) struct Sharing<F> {
+    /// Most entities a query; 1: no sharing.
+    pub most: u32,
+    /// Whether a slot may share a query.
+    pub allowed: F,
+}
+
+impl QueriedList {
     pub fn declare(g: &mut FrameGraph<'_>, view: &ViewNodes, name: &str) -> Self {
         let bytes = g.slot_bytes() * 2;
         let named = |what: &str| view.named(&format!("{name}{what}"));
         Self {
             list: g.unsubmitted(&named("")),
-            asked: g.graph().host::<Queried>(named(": asked")),
+            queried: g.graph().host::<Queried>(named(": asked")),
             answers: g.graph().buffer(named(": answers"), BufferDesc::new(bytes)),
         }
     }
 
-    /// The versions that a host node writes.
+    /// Declares on a host node that it writes the list and its record. Returns the versions it writes.
     pub fn written_by(self, node: &mut HostBuilder<'_>) -> Self {
         Self {
             list: self.list.written_by(node),
-            asked: node.write(self.asked),
+            queried: node.write(self.queried),
             answers: self.answers,
         }
     }
 
-    /// Declares that a host node waits for the answers.
+    /// Declares on a host node that it waits for the answers.
     pub fn read_back(self, node: &mut HostBuilder<'_>) {
-        let asked = self.asked;
-        node.read(asked).read_back(self.answers).bytes(move |host| {
-            host.get(asked)
-                .map_or(0, |asked| u64::from(asked.queries()) * 8)
-        });
+        let queried = self.queried;
+        node.read(queried)
+            .read_back(self.answers)
+            .bytes(move |host| {
+                host.get(queried)
+                    .map_or(0, |queried| u64::from(queried.queries()) * 8)
+            });
     }
 
-    /// Fills the list with full meshes, in this order, a question each.
+    /// Fills the list with the full meshes of these slots, in this order, with a query each. Returns the number of queries.
     pub fn submit(
         &self,
         ctx: &mut HostContext<'_>,
-        table: &SceneTable,
-        stamp: Stamp,
+        source: ListSource<'_>,
         slots: impl Iterator<Item = u32>,
     ) -> Result<u32, BodyError> {
         let mut list = ctx.get_mut(self.list.list)?;
-        fill(&mut list, table, slots);
-        self.ask(ctx, &mut list, stamp)
+        fill(&mut list, source.table, slots);
+        self.upload(ctx, &mut list, source.stamp)
     }
 
-    /// Fills the list with the stand-ins of these slots, in the order of batches. Those that `settled` holds for share a question with up
-    /// to `most` of their batch.
+    /// Fills the list with the test geometry of these slots, sorted by batch. Returns the number of queries.
     pub fn submit_tests(
         &self,
         ctx: &mut HostContext<'_>,
-        (table, view): (&SceneTable, &ViewFrame),
-        stamp: Stamp,
+        source: ListSource<'_>,
         slots: impl Iterator<Item = u32>,
-        (most, settled): (u32, impl Fn(u32) -> bool),
+        sharing: Sharing<impl Fn(u32) -> bool>,
     ) -> Result<u32, BodyError> {
-        let mut tests: Vec<Test> = slots
-            .map(|slot| Test {
-                batch: table.batch_of(slot),
-                boxed: query_detail(table, view, slot) == MeshDetail::Box,
-                settled: settled(slot),
-                slot,
-            })
-            .collect();
-        tests.sort_unstable();
+        let tests = sorted_tests(source.table, source.view, slots, sharing.allowed);
         let mut list = ctx.get_mut(self.list.list)?;
-        list.clear();
-        for test in &tests {
-            let detail = match test.boxed {
-                true => MeshDetail::Box,
-                false => MeshDetail::Level(0),
-            };
-            list.push(table, test.slot, detail);
-        }
-        if most > 1 {
-            let joins = |a: &Test, b: &Test| {
-                a.settled && b.settled && (a.batch, a.boxed) == (b.batch, b.boxed)
-            };
+        fill_with_tests(&mut list, source.table, &tests);
+        if sharing.most > 1 {
             let mut end = 0;
-            let ends = tests
-                .chunk_by(joins)
-                .flat_map(|alike| alike.chunks(most as usize));
-            list.group_queries(ends.map(|together| {
-                end += together.len() as u32;
+            let shared = tests
+                .chunk_by(|a, b| a.may_share_with(b))
+                .flat_map(|alike| alike.chunks(sharing.most as usize));
+            list.group_queries(shared.map(|members| {
+                end += members.len() as u32;
                 end
             }));
         }
-        self.ask(ctx, &mut list, stamp)
+        self.upload(ctx, &mut list, source.stamp)
     }
 
-    fn ask(
+    /// Uploads the filled list and writes its record. Returns the number of queries.
+    fn upload(
         &self,
         ctx: &mut HostContext<'_>,
         list: &mut DrawList,
         stamp: Stamp,
     ) -> Result<u32, BodyError> {
         ctx.upload(self.list.slots, 0, bytemuck::cast_slice(list.slots()))?;
-        let asked = Queried {
+        let queried = Queried {
             stamp,
             slots: Arc::new(list.slots().to_vec()),
             ends: Arc::new(list.query_ends().to_vec()),
         };
-        let queries = asked.queries();
-        *ctx.get_mut(self.asked)? = asked;
+        let queries = queried.queries();
+        *ctx.get_mut(self.queried)? = queried;
         Ok(queries)
     }
 
-    /// Shades the list, a query an entry.
+    /// Shades the list, with its queries. Returns the list with the answers of this pass.
     pub fn shade(self, g: &mut FrameGraph<'_>, view: &mut ViewNodes, name: &str) -> Self {
         let kind = g.shaded_kind();
         let spec = g.pass(view.named(name), DRAW, kind);
         let (inputs, targets) = (view.inputs(), view.targets);
-        let queried =
+        let shaded =
             passes::shaded_query_pass(g.graph(), &spec, inputs, self.list, targets, self.answers);
-        view.targets = queried.targets;
+        view.targets = shaded.targets;
         Self {
-            answers: queried.answers,
+            answers: shaded.answers,
             ..self
         }
     }
 
-    /// Tests the list against the depth so far, a query an entry.
+    /// Tests the list against the depth so far. Returns the list with the answers of this pass.
     pub fn test(self, g: &mut FrameGraph<'_>, view: &ViewNodes, name: &str) -> Self {
         let spec = g.pass(view.named(name), CULL, PipelineKind::Query);
         let (inputs, depth) = (view.inputs(), view.targets.depth);
@@ -160,15 +152,15 @@ fn fill(list: &mut DrawList, table: &SceneTable, slots: impl Iterator<Item = u32
     }
 }
 
-/// Submits full meshes that nothing is asked about, in this order.
-pub(super) fn submit_unasked(
+/// Fills and uploads a list of full meshes without queries, in this order.
+pub(super) fn submit_unqueried(
     ctx: &mut HostContext<'_>,
-    set: ListDraws,
+    draws: ListDraws,
     table: &SceneTable,
     slots: impl Iterator<Item = u32>,
 ) -> Result<(), BodyError> {
-    let mut list = ctx.get_mut(set.list)?;
+    let mut list = ctx.get_mut(draws.list)?;
     fill(&mut list, table, slots);
-    ctx.upload(set.slots, 0, bytemuck::cast_slice(list.slots()))?;
+    ctx.upload(draws.slots, 0, bytemuck::cast_slice(list.slots()))?;
     Ok(())
 }

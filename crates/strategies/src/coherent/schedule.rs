@@ -1,42 +1,44 @@
-//! Whose turn it is to be tested, where nobody on the host knows who is occluded: each slot once in 1/fraction frames, spread evenly, and
-//! whatever nothing can be known of in every frame.
+//! Which candidates are tested in a frame where the host does not know which of them are occluded. Each slot is tested once in 1/fraction
+//! frames, spread evenly over the frames. A slot without any earlier answer is tested at once.
 
 use antumbra_draw::SceneTable;
 use antumbra_scene::EntityKey;
 
 use antumbra_cull::Candidates;
 
-/// The turns of a view.
+/// The schedule of a view's tests.
 #[derive(Debug, Default)]
-pub(super) struct Turns {
-    of: Vec<Place>,
+pub(super) struct TestSchedule {
+    slots: Vec<SlotState>,
     frame: u64,
     cuts: u64,
 }
 
 #[derive(Debug, Clone, Copy, Default)]
-struct Place {
-    key: Option<EntityKey>,
-    inside: u64,
-    /// It came into the frustum or into its slot with this frame.
+struct SlotState {
+    entity: Option<EntityKey>,
+    /// The last frame in which the slot was in the frustum.
+    last_inside: u64,
+    /// The slot's entity entered the frustum or the scene in this frame, or the camera was cut.
     new: bool,
 }
 
-impl Turns {
-    /// Begins a frame.
+impl TestSchedule {
+    /// Starts a frame.
     pub fn begin(&mut self, table: &SceneTable, candidates: &Candidates) {
         let cuts = candidates.stamp().cuts;
-        let jumped = cuts != self.cuts;
+        let cut = cuts != self.cuts;
         self.cuts = cuts;
         self.frame += 1;
-        self.of.resize_with(table.slots() as usize, Place::default);
+        self.slots
+            .resize_with(table.slots() as usize, SlotState::default);
         for slot in candidates.inside() {
-            let key = table.occupant(*slot).map(|occupant| occupant.key);
-            if let Some(place) = self.of.get_mut(*slot as usize) {
-                let new = jumped || place.key != key || place.inside + 1 != self.frame;
-                *place = Place {
-                    key,
-                    inside: self.frame,
+            let entity = table.occupant(*slot).map(|occupant| occupant.key);
+            if let Some(state) = self.slots.get_mut(*slot as usize) {
+                let new = cut || state.entity != entity || state.last_inside + 1 != self.frame;
+                *state = SlotState {
+                    entity,
+                    last_inside: self.frame,
                     new,
                 };
             }
@@ -45,15 +47,15 @@ impl Turns {
 
     /// Whether a slot in the frustum is tested in this frame.
     pub fn is_due(&self, slot: u32, fraction: f64) -> bool {
-        let new = self.of.get(slot as usize).is_none_or(|place| place.new);
+        let new = self.slots.get(slot as usize).is_none_or(|state| state.new);
         if new || fraction >= 1.0 {
             return true;
         }
-        // Multiples of the golden ratio lie evenly between 0 and 1.
+        // Multiples of the golden ratio are spread evenly between 0 and 1.
         const GOLDEN: f64 = 0.618_033_988_749_894_9;
         let phase = (f64::from(slot) * GOLDEN).fract();
-        let turns = |frames: u64| (frames as f64 * fraction + phase).floor();
-        turns(self.frame) > turns(self.frame - 1)
+        let tests_until = |frame: u64| (frame as f64 * fraction + phase).floor();
+        tests_until(self.frame) > tests_until(self.frame - 1)
     }
 }
 
@@ -64,16 +66,16 @@ mod tests {
     #[test]
     fn everyone_has_a_turn_within_the_frames_of_the_fraction_and_as_many_a_frame() {
         for (fraction, frames) in [(0.5, 2), (0.25, 4), (0.3, 4), (0.9, 2)] {
-            let mut turns = Turns {
-                of: vec![Place::default(); 1000],
-                ..Turns::default()
+            let mut schedule = TestSchedule {
+                slots: vec![SlotState::default(); 1000],
+                ..TestSchedule::default()
             };
             for start in 1..6 {
                 let mut had = vec![false; 1000];
                 for frame in start..start + frames {
-                    turns.frame = frame;
+                    schedule.frame = frame;
                     let due: Vec<u32> = (0..1000)
-                        .filter(|slot| turns.is_due(*slot, fraction))
+                        .filter(|slot| schedule.is_due(*slot, fraction))
                         .collect();
                     let share = due.len() as f64 / 1000.0;
                     assert!((share - fraction).abs() < 0.02, "{share} of {fraction}");

@@ -1,5 +1,5 @@
-//! How far entities lie from something visible on the screen, in cells of a coarse grid: what is hidden beside a visible thing comes
-//! into sight before what is hidden behind the middle of a wall.
+//! The distance on the screen from an entity to the nearest visible one, in cells of a coarse grid. An entity hidden beside a visible one
+//! appears sooner than one hidden behind the middle of a wall.
 
 use antumbra_draw::{SceneTable, ViewFrame};
 use antumbra_scene::Aabb;
@@ -8,13 +8,13 @@ use glam::DVec3;
 /// Cells along each side of the screen.
 const SIDE: usize = 32;
 
-/// Steps from each cell to the nearest that holds the middle of something visible.
+/// For each cell, the steps to the nearest cell that holds the centre of a visible entity.
 #[derive(Debug, Clone)]
-pub(crate) struct Nearness {
+pub(crate) struct ScreenDistance {
     steps: Box<[u32; SIDE * SIDE]>,
 }
 
-impl Default for Nearness {
+impl Default for ScreenDistance {
     fn default() -> Self {
         Self {
             steps: Box::new([u32::MAX; SIDE * SIDE]),
@@ -22,10 +22,10 @@ impl Default for Nearness {
     }
 }
 
-impl Nearness {
-    /// Marks the cells of the visible and counts the steps from there: two sweeps over the grid (the chamfer distance of Rosenfeld and
-    /// Pfaltz, *Sequential Operations in Digital Picture Processing*, 1966).
-    pub fn see(&mut self, table: &SceneTable, view: &ViewFrame, visible: &[u32]) {
+impl ScreenDistance {
+    /// Marks the cells of the visible slots and finds the steps from all other cells, with two sweeps over the grid (the distance transform
+    /// of Rosenfeld and Pfaltz, *Sequential Operations in Digital Picture Processing*, 1966).
+    pub fn update(&mut self, table: &SceneTable, view: &ViewFrame, visible: &[u32]) {
         self.steps.fill(FAR);
         for slot in visible {
             if let Some(cell) = cell(&table.bounds(*slot), view)
@@ -55,7 +55,8 @@ impl Nearness {
         }
     }
 
-    /// Steps from the middle of a box to the nearest visible thing; 0 for one whose middle lies off the screen, which may turn in any time.
+    /// Steps from the centre of a box to the nearest visible entity. 0 where the centre lies off the screen: the entity may turn into view
+    /// at any time.
     pub fn steps(&self, bounds: &Aabb, view: &ViewFrame) -> u32 {
         cell(bounds, view)
             .and_then(|cell| self.steps.get(cell).copied())
@@ -63,10 +64,10 @@ impl Nearness {
     }
 }
 
-/// More steps than the grid has.
+/// More steps than there are between any two cells.
 const FAR: u32 = 4 * SIDE as u32;
 
-/// The cell of a box's middle; `None` off the screen.
+/// The cell of a box's centre; `None` off the screen.
 fn cell(bounds: &Aabb, view: &ViewFrame) -> Option<usize> {
     let relative: DVec3 = bounds.centre() - view.camera.position;
     let clip = view.clip_from_relative() * relative.as_vec3().extend(1.0);

@@ -1,4 +1,4 @@
-//! The settings that both coherent strategies have.
+//! The parameters of both coherent strategies: key, range, unit and description of each setting.
 
 use antumbra_cull::{Latency, Parameter};
 

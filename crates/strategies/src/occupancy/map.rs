@@ -1,6 +1,6 @@
-//! The map itself: a bit a block of pixels.
+//! The map itself (Staneker, Bartz, Meissner 2003): a bit a block of pixels, in words of 64 blocks of a row.
 
-/// A bit a block of the screen: taken, or free.
+/// A bit a block of the screen: taken or free.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct OccupancyMap {
     words: Vec<u64>,
@@ -10,7 +10,7 @@ pub struct OccupancyMap {
     high: u32,
 }
 
-/// Blocks from left to right and from top to bottom, both ends included.
+/// A rectangle of blocks. Its last column and row belong to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BlockRect {
     /// Leftmost column.
@@ -23,8 +23,17 @@ pub struct BlockRect {
     pub bottom: u32,
 }
 
+/// The words that hold a row of a rectangle.
+struct Span {
+    words: std::ops::RangeInclusive<usize>,
+    /// The rectangle's bits in the first word.
+    head: u64,
+    /// The rectangle's bits in the last word.
+    tail: u64,
+}
+
 impl BlockRect {
-    /// How many blocks it holds.
+    /// The number of blocks in it.
     pub fn blocks(&self) -> u64 {
         let side = |from: u32, to: u32| (u64::from(to) + 1).saturating_sub(u64::from(from));
         side(self.left, self.right) * side(self.top, self.bottom)
@@ -32,14 +41,14 @@ impl BlockRect {
 }
 
 impl OccupancyMap {
-    /// A free map of so many blocks.
+    /// A free map of `wide` x `high` blocks.
     pub fn new(wide: u32, high: u32) -> Self {
         let mut map = Self::default();
         map.reset(wide, high);
         map
     }
 
-    /// Frees all blocks, of which there are so many from now on.
+    /// Frees all blocks and makes the map `wide` x `high` blocks large.
     pub fn reset(&mut self, wide: u32, high: u32) {
         (self.wide, self.high) = (wide, high);
         self.row = wide.div_ceil(64) as usize;
@@ -52,18 +61,18 @@ impl OccupancyMap {
         self.words.fill(0);
     }
 
-    /// Blocks in a row, and rows.
+    /// Blocks along x and along y.
     pub fn size(&self) -> [u32; 2] {
         [self.wide, self.high]
     }
 
-    /// Whether a block is taken; one beyond the edge is.
+    /// Whether a block is taken. A block beyond the edge counts as taken.
     pub fn is_taken(&self, x: u32, y: u32) -> bool {
         let word = self.words.get(y as usize * self.row + x as usize / 64);
         x >= self.wide || word.is_none_or(|word| word >> (x % 64) & 1 != 0)
     }
 
-    /// How many blocks are taken.
+    /// The number of taken blocks.
     pub fn taken(&self) -> u32 {
         self.words.iter().map(|word| word.count_ones()).sum()
     }
@@ -71,16 +80,16 @@ impl OccupancyMap {
     /// Takes all blocks of a rectangle.
     pub fn take(&mut self, rect: BlockRect) {
         for y in self.rows(rect) {
-            let (first, last, ends) = self.span(rect, y);
-            let Some(words) = self.words.get_mut(first..=last) else {
+            let span = self.span(rect, y);
+            let Some(words) = self.words.get_mut(span.words) else {
                 continue;
             };
             match words {
-                [one] => *one |= ends[0] & ends[1],
+                [one] => *one |= span.head & span.tail,
                 [head, middle @ .., tail] => {
-                    *head |= ends[0];
+                    *head |= span.head;
                     middle.fill(u64::MAX);
-                    *tail |= ends[1];
+                    *tail |= span.tail;
                 }
                 [] => {}
             }
@@ -90,12 +99,12 @@ impl OccupancyMap {
     /// Whether any block of a rectangle is free.
     pub fn has_free(&self, rect: BlockRect) -> bool {
         self.rows(rect).any(|y| {
-            let (first, last, ends) = self.span(rect, y);
-            match self.words.get(first..=last) {
-                Some([one]) => !one & ends[0] & ends[1] != 0,
+            let span = self.span(rect, y);
+            match self.words.get(span.words) {
+                Some([one]) => !one & span.head & span.tail != 0,
                 Some([head, middle @ .., tail]) => {
-                    !head & ends[0] != 0
-                        || !tail & ends[1] != 0
+                    !head & span.head != 0
+                        || !tail & span.tail != 0
                         || middle.iter().any(|word| *word != u64::MAX)
                 }
                 _ => false,
@@ -103,7 +112,7 @@ impl OccupancyMap {
         })
     }
 
-    /// The rows of a rectangle that exist; none where it begins beyond the edge.
+    /// The rows of a rectangle that lie in the map; none where it begins beyond the edge.
     fn rows(&self, rect: BlockRect) -> std::ops::Range<u32> {
         if rect.left >= self.wide || rect.left > rect.right {
             return 0..0;
@@ -111,14 +120,18 @@ impl OccupancyMap {
         rect.top..rect.bottom.saturating_add(1).min(self.high)
     }
 
-    /// First and last word of a rectangle's part of a row, and which bits of them belong to it.
-    fn span(&self, rect: BlockRect, y: u32) -> (usize, usize, [u64; 2]) {
+    /// The words under one row of a rectangle.
+    fn span(&self, rect: BlockRect, y: u32) -> Span {
         let right = rect.right.min(self.wide - 1);
         let row = y as usize * self.row;
         let head = u64::MAX << (rect.left % 64);
         let tail = u64::MAX >> (63 - right % 64);
         let (first, last) = (rect.left as usize / 64, right as usize / 64);
-        (row + first, row + last, [head, tail])
+        Span {
+            words: row + first..=row + last,
+            head,
+            tail,
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Where a box lies as seen from the eye: outside, too near to be asked about, or on so many pixels.
+//! Where a bounding box lies on the screen of a view: outside the frustum, too near to be queried, or over which pixels.
 
 use antumbra_draw::ViewFrame;
 use antumbra_draw::boxes::{BoxContents, Widening};
@@ -7,7 +7,7 @@ use glam::{DVec3, Mat4, Vec2, Vec4, Vec4Swizzles};
 
 use super::map::BlockRect;
 
-/// A view, ready to place many boxes.
+/// A view, prepared to place many boxes.
 #[derive(Debug, Clone)]
 pub struct Screen {
     eye: DVec3,
@@ -15,29 +15,46 @@ pub struct Screen {
     near: f64,
     clip_from_relative: Mat4,
     size: Vec2,
-    planes: Vec<(DVec3, DVec3, f64)>,
+    planes: Vec<Plane>,
     widening: Widening,
     block: f32,
     blocks: [u32; 2],
 }
 
+/// A plane of the frustum. Points inside have `normal . point + offset >= 0`.
+#[derive(Debug, Clone, Copy)]
+struct Plane {
+    normal: DVec3,
+    abs_normal: DVec3,
+    offset: f64,
+}
+
+/// How much of a box lies in the frustum.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Containment {
+    /// All of it.
+    Inside,
+    /// A part of it may lie outside.
+    Partial,
+}
+
 /// Where a box lies.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Place {
+pub enum BoxPlacement {
     /// Outside the frustum.
     Outside,
-    /// Around the eye, across the near plane or partly behind the camera: visible, and never to be asked about.
+    /// Around the eye, across the near plane or partly behind the camera: visible without a query.
     Near,
     /// On the screen.
     OnScreen {
-        /// Which pixels, at most.
+        /// A bound on the pixels under it.
         pixels: PixelRect,
-        /// Whether all of it is in the frustum.
-        whole: bool,
+        /// How much of it lies in the frustum.
+        containment: Containment,
     },
 }
 
-/// Pixels from the left upper corner of the screen, as far as they are on it.
+/// A rectangle in pixels from the left upper corner of the screen, clipped to the screen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PixelRect {
     /// Least x and y.
@@ -47,7 +64,7 @@ pub struct PixelRect {
 }
 
 impl Screen {
-    /// For boxes seen by this view. `block`: pixels along a side of a block of the map, at least 1.
+    /// The screen of a view. `block`: pixels along a side of a block of the map, at least 1. `contents`: what the boxes hold.
     pub fn new(view: &ViewFrame, block: u32, contents: BoxContents) -> Self {
         let camera = &view.camera;
         let block = block.max(1);
@@ -58,7 +75,11 @@ impl Screen {
             clip_from_relative: view.clip_from_relative(),
             size: Vec2::new(view.size[0] as f32, view.size[1] as f32),
             planes: (view.frustum.planes().iter())
-                .map(|plane| (plane.normal, plane.normal.abs(), plane.offset))
+                .map(|plane| Plane {
+                    normal: plane.normal,
+                    abs_normal: plane.normal.abs(),
+                    offset: plane.offset,
+                })
                 .collect(),
             widening: Widening::new(view, contents),
             block: block as f32,
@@ -66,23 +87,23 @@ impl Screen {
         }
     }
 
-    /// Blocks in a row of the map, and rows.
+    /// Blocks of the map along x and along y.
     pub fn blocks(&self) -> [u32; 2] {
         self.blocks
     }
 
-    /// How boxes that are asked about are widened.
+    /// The widening of the boxes that queries draw.
     pub fn widening(&self) -> &Widening {
         &self.widening
     }
 
-    /// The eye.
+    /// The eye's position in the world.
     pub fn eye(&self) -> DVec3 {
         self.eye
     }
 
-    /// The square of the distance from the eye to a box's nearest corner: what boxes are sorted by.
-    pub fn nearness(&self, bounds: &Aabb) -> f32 {
+    /// The square of the distance from the eye to a box's nearest corner, in square metres: the traversal's sort key.
+    pub fn nearest_corner_distance_squared(&self, bounds: &Aabb) -> f32 {
         let (low, high) = (bounds.min - self.eye, bounds.max - self.eye);
         let nearest = (low * low).min(high * high);
         nearest.element_sum() as f32
@@ -95,34 +116,44 @@ impl Screen {
         !self
             .planes
             .iter()
-            .any(|(normal, size, offset)| normal.dot(centre) + offset + size.dot(half) < 0.0)
+            .any(|plane| plane.normal.dot(centre) + plane.offset + plane.abs_normal.dot(half) < 0.0)
     }
 
-    /// Where a box lies. `inside`: it is known to be all in the frustum, as what lies in a box that is.
-    pub fn place(&self, bounds: &Aabb, inside: bool) -> Place {
+    /// Places a box. `parent`: how much of an enclosing box lies in the frustum; with [`Containment::Inside`] the planes need no test.
+    pub fn place(&self, bounds: &Aabb, parent: Containment) -> BoxPlacement {
         let (centre, half) = (bounds.centre(), bounds.half_extents());
-        let mut whole = true;
-        let planes = if inside { &[] } else { self.planes.as_slice() };
-        for (normal, size, offset) in planes {
-            let (distance, reach) = (normal.dot(centre) + offset, size.dot(half));
+        let mut containment = Containment::Inside;
+        let planes = match parent {
+            Containment::Inside => &[],
+            Containment::Partial => self.planes.as_slice(),
+        };
+        for plane in planes {
+            let distance = plane.normal.dot(centre) + plane.offset;
+            let reach = plane.abs_normal.dot(half);
             if distance + reach < 0.0 {
-                return Place::Outside;
+                return BoxPlacement::Outside;
             }
-            whole &= distance - reach >= 0.0;
+            let inside = distance - reach >= 0.0;
+            if !inside {
+                containment = Containment::Partial;
+            }
         }
         let centre = centre - self.eye;
         let depth = self.forward.dot(centre) - self.forward.abs().dot(half);
         let reach = centre.length() + half.length();
         let margin = self.widening.margin(reach) * 2.0 + self.near.abs() * 1e-3;
-        // What has no depth to tell counts as near.
+        // A depth that is NaN counts as near.
         if depth <= self.near + margin || depth.is_nan() {
-            return Place::Near;
+            return BoxPlacement::Near;
         }
         let pixels = self.pixels(centre.as_vec3(), half.as_vec3());
-        Place::OnScreen { pixels, whole }
+        BoxPlacement::OnScreen {
+            pixels,
+            containment,
+        }
     }
 
-    /// The pixels under what of a box lies before the near plane: none of one behind it.
+    /// The pixels under the part of a box in front of the near plane; an empty rectangle where the box lies behind it.
     pub fn clipped(&self, bounds: &Aabb) -> PixelRect {
         let corners = bounds.corners().map(|corner| corner - self.eye);
         let depths = corners.map(|corner| self.forward.dot(corner));
@@ -147,7 +178,7 @@ impl Screen {
         });
         let (mut least, mut greatest) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
         for point in on_screen {
-            // A number that is none leaves the ends where they are.
+            // NaN leaves the bounds unchanged.
             least = point.min(least);
             greatest = point.max(greatest);
         }
@@ -175,9 +206,9 @@ impl Screen {
         self.rect(least, greatest)
     }
 
-    /// Pixels from clip space.
+    /// Converts a rectangle from clip space to pixels.
     fn rect(&self, least: Vec2, greatest: Vec2) -> PixelRect {
-        // Upwards in clip space is downwards in pixels.
+        // Clip space points up, pixels count downwards.
         let scale = self.size * 0.5;
         let (low, high) = (least * scale, greatest * scale);
         PixelRect {
@@ -186,9 +217,9 @@ impl Screen {
         }
     }
 
-    /// The blocks that pixels lie in.
+    /// The blocks of the map under a rectangle of pixels.
     pub fn blocks_of(&self, pixels: &PixelRect) -> BlockRect {
-        // Casts of what is out of range end at the range's ends.
+        // A cast of a float out of range saturates.
         let (least, greatest) = (pixels.least / self.block, pixels.greatest / self.block);
         let [wide, high] = self.blocks;
         BlockRect {

@@ -1,13 +1,14 @@
-//! The settings of the strategies with occupancy maps.
+//! The parameters of the strategies with an occupancy map: key, range, unit and description of each setting.
 
 use antumbra_cull::{Latency, Parameter, shortest};
 use antumbra_scene::hierarchy::HierarchyShape;
 
 use super::{OccupancyMapBatched, OccupancySettings};
+use crate::traversal::DrawOrder;
 
 const LATENCIES: [Latency; 2] = [Latency::FrameLate, Latency::SameFrame];
 
-/// The setting that `occupancy-map` has beside those of [`PARAMETERS`].
+/// The setting of `occupancy-map` that `occupancy-map-single` does not have.
 pub(super) const LATENCY: &[Parameter<OccupancyMapBatched>] = &[Parameter::words(
     "latency",
     &["frame-late", "same-frame"],
@@ -16,8 +17,8 @@ pub(super) const LATENCY: &[Parameter<OccupancyMapBatched>] = &[Parameter::words
     |s, at| s.latency = LATENCIES[at],
 )];
 
-/// Settings without effect where one node is queried at a time.
-pub(super) const OF_BATCHES: [&str; 3] = ["least-seen", "together", "worth"];
+/// Settings without effect with a single query at a time.
+pub(super) const BATCHES_ONLY: [&str; 3] = ["least-seen", "together", "worth"];
 
 pub(super) const PARAMETERS: &[Parameter<OccupancySettings>] = &[
     Parameter::words(
@@ -103,11 +104,16 @@ pub(super) const PARAMETERS: &[Parameter<OccupancySettings>] = &[
         "order",
         &["state", "depth"],
         "whether a batch is drawn by pipeline, texture and mesh, or near entities first",
-        |s| match s.by_depth {
-            true => "depth",
-            false => "state",
+        |s| match s.order {
+            DrawOrder::State => "state",
+            DrawOrder::Depth => "depth",
         },
-        |s, at| s.by_depth = at == 1,
+        |s, at| {
+            s.order = match at {
+                1 => DrawOrder::Depth,
+                _ => DrawOrder::State,
+            };
+        },
     ),
     Parameter::switch(
         "sketch",

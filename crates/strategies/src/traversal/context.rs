@@ -1,158 +1,168 @@
-//! What a walk looks at in one frame: the scene's table, the tree over it, and the screen.
+//! What a traversal reads in one frame: the scene's table, the tree over it, and the screen.
 
 use antumbra_draw::boxes::{BoxContents, GpuBox};
 use antumbra_draw::{SceneTable, ViewFrame};
 use antumbra_scene::hierarchy::HierarchyNode;
 
-use super::one_frame::TraversalSettings;
 use super::queue::QueuedNode;
 use super::remaining::Remaining;
-use crate::occupancy::{BlockRect, PixelRect, Place, Screen};
+use super::settings::TraversalSettings;
+use crate::occupancy::{BlockRect, BoxPlacement, Containment, PixelRect, Screen};
 use antumbra_cull::{Tree, Verdict, Verdicts};
 
-/// A node that was met on the screen.
+/// A node that the traversal reached, with its place on the screen.
 #[derive(Debug, Clone, Copy)]
 pub struct VisitedNode {
-    /// Its number.
+    /// The node's number in the hierarchy.
     pub node: u32,
-    /// The blocks under its box.
-    pub rect: BlockRect,
-    /// Whether all of it is in the frustum.
-    pub whole: bool,
+    /// The blocks of the occupancy map under its box.
+    pub blocks: BlockRect,
+    /// How much of its box lies in the frustum.
+    pub containment: Containment,
 }
 
-/// How a node is to be taken.
+/// What a traversal finds when it reaches a node.
 pub(crate) enum Visit<'a> {
-    /// It is outside the frustum, or empty.
+    /// The node is outside the frustum, or empty.
     Outside,
-    /// It is too near to be asked about: visible.
+    /// The node is too near to be queried: visible.
     Near(VisitedNode),
-    /// It is so small that it is dropped.
+    /// The node is so small on the screen that it is culled.
     Small(VisitedNode),
-    /// It lies on the screen.
+    /// The node lies on the screen.
     OnScreen(VisitedNode, &'a HierarchyNode),
 }
 
-/// One frame's scene as a walk sees it.
+/// One frame's scene, tree and screen.
 pub struct TraversalContext<'a> {
     /// The scene.
     pub table: &'a SceneTable,
     /// The tree over it.
     pub tree: &'a Tree,
-    /// The screen, and the eye before it.
+    /// The screen and the eye.
     pub screen: Screen,
-    /// Triangles below a node that is not opened.
+    /// A node with at most this many triangles is not opened.
     pub grain: u32,
-    /// What an outer strategy has left of it; all, where there is none.
-    left: Option<&'a Remaining>,
+    /// What an outer strategy has left of the tree; `None`: all of it.
+    remaining: Option<&'a Remaining>,
 }
 
 impl<'a> TraversalContext<'a> {
-    /// Looks at a scene. `contents`: what the boxes of its entities hold.
+    /// The context of one frame. `contents`: what the boxes of the scene's entities hold.
     pub fn new(
         table: &'a SceneTable,
         tree: &'a Tree,
         view: &ViewFrame,
-        how: &TraversalSettings,
+        settings: &TraversalSettings,
         contents: BoxContents,
     ) -> Self {
         Self {
             table,
             tree,
-            screen: Screen::new(view, how.block, contents),
-            grain: how.grain,
-            left: None,
+            screen: Screen::new(view, settings.block, contents),
+            grain: settings.grain,
+            remaining: None,
         }
     }
 
-    /// The same with no more than what an outer strategy has left.
-    pub(super) fn at_what_is(self, left: Option<&'a Remaining>) -> Self {
-        Self { left, ..self }
+    /// Restricts the traversal to what an outer strategy has left.
+    pub(super) fn restricted_to(self, remaining: Option<&'a Remaining>) -> Self {
+        Self { remaining, ..self }
     }
 
-    /// A node with something in it.
+    /// A node of the tree; `None` where it is empty or an outer strategy has judged all of it.
     pub fn node(&self, number: u32) -> Option<&'a HierarchyNode> {
         let node = self.tree.hierarchy().node(number);
-        let left = self.left.is_none_or(|left| left.has_node(number));
-        node.filter(|node| left && !node.bounds.is_empty())
+        let remains = self
+            .remaining
+            .is_none_or(|remaining| remaining.has_node(number));
+        node.filter(|node| remains && !node.bounds.is_empty())
     }
 
-    /// Whether no outer strategy has taken a slot away.
-    fn is_left(&self, slot: u32) -> bool {
-        self.left.is_none_or(|left| left.has_slot(slot))
+    fn remains(&self, slot: u32) -> bool {
+        self.remaining
+            .is_none_or(|remaining| remaining.has_slot(slot))
     }
 
-    /// Whether a node is drawn or culled as one: a leaf, or so little that opening it would cost more queries than it can save.
+    /// Whether a node is drawn or culled as a whole: a leaf, or a node of so few triangles that opening it costs more queries than it can save.
     pub fn is_unit(&self, number: u32, node: &HierarchyNode) -> bool {
         node.is_leaf() || self.tree.weight(number) <= self.grain
     }
 
     /// The slots at and below a node that lie in the frustum.
-    pub fn slots(&self, number: u32, whole: bool) -> impl Iterator<Item = u32> + '_ {
+    pub fn slots(&self, number: u32, containment: Containment) -> impl Iterator<Item = u32> + '_ {
         let slots = self.tree.hierarchy().leaves_below(number);
-        let one = self.node(number).is_some_and(HierarchyNode::is_leaf);
+        let is_leaf = self.node(number).is_some_and(HierarchyNode::is_leaf);
+        let all = is_leaf || containment == Containment::Inside;
         slots.filter(move |slot| {
-            self.is_left(*slot) && (one || whole || self.screen.sees(&self.table.bounds(*slot)))
+            self.remains(*slot) && (all || self.screen.sees(&self.table.bounds(*slot)))
         })
     }
 
-    /// The slots in the frustum that no test may cull, with the blocks they lie on.
+    /// The slots in the frustum that no test may cull, each with the blocks under its box.
     pub fn untested(&self) -> impl Iterator<Item = (u32, BlockRect)> + '_ {
         let untested = self.tree.untested().iter();
-        let untested = untested.filter(|slot| self.is_left(**slot));
+        let untested = untested.filter(|slot| self.remains(**slot));
         untested.filter_map(|slot| {
             let bounds = self.table.bounds(*slot);
-            let pixels = match self.screen.place(&bounds, false) {
-                Place::Outside => return None,
-                Place::Near => self.screen.clipped(&bounds),
-                Place::OnScreen { pixels, .. } => pixels,
+            let pixels = match self.screen.place(&bounds, Containment::Partial) {
+                BoxPlacement::Outside => return None,
+                BoxPlacement::Near => self.screen.clipped(&bounds),
+                BoxPlacement::OnScreen { pixels, .. } => pixels,
             };
             Some((*slot, self.screen.blocks_of(&pixels)))
         })
     }
 
-    /// Meets a node: where it lies, and how it is to be taken. `small`: pixels in width and height below which it is dropped.
-    pub(crate) fn meet(&self, next: QueuedNode, small: f32) -> Visit<'a> {
+    /// Finds where a node lies. `small`: width and height in pixels below which it is culled.
+    pub(crate) fn visit(&self, next: QueuedNode, small: f32) -> Visit<'a> {
         let Some(node) = self.node(next.node) else {
             return Visit::Outside;
         };
-        let met = |pixels: &PixelRect, whole| VisitedNode {
+        let visited = |pixels: &PixelRect, containment| VisitedNode {
             node: next.node,
-            rect: self.screen.blocks_of(pixels),
-            whole,
+            blocks: self.screen.blocks_of(pixels),
+            containment,
         };
-        match self.screen.place(&node.bounds, next.whole) {
-            Place::Outside => Visit::Outside,
-            Place::Near => Visit::Near(met(&self.screen.clipped(&node.bounds), false)),
-            Place::OnScreen { pixels, whole } => {
-                let met = met(&pixels, whole);
+        match self.screen.place(&node.bounds, next.containment) {
+            BoxPlacement::Outside => Visit::Outside,
+            BoxPlacement::Near => {
+                let pixels = self.screen.clipped(&node.bounds);
+                Visit::Near(visited(&pixels, Containment::Partial))
+            }
+            BoxPlacement::OnScreen {
+                pixels,
+                containment,
+            } => {
+                let visited = visited(&pixels, containment);
                 match (pixels.greatest - pixels.least).max_element() < small {
-                    true => Visit::Small(met),
-                    false => Visit::OnScreen(met, node),
+                    true => Visit::Small(visited),
+                    false => Visit::OnScreen(visited, node),
                 }
             }
         }
     }
 
-    /// Gives all in the frustum at and below a node a verdict.
-    pub fn mark(&self, met: &VisitedNode, verdict: Verdict, verdicts: &mut Verdicts) {
-        for slot in self.slots(met.node, met.whole) {
+    /// Gives all slots in the frustum at and below a node a verdict.
+    pub fn mark(&self, visited: &VisitedNode, verdict: Verdict, verdicts: &mut Verdicts) {
+        for slot in self.slots(visited.node, visited.containment) {
             verdicts.set(slot, verdict);
         }
     }
 
-    /// Finds all in the frustum at and below a node to be drawn; whether any of it can hide others.
+    /// Gives all slots in the frustum at and below a node a verdict that draws them, and adds the opaque ones to `found`. Returns whether
+    /// it added any: only these can hide other nodes.
     pub fn draw(
         &self,
-        met: &VisitedNode,
+        visited: &VisitedNode,
         verdict: Verdict,
         verdicts: &mut Verdicts,
         found: &mut Vec<u32>,
     ) -> bool {
         let before = found.len();
-        for slot in self.slots(met.node, met.whole) {
+        for slot in self.slots(visited.node, visited.containment) {
             verdicts.set(slot, verdict);
-            // What is blended hides nothing and is drawn when all that is solid has been.
+            // A transparent entity hides nothing and is drawn after all opaque ones.
             if !self.table.is_transparent(slot) {
                 found.push(slot);
             }
@@ -160,8 +170,8 @@ impl<'a> TraversalContext<'a> {
         found.len() > before
     }
 
-    /// The box to ask about a node with; `None` where the GPU cannot hold it.
-    pub fn question(&self, number: u32) -> Option<GpuBox> {
+    /// The box that a query about a node draws; `None` where the GPU cannot hold it.
+    pub fn query_box(&self, number: u32) -> Option<GpuBox> {
         let hierarchy = self.tree.hierarchy();
         let widening = self.screen.widening();
         match hierarchy.leaf(number) {

@@ -1,4 +1,4 @@
-//! The late walk as nodes of the graph: one batch of questions a frame, whose answers the next frame's walk goes by.
+//! The late traversal as nodes of the graph: one pass of queries a frame, whose answers a later frame reads without a wait.
 
 use antumbra_draw::boxes::{BoxPassSpec, box_query_pass};
 use antumbra_graph::BufferDesc;
@@ -6,81 +6,75 @@ use antumbra_scene::hierarchy::HierarchyShape;
 
 use super::inputs::TraversalInputs;
 use super::late::{LateTraversal, QueriedNodes};
-use super::one_frame::TraversalSettings;
-use super::same_frame::{fill, questions, submit_transparent};
+use super::same_frame::{fill, max_queries};
+use super::settings::TraversalSettings;
+use crate::query_results::query_results;
 use crate::sketch::Sketch;
+use crate::transparent::shade_transparent;
 use antumbra_cull::{CULL, FrameGraph, Verdicts, ViewNodes, VisibleSet};
 
-/// Declares a walk that waits for nothing.
+/// Declares a traversal that never waits.
 pub fn frame_late(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
     shape: HierarchyShape,
-    how: TraversalSettings,
+    settings: TraversalSettings,
 ) -> VisibleSet {
-    let looking = TraversalInputs::new(g, view, shape, how);
-    let inputs = looking.inputs;
-    let most = questions(g);
-    let walk = g.graph().host::<LateTraversal>(view.named("walk"));
+    let inputs = TraversalInputs::new(g, view, shape, settings);
+    let most = max_queries(g);
+    let traversal = g.graph().host::<LateTraversal>(view.named("walk"));
     let verdicts = g.graph().host::<Verdicts>(view.named("verdicts"));
-    let asked = g.graph().host::<QueriedNodes>(view.named("asked"));
-    let sketch = how
+    let queried = g.graph().host::<QueriedNodes>(view.named("asked"));
+    let sketch = settings
         .sketch
         .then(|| g.graph().host::<Sketch>(view.named("sketch")));
-    let draw = g.unsubmitted(&view.named("visible set"));
-    let ask = g.unsubmitted_boxes(&view.named("to ask about"), most);
+    let visible = g.unsubmitted(&view.named("visible set"));
+    let query_boxes = g.unsubmitted_boxes(&view.named("to ask about"), most);
     let answers = g
         .graph()
         .buffer(view.named("answers"), BufferDesc::new(most * 8));
     let mut node = g.graph().host_node(view.named("walk the tree"));
-    looking.declare(&mut node);
-    let late = node.read_previous(answers, asked);
-    let walk = node.updates(walk);
-    let (verdicts, asked) = (node.write(verdicts), node.write(asked));
+    inputs.read_by(&mut node);
+    let late = node.read_previous(answers, queried);
+    let traversal = node.updates(traversal);
+    let (verdicts, queried) = (node.write(verdicts), node.write(queried));
     node.bytes(move |host| {
-        host.get(asked)
-            .map_or(0, |asked| asked.ends.len() as u64 * 8)
+        host.get(queried)
+            .map_or(0, |queried| queried.ends.len() as u64 * 8)
     });
-    let draw = draw.written_by(&mut node);
-    let ask = ask.written_by(&mut node);
+    let visible = visible.written_by(&mut node);
+    let query_boxes = query_boxes.written_by(&mut node);
     let sketch = sketch.map(|sketch| node.write(sketch));
     node.run(move |ctx| {
-        let (mut walk, mut verdicts) = (ctx.get_mut(walk)?, ctx.get_mut(verdicts)?);
-        let (mut list, mut boxes) = (ctx.get_mut(draw.list)?, ctx.get_mut(ask.list)?);
-        looking.look(ctx, |sight, frame| {
-            verdicts.reset_outside(sight.table);
-            walk.begin(sight, frame.cuts);
+        let (mut traversal, mut verdicts) = (ctx.get_mut(traversal)?, ctx.get_mut(verdicts)?);
+        let (mut list, mut boxes) = (ctx.get_mut(visible.list)?, ctx.get_mut(query_boxes.list)?);
+        inputs.with_context(ctx, |context, frame| {
+            verdicts.reset_outside(context.table);
+            traversal.begin(context, frame.cuts);
             if let Some(late) = ctx.late(late) {
-                // Zero, or anything else: some drivers count.
-                let answers = late.bytes.as_chunks::<8>().0.iter();
-                let visible = answers.map(|answer| *answer != [0; 8]);
-                walk.take(sight, &how, late.tag, visible);
+                traversal.take(context, &settings, late.tag, query_results(late.bytes));
             }
-            walk.walk(sight, &how, &mut verdicts, &mut boxes);
-            fill(&mut list, sight.table, walk.found(), how.order);
+            traversal.traverse(context, &settings, &mut verdicts, &mut boxes);
+            fill(&mut list, context.table, traversal.found(), settings.order);
             Ok(())
         })?;
-        *ctx.get_mut(asked)? = walk.asked(&boxes);
-        ctx.upload(draw.slots, 0, bytemuck::cast_slice(list.slots()))?;
-        ctx.upload(ask.buffer, 0, bytemuck::cast_slice(boxes.boxes()))?;
+        *ctx.get_mut(queried)? = traversal.queried(&boxes);
+        ctx.upload(visible.slots, 0, bytemuck::cast_slice(list.slots()))?;
+        ctx.upload(query_boxes.buffer, 0, bytemuck::cast_slice(boxes.boxes()))?;
         if let Some(sketch) = sketch {
-            ctx.get_mut(sketch)?.clone_from(&walk.sketch);
+            ctx.get_mut(sketch)?.clone_from(&traversal.sketch);
         }
         Ok(())
     });
-    g.shade_list(view, "shaded", draw);
+    g.shade_list(view, "shaded", visible);
     let spec = BoxPassSpec {
         name: view.named("ask for the next frame"),
         group: CULL,
         pipeline: g.box_pipeline(),
     };
     let depth = view.targets.depth;
-    box_query_pass(g.graph(), spec, inputs, ask, depth, answers);
-    if g.scene_layout().transparent {
-        let list = g.unsubmitted(&view.named("visible transparent set"));
-        let list = submit_transparent(g, view, verdicts, list);
-        g.shade_list(view, "transparent", list);
-    }
+    box_query_pass(g.graph(), spec, inputs.view, query_boxes, depth, answers);
+    shade_transparent(g, view, verdicts);
     if let Some(sketch) = sketch {
         g.show(view, Sketch::NAME, sketch);
     }

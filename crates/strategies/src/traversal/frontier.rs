@@ -1,80 +1,80 @@
-//! How far a walk has come: who is still to be met, what has been found, and where on the screen that lies.
+//! The frontier of a traversal: the nodes still to be visited, the slots found so far, and the blocks of the screen they cover.
 
 use super::context::{TraversalContext, VisitedNode};
-use super::queue::{Queue, QueuedNode};
-use crate::occupancy::{BlockRect, OccupancyMap};
+use super::queue::{NodeQueue, QueuedNode};
+use crate::occupancy::{BlockRect, Containment, OccupancyMap};
 use antumbra_cull::{Verdict, Verdicts};
 
-/// The front of a walk.
+/// The frontier of a traversal.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Frontier {
-    queue: Queue,
-    /// Blocks that something drawn may lie on.
-    pub drawn_on: OccupancyMap,
+    queue: NodeQueue,
+    /// Blocks that may be covered by what is drawn.
+    pub covered: OccupancyMap,
     /// Slots to be drawn.
     pub found: Vec<u32>,
 }
 
 impl Frontier {
-    /// Begins at the roots, with all that no test may cull drawn.
-    pub fn begin(&mut self, sight: &TraversalContext<'_>, verdicts: &mut Verdicts) {
+    /// Starts a frame: draws all slots that no test may cull, and queues the roots.
+    pub fn begin(&mut self, context: &TraversalContext<'_>, verdicts: &mut Verdicts) {
         self.queue.clear();
         self.found.clear();
-        let [wide, high] = sight.screen.blocks();
-        self.drawn_on.reset(wide, high);
-        for (slot, rect) in sight.untested() {
+        let [wide, high] = context.screen.blocks();
+        self.covered.reset(wide, high);
+        for (slot, blocks) in context.untested() {
             verdicts.set(slot, Verdict::Untested);
             self.found.push(slot);
-            self.drawn_on.take(rect);
+            self.covered.take(blocks);
         }
-        for root in sight.tree.hierarchy().roots() {
-            self.queue.push(sight, root, false);
+        for root in context.tree.hierarchy().roots() {
+            self.queue.push(context, root, Containment::Partial);
         }
     }
 
-    /// The nearest of those still to be met.
+    /// Takes the nearest node that is still to be visited.
     pub fn next(&mut self) -> Option<QueuedNode> {
         self.queue.pop()
     }
 
-    /// Whether all have been met and drawn.
-    pub fn is_over(&self) -> bool {
+    /// Whether every node has been visited and every found slot has been drawn.
+    pub fn is_done(&self) -> bool {
         self.queue.is_empty() && self.found.is_empty()
     }
 
-    /// Whether nothing drawn lies on some of these blocks.
-    pub fn is_free(&self, rect: BlockRect) -> bool {
-        self.drawn_on.has_free(rect)
+    /// Whether at least one of these blocks is covered by nothing drawn.
+    pub fn is_free(&self, blocks: BlockRect) -> bool {
+        self.covered.has_free(blocks)
     }
 
-    /// Draws a unit, opens what is none.
-    pub fn see(
+    /// Handles a visible node: draws it if it is a unit, otherwise queues its children.
+    pub fn expand(
         &mut self,
-        sight: &TraversalContext<'_>,
-        met: &VisitedNode,
+        context: &TraversalContext<'_>,
+        visited: &VisitedNode,
         verdict: Verdict,
         verdicts: &mut Verdicts,
     ) {
-        match sight.node(met.node) {
-            Some(node) if !sight.is_unit(met.node, node) => {
+        match context.node(visited.node) {
+            Some(node) if !context.is_unit(visited.node, node) => {
                 for child in node.children() {
-                    self.queue.push(sight, child, met.whole);
+                    self.queue.push(context, child, visited.containment);
                 }
             }
-            _ => self.draw(sight, met, verdict, verdicts),
+            _ => self.draw(context, visited, verdict, verdicts),
         }
     }
 
-    /// Draws all at and below a node.
+    /// Draws all slots at and below a node.
     pub fn draw(
         &mut self,
-        sight: &TraversalContext<'_>,
-        met: &VisitedNode,
+        context: &TraversalContext<'_>,
+        visited: &VisitedNode,
         verdict: Verdict,
         verdicts: &mut Verdicts,
     ) {
-        if sight.draw(met, verdict, verdicts, &mut self.found) {
-            self.drawn_on.take(met.rect);
+        if context.draw(visited, verdict, verdicts, &mut self.found) {
+            self.covered.take(visited.blocks);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What every host node of a walk reads, declared and opened in one place.
+//! What every host node of a traversal reads, declared and opened in one place.
 
 use antumbra_draw::boxes::BoxContents;
 use antumbra_draw::passes::ViewInputs;
@@ -8,19 +8,19 @@ use antumbra_scene::Topology;
 use antumbra_scene::hierarchy::HierarchyShape;
 
 use super::context::TraversalContext;
-use super::one_frame::TraversalSettings;
 use super::remaining::Remaining;
+use super::settings::TraversalSettings;
 use antumbra_cull::{CULL, FrameGraph, Tree, ViewNodes};
 
-/// The scene, the view and the tree of a walk.
+/// The scene, the view, the tree and the settings of a traversal.
 #[derive(Clone, Copy)]
 pub(super) struct TraversalInputs {
-    pub inputs: ViewInputs,
-    pub how: TraversalSettings,
+    pub view: ViewInputs,
+    pub settings: TraversalSettings,
     tree: Host<Tree>,
-    /// What an outer strategy has left of it.
-    left: Option<Host<Remaining>>,
-    /// What the boxes of the scene hold.
+    /// What an outer strategy has left of the tree.
+    remaining: Option<Host<Remaining>>,
+    /// What the boxes of the scene's entities hold.
     contents: BoxContents,
 }
 
@@ -29,7 +29,7 @@ impl TraversalInputs {
         g: &mut FrameGraph<'_>,
         view: &ViewNodes,
         shape: HierarchyShape,
-        how: TraversalSettings,
+        settings: TraversalSettings,
     ) -> Self {
         let line_like = |class: PipelineClass| class.topology() != Topology::Triangles;
         let contents = match g.scene_layout().classes().any(line_like) {
@@ -38,55 +38,61 @@ impl TraversalInputs {
         };
         let tree = g.tree(view, shape);
         Self {
-            inputs: view.inputs(),
-            how,
+            view: view.inputs(),
+            settings,
             tree,
-            left: left_of(g, view, tree),
+            remaining: remaining_of(g, view, tree),
             contents,
         }
     }
 
-    /// Declares that a node looks.
-    pub fn declare(&self, node: &mut HostBuilder<'_>) {
+    /// Declares on a host node that it reads the inputs.
+    pub fn read_by(&self, node: &mut HostBuilder<'_>) {
         node.group(CULL)
-            .read(self.inputs.scene)
-            .read(self.inputs.view)
+            .read(self.view.scene)
+            .read(self.view.view)
             .read(self.tree);
-        if let Some(left) = self.left {
-            node.read(left);
+        if let Some(remaining) = self.remaining {
+            node.read(remaining);
         }
     }
 
-    /// Looks.
-    pub fn look(
+    /// Opens the inputs in a node's body and runs `body` on them.
+    pub fn with_context(
         &self,
         ctx: &HostContext<'_>,
-        act: impl FnOnce(&TraversalContext<'_>, &ViewFrame) -> Result<(), BodyError>,
+        body: impl FnOnce(&TraversalContext<'_>, &ViewFrame) -> Result<(), BodyError>,
     ) -> Result<(), BodyError> {
         let (scene, frame, tree) = (
-            ctx.get(self.inputs.scene)?,
-            ctx.get(self.inputs.view)?,
+            ctx.get(self.view.scene)?,
+            ctx.get(self.view.view)?,
             ctx.get(self.tree)?,
         );
-        let left = self.left.map(|left| ctx.get(left)).transpose()?;
-        let sight = TraversalContext::new(&scene.table, &tree, &frame, &self.how, self.contents);
-        act(&sight.at_what_is(left.as_deref()), &frame)
+        let remaining = self.remaining.map(|value| ctx.get(value)).transpose()?;
+        let context =
+            TraversalContext::new(&scene.table, &tree, &frame, &self.settings, self.contents);
+        body(&context.restricted_to(remaining.as_deref()), &frame)
     }
 }
 
-/// A host value that says what an outer strategy has left of a tree, where there is one.
-fn left_of(g: &mut FrameGraph<'_>, view: &ViewNodes, tree: Host<Tree>) -> Option<Host<Remaining>> {
+/// What an outer strategy has left of a tree; `None` where there is no outer strategy.
+fn remaining_of(
+    g: &mut FrameGraph<'_>,
+    view: &ViewNodes,
+    tree: Host<Tree>,
+) -> Option<Host<Remaining>> {
     let narrowed = view.narrowed_to()?;
     let scene = view.inputs().scene;
-    let left = g.graph().host::<Remaining>(view.named("left of the tree"));
+    let remaining = g.graph().host::<Remaining>(view.named("left of the tree"));
     let mut node = g.graph().host_node(view.named("find what is left"));
     node.group(CULL).read(scene).read(tree).read(narrowed);
-    let left = node.write(left);
+    let remaining = node.write(remaining);
     node.run(move |ctx| {
         let (scene, tree) = (ctx.get(scene)?, ctx.get(tree)?);
         let slots = scene.table.slots();
-        ctx.get_mut(left)?.take(&tree, slots, &*ctx.get(narrowed)?);
+        ctx.get_mut(remaining)?
+            .update(&tree, slots, &*ctx.get(narrowed)?);
         Ok(())
     });
-    Some(left)
+    Some(remaining)
 }

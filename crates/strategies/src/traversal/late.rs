@@ -1,306 +1,326 @@
-//! A walk that waits for nothing: it goes by the answers of earlier frames, draws what it knows nothing of, and asks for the next ones.
+//! A traversal that never waits. It uses the answers of earlier frames, draws every node that has no answer, and issues queries whose answers a
+//! later frame uses.
 //!
-//! What the paper leaves to future work (section 6.1: coherence in time), in the way of Bittner, Wimmer, Piringer, Purgathofer, *Coherent
-//! Hierarchical Culling*, 2004: a verdict about an inner node stands for all below it, is pulled up when all children are hidden and refined when
-//! the node comes to light.
+//! Staneker et al. 2004 leave coherence in time to future work (section 6.1). This form follows Bittner, Wimmer, Piringer, Purgathofer,
+//! *Coherent Hierarchical Culling: Hardware Occlusion Queries Made Useful*, 2004: an answer about an inner node holds for all nodes below it. It is pulled up when
+//! all children of a node are occluded, and refined when the node becomes visible.
+
+use std::sync::Arc;
 
 use antumbra_draw::boxes::BoxList;
 
 use super::context::{TraversalContext, Visit, VisitedNode};
+use super::eye_path::EyePath;
 use super::frontier::Frontier;
-use super::one_frame::TraversalSettings;
 use super::queue::QueuedNode;
+use super::settings::TraversalSettings;
+use super::shared_queries::SharedQueries;
 use crate::sketch::{NodeOutcome, Sketch};
 use antumbra_cull::{Verdict, Verdicts};
 
-/// What a batch of questions was about; goes along with the answers.
+/// What answers belong to. An answer about another tree, or from before a camera cut, is dropped.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct TreeVersion {
+    /// The tree's [generation](antumbra_cull::Tree::generation).
+    pub generation: u64,
+    /// Camera cuts of the view so far.
+    pub cuts: u64,
+}
+
+/// The nodes of one frame's queries. They travel with the answers.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct QueriedNodes {
-    /// The tree's generation and the view's count of cuts: answers about another tree, or from before a cut, say nothing.
-    pub of: (u64, u64),
-    /// The walk's own count of frames.
+    /// The tree and the camera cut of the queries.
+    pub version: TreeVersion,
+    /// The frame of the queries, in the traversal's own count.
     pub frame: u32,
-    /// The nodes, in the order of the questions.
-    pub nodes: std::sync::Arc<Vec<u32>>,
-    /// Where each question's nodes end.
-    pub ends: std::sync::Arc<Vec<u32>>,
+    /// The nodes, in the order of the queries.
+    pub nodes: Arc<Vec<u32>>,
+    /// For each query, the end of its nodes in `nodes`.
+    pub ends: Arc<Vec<u32>>,
 }
 
 /// What is known of a node.
 #[derive(Debug, Clone, Copy, Default)]
-struct Known {
+struct NodeState {
     visible: bool,
-    /// The frame in which it was asked about; 0: never.
-    asked: u32,
-    /// The first frame in which it is asked about again.
-    again: u32,
-    /// Until this frame it is not taken for hidden because its children are.
+    /// The frame of the last query that has an answer; 0: there is none.
+    queried: u32,
+    /// The first frame in which it is queried again.
+    query_from: u32,
+    /// Until this frame it does not become occluded by the answers about its children.
     open_until: u32,
-    /// Until this frame it is asked about alone.
+    /// Until this frame it shares no query.
     alone_until: u32,
-    /// How far the eye had come.
+    /// The length of the eye's path at the answer, in metres.
     travelled: f64,
 }
 
-/// A walk; kept from frame to frame.
+/// The state of a late traversal. It is kept from frame to frame.
 #[derive(Debug, Clone, Default)]
 pub struct LateTraversal {
-    known: Vec<Known>,
-    of: Option<(u64, u64)>,
+    nodes: Vec<NodeState>,
+    version: Option<TreeVersion>,
     frame: u32,
-    travelled: f64,
-    last_eye: Option<glam::DVec3>,
-    front: Frontier,
-    asked: Vec<u32>,
-    /// What was met on the way, where a sketch was asked for.
+    path: EyePath,
+    frontier: Frontier,
+    /// The nodes of this frame's queries.
+    queried: Vec<u32>,
+    /// A record of the traversal, where the settings ask for one.
     pub sketch: Sketch,
 }
 
-/// Frames after which an answer is too old to leave anything out: as long as answers are under way, and one more.
-const OLD: u32 = 4;
-/// Frames for which a node that came to light stays open, though all its children be hidden.
-const OPEN: u32 = 32;
-/// A node that reaches over a part of the screen as large as this is opened, not asked about: some of it is nearly always visible.
+/// Frames after which an answer "occluded" is too old to cull anything: the frames an answer is under way, and one more.
+const EXPIRY: u32 = 4;
+/// Frames for which a node that has become visible stays open although all its children are occluded. Also the frames for which a node shares no query
+/// after a shared query found a sample.
+const HOLD: u32 = 32;
+/// A node that covers this part of the screen (1 / `LARGE`) is opened instead of queried: some of it is nearly always visible.
 const LARGE: u64 = 8;
-/// A node of more triangles than this is opened, not asked about, where nothing is known: until the answer is there all of it would be drawn.
+/// A node without an answer and with more triangles than this is opened instead of queried: all of it would be drawn until the answer is there.
 const HEAVY: u32 = 20_000;
-/// A node of more triangles than this is not asked about in place of its hidden children: when it comes to light, what lies below it has not
-/// been asked about for a while, and is drawn until it has been.
+/// A node with more triangles than this is not queried in place of its occluded children. When it becomes visible, the nodes below it have
+/// no recent answers, and all of them are drawn until they have.
 const UNWIELDY: u32 = 100_000;
 
 impl LateTraversal {
-    /// Takes in an answer of an earlier frame: whether each node that was asked about had a visible sample.
+    /// Starts a frame. Answers about another tree, or from before a camera cut, are dropped. `cuts`: camera cuts of the view so far.
+    pub fn begin(&mut self, context: &TraversalContext<'_>, cuts: u64) {
+        self.frame += 1;
+        let now = TreeVersion {
+            generation: context.tree.generation(),
+            cuts,
+        };
+        if self.version != Some(now) {
+            self.nodes.clear();
+            self.path.restart();
+            self.version = Some(now);
+        }
+        self.path.advance(context.screen.eye());
+    }
+
+    /// Takes the answers of an earlier frame, in the order of its queries: whether any sample was visible.
     pub fn take(
         &mut self,
-        sight: &TraversalContext<'_>,
-        how: &TraversalSettings,
-        asked: &QueriedNodes,
+        context: &TraversalContext<'_>,
+        settings: &TraversalSettings,
+        queried: &QueriedNodes,
         answers: impl Iterator<Item = bool>,
     ) {
-        if self.of != Some(asked.of) {
+        if self.version != Some(queried.version) {
             return;
         }
         let mut first = 0;
-        for (end, visible) in asked.ends.iter().zip(answers) {
-            let nodes = asked.nodes.get(first..*end as usize).unwrap_or_default();
+        for (end, visible) in queried.ends.iter().zip(answers) {
+            let nodes = queried.nodes.get(first..*end as usize).unwrap_or_default();
             first = *end as usize;
             for node in nodes {
-                self.note(how, asked.frame, *node, visible);
+                self.store(settings, queried.frame, *node, visible);
                 if visible && nodes.len() > 1 {
-                    // One of them at least is visible; which, each has to say for itself.
+                    // At least one of them is visible: each gets a query of its own.
                     let frame = self.frame;
-                    let known = self.known_mut(*node);
-                    (known.again, known.alone_until) = (frame, frame + OPEN);
+                    let state = self.state_mut(*node);
+                    (state.query_from, state.alone_until) = (frame, frame + HOLD);
                 }
             }
         }
-        for node in asked.nodes.iter() {
-            self.pull_up(sight, how, *node);
+        for node in queried.nodes.iter() {
+            self.pull_up(context, settings, *node);
         }
     }
 
-    /// Takes an answer about a node that was asked for in a frame.
-    fn note(&mut self, how: &TraversalSettings, asked: u32, node: u32, visible: bool) {
-        let frames = match visible {
-            true => how.remember.visible,
-            false => how.remember.occluded,
-        };
-        let was_hidden = self.is_hidden(node, how);
-        let travelled = self.travelled;
-        let frame = self.frame;
-        let known = self.known_mut(node);
-        // Spread, so that not all that was asked about together is asked about together again.
-        let spread = node.wrapping_mul(0x9E37_79B9) >> 16;
-        known.again = frame + frames
-            - if frames > 1 {
-                spread % (frames / 2 + 1)
-            } else {
-                0
-            };
-        (known.visible, known.asked, known.travelled) = (visible, asked, travelled);
-        if visible && was_hidden {
-            known.open_until = frame + OPEN;
-        }
-    }
-
-    /// A node all of whose children are hidden is hidden, and its parent perhaps too.
-    fn pull_up(&mut self, sight: &TraversalContext<'_>, how: &TraversalSettings, node: u32) {
-        let mut at = node;
-        while self.is_hidden(at, how)
-            && let Some(parent) = sight.node(at).map(|node| node.parent)
-            && let Some(above) = sight.node(parent)
-        {
-            let held = self
-                .known
-                .get(parent as usize)
-                .is_some_and(|known| known.open_until > self.frame);
-            let unwieldy = sight.tree.weight(parent) > UNWIELDY;
-            if held || unwieldy || !above.children().all(|child| self.is_hidden(child, how)) {
-                return;
-            }
-            let of = above
-                .children()
-                .filter_map(|child| self.known.get(child as usize).copied());
-            // As old as the oldest of them.
-            let oldest = of.min_by_key(|known| known.asked).unwrap_or_default();
-            let frame = self.frame;
-            let known = self.known_mut(parent);
-            (known.visible, known.asked, known.again) = (false, oldest.asked, frame);
-            known.travelled = oldest.travelled;
-            at = parent;
-        }
-    }
-
-    fn known_mut(&mut self, node: u32) -> &mut Known {
-        let at = node as usize;
-        if self.known.len() <= at {
-            self.known.resize(at + 1, Known::default());
-        }
-        &mut self.known[at]
-    }
-
-    fn is_hidden(&self, node: u32, how: &TraversalSettings) -> bool {
-        let Some(known) = self.known.get(node as usize) else {
-            return false;
-        };
-        let old = OLD + how.remember.occluded;
-        known.asked > 0 && !known.visible && known.asked + old >= self.frame
-    }
-
-    /// Walks from the roots: finds what is drawn, gives verdicts, and says what is asked about.
-    pub fn walk(
+    /// Visits the tree from its roots: finds the slots to be drawn, gives verdicts, and writes the boxes of this frame's queries.
+    pub fn traverse(
         &mut self,
-        sight: &TraversalContext<'_>,
-        how: &TraversalSettings,
+        context: &TraversalContext<'_>,
+        settings: &TraversalSettings,
         verdicts: &mut Verdicts,
         boxes: &mut BoxList,
     ) {
         boxes.clear();
-        self.asked.clear();
-        self.sketch.begin(how.sketch, how.block);
-        self.front.begin(sight, verdicts);
-        while let Some(next) = self.front.next() {
-            self.meet(sight, how, next, verdicts);
+        self.queried.clear();
+        self.sketch.begin(settings.sketch, settings.block);
+        self.frontier.begin(context, verdicts);
+        while let Some(next) = self.frontier.next() {
+            self.visit(context, settings, next, verdicts);
         }
-        self.sketch.map(&self.front.drawn_on);
-        self.ask(sight, how, boxes);
+        self.sketch.map(&self.frontier.covered);
+        self.write_queries(context, settings, boxes);
         verdicts.add_tested(boxes.query_count());
     }
 
     /// The slots to be drawn.
     pub fn found(&mut self) -> &mut Vec<u32> {
-        &mut self.front.found
+        &mut self.frontier.found
     }
 
-    /// Begins a frame: what another tree or camera cut was about is forgotten.
-    pub fn begin(&mut self, sight: &TraversalContext<'_>, cuts: u64) {
-        self.frame += 1;
-        let now = (sight.tree.generation(), cuts);
-        if self.of != Some(now) {
-            self.known.clear();
-            self.last_eye = None;
-            self.of = Some(now);
-        }
-        let eye = sight.screen.eye();
-        self.travelled += self.last_eye.map_or(0.0, |last| last.distance(eye));
-        self.last_eye = Some(eye);
-    }
-
-    /// What this frame's questions are about.
-    pub fn asked(&mut self, boxes: &BoxList) -> QueriedNodes {
+    /// The nodes of this frame's queries, to travel with the answers.
+    pub fn queried(&mut self, boxes: &BoxList) -> QueriedNodes {
         QueriedNodes {
-            of: self.of.unwrap_or_default(),
+            version: self.version.unwrap_or_default(),
             frame: self.frame,
-            nodes: std::sync::Arc::new(std::mem::take(&mut self.asked)),
-            ends: std::sync::Arc::new(boxes.query_ends().to_vec()),
+            nodes: Arc::new(std::mem::take(&mut self.queried)),
+            ends: Arc::new(boxes.query_ends().to_vec()),
         }
     }
 
-    fn meet(
+    /// Stores the answer of a query of frame `queried`.
+    fn store(&mut self, settings: &TraversalSettings, queried: u32, node: u32, visible: bool) {
+        let frames = match visible {
+            true => settings.lifetime.visible,
+            false => settings.lifetime.occluded,
+        };
+        let was_hidden = self.is_hidden(node, settings);
+        let travelled = self.path.length();
+        let frame = self.frame;
+        let state = self.state_mut(node);
+        // Lifetimes are spread, so that the nodes of one frame do not all need a query in the same frame again.
+        let hash = node.wrapping_mul(0x9E37_79B9) >> 16;
+        let spread = match frames {
+            0 | 1 => 0,
+            _ => hash % (frames / 2 + 1),
+        };
+        state.query_from = frame + frames - spread;
+        (state.visible, state.queried, state.travelled) = (visible, queried, travelled);
+        if visible && was_hidden {
+            state.open_until = frame + HOLD;
+        }
+    }
+
+    /// Marks the ancestors of a node as occluded, as far up as all their children are.
+    fn pull_up(&mut self, context: &TraversalContext<'_>, settings: &TraversalSettings, node: u32) {
+        let mut at = node;
+        while self.is_hidden(at, settings)
+            && let Some(parent) = context.node(at).map(|node| node.parent)
+            && let Some(above) = context.node(parent)
+        {
+            let held = self
+                .nodes
+                .get(parent as usize)
+                .is_some_and(|state| state.open_until > self.frame);
+            let unwieldy = context.tree.weight(parent) > UNWIELDY;
+            let is_hidden = |child| self.is_hidden(child, settings);
+            if held || unwieldy || !above.children().all(is_hidden) {
+                return;
+            }
+            let states = above
+                .children()
+                .filter_map(|child| self.nodes.get(child as usize).copied());
+            // The answer about the parent is as old as the oldest about its children.
+            let oldest = states.min_by_key(|state| state.queried).unwrap_or_default();
+            let frame = self.frame;
+            let state = self.state_mut(parent);
+            (state.visible, state.queried, state.query_from) = (false, oldest.queried, frame);
+            state.travelled = oldest.travelled;
+            at = parent;
+        }
+    }
+
+    fn state_mut(&mut self, node: u32) -> &mut NodeState {
+        let at = node as usize;
+        if self.nodes.len() <= at {
+            self.nodes.resize(at + 1, NodeState::default());
+        }
+        &mut self.nodes[at]
+    }
+
+    /// Whether a node is occluded by an answer that has not expired.
+    fn is_hidden(&self, node: u32, settings: &TraversalSettings) -> bool {
+        let Some(state) = self.nodes.get(node as usize) else {
+            return false;
+        };
+        let expiry = EXPIRY + settings.lifetime.occluded;
+        state.queried > 0 && !state.visible && state.queried + expiry >= self.frame
+    }
+
+    fn visit(
         &mut self,
-        sight: &TraversalContext<'_>,
-        how: &TraversalSettings,
+        context: &TraversalContext<'_>,
+        settings: &TraversalSettings,
         next: QueuedNode,
         verdicts: &mut Verdicts,
     ) {
-        let (number, nearness) = (next.node, next.nearness);
-        let (met, node) = match sight.meet(next, how.small) {
+        let number = next.node;
+        let (visited, node) = match context.visit(next, settings.small) {
             Visit::Outside => return,
-            Visit::Near(met) => return self.front.see(sight, &met, Verdict::Untested, verdicts),
-            Visit::Small(met) => return sight.mark(&met, Verdict::BelowThreshold, verdicts),
-            Visit::OnScreen(met, node) => (met, node),
+            Visit::Near(visited) => {
+                (self.frontier).expand(context, &visited, Verdict::Untested, verdicts);
+                return;
+            }
+            Visit::Small(visited) => {
+                return context.mark(&visited, Verdict::BelowThreshold, verdicts);
+            }
+            Visit::OnScreen(visited, node) => (visited, node),
         };
-        let known = self.known.get(number as usize).copied().unwrap_or_default();
-        if how.map && self.front.is_free(met.rect) {
+        let state = self.nodes.get(number as usize).copied().unwrap_or_default();
+        if settings.occupancy_map && self.frontier.is_free(visited.blocks) {
             self.sketch
-                .node(&sight.screen, &node.bounds, 0, NodeOutcome::Free);
-            let verdict = match known.asked {
+                .node(&context.screen, &node.bounds, 0, NodeOutcome::Free);
+            let verdict = match state.queried {
                 0 => Verdict::Untested,
                 _ => Verdict::Visible,
             };
-            self.front.see(sight, &met, verdict, verdicts);
+            self.frontier.expand(context, &visited, verdict, verdicts);
             return;
         }
-        let come = self.travelled - known.travelled;
-        let slow = come * come <= f64::from(nearness) * how.remember.slow * how.remember.slow;
-        let ask = known.again <= self.frame || !slow;
-        let hidden = self.is_hidden(number, how);
-        let outcome = if hidden {
-            NodeOutcome::Occluded
-        } else {
-            NodeOutcome::Visible
-        };
-        self.sketch
-            .node(&sight.screen, &node.bounds, u32::from(ask), outcome);
+        let travelled = self.path.length() - state.travelled;
+        let slow = (settings.lifetime).is_slow(travelled, next.distance_squared);
+        let needs_query = state.query_from <= self.frame || !slow;
+        let hidden = self.is_hidden(number, settings);
+        self.sketch.node(
+            &context.screen,
+            &node.bounds,
+            u32::from(needs_query),
+            NodeOutcome::of_query(!hidden),
+        );
         if hidden {
-            sight.mark(&met, Verdict::Occluded, verdicts);
-        } else if sight.is_unit(number, node) {
-            let verdict = match known.asked {
+            context.mark(&visited, Verdict::Occluded, verdicts);
+        } else if context.is_unit(number, node) {
+            let verdict = match state.queried {
                 0 => Verdict::New,
                 _ => Verdict::Visible,
             };
-            self.front.see(sight, &met, verdict, verdicts);
-        } else if known.visible || self.is_sure_to_open(sight, &met) {
-            // It came to light, or is sure to: its children are asked about, not it. One that was hidden too long ago is as if unknown.
-            self.front.see(sight, &met, Verdict::Visible, verdicts);
+            self.frontier.expand(context, &visited, verdict, verdicts);
+        } else if state.visible || is_better_opened(context, &visited) {
+            // Its children are queried in its place. A node whose answer "occluded" has expired counts as one without an answer.
+            self.frontier
+                .expand(context, &visited, Verdict::Visible, verdicts);
             return;
         } else {
-            self.front.draw(sight, &met, Verdict::New, verdicts);
+            self.frontier
+                .draw(context, &visited, Verdict::New, verdicts);
         }
-        if ask {
-            self.asked.push(number);
+        if needs_query {
+            self.queried.push(number);
         }
     }
 
-    /// Whether a node that nothing is known of is better opened than asked about.
-    fn is_sure_to_open(&self, sight: &TraversalContext<'_>, met: &VisitedNode) -> bool {
-        let [wide, high] = sight.screen.blocks().map(u64::from);
-        let screen = wide * high;
-        met.rect.blocks() * LARGE >= screen || sight.tree.weight(met.node) > HEAVY
-    }
-
-    /// Asks about all who are to be asked about, siblings that are hidden together.
-    fn ask(&mut self, sight: &TraversalContext<'_>, how: &TraversalSettings, boxes: &mut BoxList) {
+    /// Writes a box for each node to be queried. Neighbours that are occluded share a query.
+    fn write_queries(
+        &mut self,
+        context: &TraversalContext<'_>,
+        settings: &TraversalSettings,
+        boxes: &mut BoxList,
+    ) {
         // Siblings, and children of siblings, are neighbours by number.
-        self.asked.sort_unstable();
-        let mut asked = std::mem::take(&mut self.asked);
-        let (mut last, mut shared) = (false, 1);
-        asked.retain(|number| {
-            let Some(question) = sight.question(*number) else {
+        self.queried.sort_unstable();
+        let mut queried = std::mem::take(&mut self.queried);
+        let mut queries = SharedQueries::new(boxes, settings.together);
+        queried.retain(|number| {
+            let Some(query_box) = context.query_box(*number) else {
                 return false;
             };
-            let known = self.known.get(*number as usize);
-            let alone = known.is_some_and(|known| known.alone_until > self.frame);
-            let hidden = !alone && self.is_hidden(*number, how);
-            let joined = hidden && last && shared < how.together;
-            shared = if joined { shared + 1 } else { 1 };
-            last = hidden;
-            match joined {
-                true => boxes.push_to_last(question),
-                false => boxes.push(question),
-            }
+            let state = self.nodes.get(*number as usize);
+            let alone = state.is_some_and(|state| state.alone_until > self.frame);
+            queries.push(query_box, !alone && self.is_hidden(*number, settings));
             true
         });
-        self.asked = asked;
+        self.queried = queried;
     }
+}
+
+/// Whether a node without a valid answer is opened instead of queried.
+fn is_better_opened(context: &TraversalContext<'_>, visited: &VisitedNode) -> bool {
+    let [wide, high] = context.screen.blocks().map(u64::from);
+    visited.blocks.blocks() * LARGE >= wide * high || context.tree.weight(visited.node) > HEAVY
 }

@@ -1,95 +1,109 @@
-//! What is remembered of nodes from frame to frame: verdicts that stay valid while the camera is slow.
+//! Query answers that stay valid for later frames while the camera is slow.
 
 use antumbra_draw::SceneTable;
 
+use super::eye_path::EyePath;
+use super::settings::AnswerLifetime;
 use crate::occupancy::Screen;
 use antumbra_cull::Tree;
 
-/// How long verdicts stay valid.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AnswerLifetime {
-    /// Frames for which what a query found visible is drawn without another.
-    pub visible: u32,
-    /// Frames for which what a query found occluded is left out without another: aggressive.
-    pub occluded: u32,
-    /// What counts as slow: the way the eye has come since, as a part of the distance to the node.
-    pub slow: f64,
-}
-
-/// A node's last answer.
+/// The last answer about a node.
 #[derive(Debug, Clone, Copy, Default)]
-struct Note {
+struct NodeAnswer {
     visible: bool,
-    /// The frame of the answer; frame 0 is before any.
-    asked: u64,
-    /// The last frame it is valid in.
-    until: u64,
-    /// How far the eye had come.
-    travelled: f64,
-}
-
-/// Answers by node.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Memory {
-    notes: Vec<Note>,
+    /// The frame of the answer; 0: there is none.
     frame: u64,
+    /// The last frame in which it is valid.
+    valid_until: u64,
+    /// The length of the eye's path at the answer, in metres.
     travelled: f64,
-    last_eye: Option<glam::DVec3>,
-    seen_of: Option<(u64, u64, u64)>,
 }
 
-impl Memory {
-    /// Begins a frame: forgets what another tree or camera cut was about, and what is occluded where anything has moved.
+/// What the answers belong to. An answer about another tree, or from before a camera cut, is dropped. An answer "occluded" is dropped
+/// when any entity has moved.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+struct AnswerOrigin {
+    generation: u64,
+    cuts: u64,
+    epoch: u64,
+}
+
+/// The last answers, by node.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct NodeMemory {
+    answers: Vec<NodeAnswer>,
+    frame: u64,
+    path: EyePath,
+    origin: Option<AnswerOrigin>,
+}
+
+impl NodeMemory {
+    /// Starts a frame and drops the answers that no longer hold. `cuts`: camera cuts of the view so far.
     pub fn begin(&mut self, tree: &Tree, table: &SceneTable, cuts: u64, screen: &Screen) {
         self.frame += 1;
-        let now = (tree.generation(), cuts, table.epoch());
-        let before = self.seen_of.replace(now).unwrap_or_default();
-        if (before.0, before.1) != (now.0, now.1) {
-            self.notes.clear();
-            self.last_eye = None;
-        } else if before.2 != now.2 {
-            for note in self.notes.iter_mut().filter(|note| !note.visible) {
-                note.until = 0;
+        let now = AnswerOrigin {
+            generation: tree.generation(),
+            cuts,
+            epoch: table.epoch(),
+        };
+        let before = self.origin.replace(now).unwrap_or_default();
+        if (before.generation, before.cuts) != (now.generation, now.cuts) {
+            self.answers.clear();
+            self.path.restart();
+        } else if before.epoch != now.epoch {
+            for answer in self.answers.iter_mut().filter(|answer| !answer.visible) {
+                answer.valid_until = 0;
             }
         }
-        self.travelled += self.last_eye.map_or(0.0, |eye| eye.distance(screen.eye()));
-        self.last_eye = Some(screen.eye());
+        self.path.advance(screen.eye());
     }
 
-    /// The answer about a node that is still valid: `nearness` is the square of its distance.
-    pub fn valid(&self, node: u32, nearness: f32, how: AnswerLifetime) -> Option<bool> {
-        let note = self.notes.get(node as usize)?;
-        let come = self.travelled - note.travelled;
-        let slow = come * come <= f64::from(nearness) * how.slow * how.slow;
-        (note.until >= self.frame && note.asked < self.frame && slow).then_some(note.visible)
+    /// Whether a node was visible, by an answer of an earlier frame that is still valid. `distance_squared`: from the eye to the node, in
+    /// square metres.
+    pub fn valid(
+        &self,
+        node: u32,
+        distance_squared: f32,
+        lifetime: AnswerLifetime,
+    ) -> Option<bool> {
+        let answer = self.answers.get(node as usize)?;
+        let slow = lifetime.is_slow(self.path.length() - answer.travelled, distance_squared);
+        let valid = answer.valid_until >= self.frame && answer.frame < self.frame && slow;
+        valid.then_some(answer.visible)
     }
 
-    /// Whether a node was hidden when it was last met, a frame or two ago.
+    /// Whether the last answer, at most two frames old, found the node occluded.
     pub fn was_hidden(&self, node: u32) -> bool {
-        let note = self.notes.get(node as usize);
-        note.is_some_and(|note| note.asked > 0 && !note.visible && note.asked + 2 >= self.frame)
+        let answer = self.answers.get(node as usize);
+        answer.is_some_and(|answer| {
+            answer.frame > 0 && !answer.visible && answer.frame + 2 >= self.frame
+        })
     }
 
-    /// Whether a node was visible when it was last asked about.
+    /// Whether the last answer found the node visible.
     pub fn was_visible(&self, node: u32) -> bool {
-        let note = self.notes.get(node as usize);
-        note.is_some_and(|note| note.asked > 0 && note.visible)
+        let answer = self.answers.get(node as usize);
+        answer.is_some_and(|answer| answer.frame > 0 && answer.visible)
     }
 
-    /// Takes an answer.
-    pub fn note(&mut self, node: u32, visible: bool, how: AnswerLifetime) {
-        let frames = u64::from(if visible { how.visible } else { how.occluded });
+    /// Stores an answer of this frame.
+    pub fn store(&mut self, node: u32, visible: bool, lifetime: AnswerLifetime) {
+        let frames = u64::from(if visible {
+            lifetime.visible
+        } else {
+            lifetime.occluded
+        });
         let at = node as usize;
-        if self.notes.len() <= at {
-            self.notes.resize(at + 1, Note::default());
+        if self.answers.len() <= at {
+            self.answers.resize(at + 1, NodeAnswer::default());
         }
-        // Spread, so that not all that was asked about together is asked about together again.
+        // Lifetimes are spread, so that the nodes of one batch do not all need a query in the same frame again.
         let spread = (u64::from(node).wrapping_mul(0x9E37_79B9) >> 7) % (frames / 2 + 1);
-        self.notes[at] = Note {
+        self.answers[at] = NodeAnswer {
             visible,
-            asked: self.frame,
-            until: self.frame + frames - spread.min(frames),
-            travelled: self.travelled,
+            frame: self.frame,
+            valid_until: self.frame + frames - spread.min(frames),
+            travelled: self.path.length(),
         };
     }
 }

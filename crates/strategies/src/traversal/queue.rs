@@ -1,28 +1,29 @@
-//! The nodes still to be met, nearest corner first.
+//! The priority queue of a traversal: the node with the nearest corner first.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::context::TraversalContext;
+use crate::occupancy::Containment;
 
-/// Nodes by nearness, ties by number.
+/// Nodes by the distance of their nearest corner, ties by number.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Queue {
-    /// Nearness in the upper half; below it the number, and in the last bit whether all of it is in the frustum.
+pub(crate) struct NodeQueue {
+    /// The bits of the squared distance in the upper half. In the lower half the number, and in the last bit the parent's containment.
     entries: BinaryHeap<Reverse<u64>>,
 }
 
-/// The nearest of them.
+/// A node taken from the queue.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct QueuedNode {
     pub node: u32,
-    /// The square of the distance to its nearest corner.
-    pub nearness: f32,
-    /// Whether it lies in one that is all in the frustum.
-    pub whole: bool,
+    /// The square of the distance from the eye to the nearest corner of its box, in square metres.
+    pub distance_squared: f32,
+    /// How much of its parent lies in the frustum.
+    pub containment: Containment,
 }
 
-impl Queue {
+impl NodeQueue {
     pub fn clear(&mut self) {
         self.entries.clear();
     }
@@ -31,22 +32,30 @@ impl Queue {
         self.entries.is_empty()
     }
 
-    pub fn push(&mut self, sight: &TraversalContext<'_>, number: u32, whole: bool) {
-        if let Some(node) = sight.node(number) {
+    /// Adds a node. `parent`: how much of its parent lies in the frustum.
+    pub fn push(&mut self, context: &TraversalContext<'_>, number: u32, parent: Containment) {
+        if let Some(node) = context.node(number) {
             // The bits of floats that are not negative sort as the floats do.
-            let nearness = sight.screen.nearness(&node.bounds).to_bits();
-            let below = number << 1 | u32::from(whole);
-            let entry = u64::from(nearness) << 32 | u64::from(below);
+            let distance = context
+                .screen
+                .nearest_corner_distance_squared(&node.bounds)
+                .to_bits();
+            let below = number << 1 | u32::from(parent == Containment::Inside);
+            let entry = u64::from(distance) << 32 | u64::from(below);
             self.entries.push(Reverse(entry));
         }
     }
 
+    /// Takes the nearest node.
     pub fn pop(&mut self) -> Option<QueuedNode> {
         let Reverse(entry) = self.entries.pop()?;
         Some(QueuedNode {
             node: entry as u32 >> 1,
-            nearness: f32::from_bits((entry >> 32) as u32),
-            whole: entry & 1 != 0,
+            distance_squared: f32::from_bits((entry >> 32) as u32),
+            containment: match entry & 1 {
+                0 => Containment::Partial,
+                _ => Containment::Inside,
+            },
         })
     }
 }

@@ -296,9 +296,7 @@ impl<'a> Builder<'a> {
                 .iter()
                 .any(|fact| attachment.properties.contains_key(*fact))
             {
-                return bad(
-                    "the properties `nodes` and `bufferView` are reserved; rename them",
-                );
+                return bad("the properties `nodes` and `bufferView` are reserved; rename them");
             }
             let nodes = attachment.entities.iter();
             let nodes: Option<Vec<u32>> = nodes.map(|&key| numbers.get(key).copied()).collect();
