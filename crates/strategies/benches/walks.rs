@@ -1,5 +1,6 @@
-//! What a walk costs the host: trees of a thousand, ten thousand and a hundred thousand nodes, walked front to back with every question answered
-//! "hidden" and with every one answered "visible"; the late walk once it knows everything; the map alone; and making and refitting a tree.
+//! The host time of a traversal, front to back, over trees of a thousand, ten thousand and a hundred thousand nodes: with every query answered
+//! "hidden", with every query answered "visible", and for the late traversal once every node has an answer. Also the occupancy map
+//! alone, and building and refitting a tree.
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use std::hint::black_box;
@@ -17,7 +18,7 @@ use antumbra_testing::{balls, look_at, perspective};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use glam::{DAffine3, DVec3};
 
-const HOW: TraversalSettings = TraversalSettings::PAPER;
+const SETTINGS: TraversalSettings = TraversalSettings::PAPER;
 
 /// Spheres along an edge, for about a thousand, ten thousand and a hundred thousand nodes.
 const SIDES: [u32; 3] = [9, 20, 42];
@@ -45,68 +46,73 @@ fn prepare(gpu: &Gpu, per_side: u32) -> Prepared {
     }
 }
 
-/// A whole frame's walk; how many nodes were asked about.
-fn walk(
-    walk: &mut Traversal,
-    sight: &TraversalContext<'_>,
+/// A whole frame's traversal. Returns the number of queries.
+fn same_frame(
+    traversal: &mut Traversal,
+    context: &TraversalContext<'_>,
     verdicts: &mut Verdicts,
     visible: bool,
 ) -> u32 {
     let mut boxes = BoxList::default();
-    verdicts.reset_outside(sight.table);
-    walk.begin(sight, &HOW, 0, verdicts);
+    verdicts.reset_outside(context.table);
+    traversal.begin(context, &SETTINGS, 0, verdicts);
     loop {
-        walk.advance(sight, &HOW, verdicts, &mut boxes);
-        walk.found().clear();
+        traversal.advance(context, &SETTINGS, verdicts, &mut boxes);
+        traversal.found().clear();
         let answers = std::iter::repeat_n(visible, boxes.query_count() as usize);
-        walk.answer(sight, &HOW, verdicts, answers);
-        if walk.is_over() {
+        traversal.answer(context, &SETTINGS, verdicts, answers);
+        if traversal.is_done() {
             return verdicts.tested();
         }
     }
 }
 
-fn late(walk: &mut LateTraversal, sight: &TraversalContext<'_>, verdicts: &mut Verdicts) {
+/// A frame of the late traversal, with its answers.
+fn frame_late(
+    traversal: &mut LateTraversal,
+    context: &TraversalContext<'_>,
+    verdicts: &mut Verdicts,
+) {
     let mut boxes = BoxList::default();
-    verdicts.reset_outside(sight.table);
-    walk.begin(sight, 0);
-    walk.walk(sight, &HOW, verdicts, &mut boxes);
-    let asked = walk.asked(&boxes);
-    // What lies behind the middle is hidden.
-    let hierarchy = sight.tree.hierarchy();
+    verdicts.reset_outside(context.table);
+    traversal.begin(context, 0);
+    traversal.traverse(context, &SETTINGS, verdicts, &mut boxes);
+    let queried = traversal.queried(&boxes);
+    // The far half of the scene is hidden.
+    let hierarchy = context.tree.hierarchy();
     let visible = |node: &u32| {
         let node = hierarchy.node(*node);
         node.is_some_and(|node| node.bounds.max.z > 0.0)
     };
-    let answers: Vec<bool> = asked.nodes.iter().map(visible).collect();
-    walk.take(sight, &HOW, &asked, answers.into_iter());
+    let answers: Vec<bool> = queried.nodes.iter().map(visible).collect();
+    traversal.take(context, &SETTINGS, &queried, answers.into_iter());
 }
 
-fn sight<'a>(tree: &'a Tree, table: &'a SceneTable, view: &ViewFrame) -> TraversalContext<'a> {
-    TraversalContext::new(table, tree, view, &HOW, BoxContents::Triangles)
+fn context<'a>(tree: &'a Tree, table: &'a SceneTable, view: &ViewFrame) -> TraversalContext<'a> {
+    TraversalContext::new(table, tree, view, &SETTINGS, BoxContents::Triangles)
 }
 
-fn walks(c: &mut Criterion) {
+fn traversals(c: &mut Criterion) {
     let gpu = Gpu::open(&AdapterChoice::Cpu).unwrap();
     let mut group = c.benchmark_group("walk");
     for side in SIDES {
         let prepared = prepare(&gpu, side);
         let nodes = prepared.tree.hierarchy().nodes().len();
         group.throughput(Throughput::Elements(nodes as u64));
-        let sight = sight(&prepared.tree, prepared.gpu.table(), &prepared.view);
+        let context = context(&prepared.tree, prepared.gpu.table(), &prepared.view);
         let mut verdicts = Verdicts::default();
         for (name, visible) in [("all hidden", false), ("all visible", true)] {
-            let mut walked = Traversal::default();
+            let mut traversal = Traversal::default();
             group.bench_function(BenchmarkId::new(name, nodes), |b| {
-                b.iter(|| black_box(walk(&mut walked, &sight, &mut verdicts, visible)));
+                b.iter(|| black_box(same_frame(&mut traversal, &context, &mut verdicts, visible)));
             });
         }
         let mut settled = LateTraversal::default();
         for _ in 0..20 {
-            late(&mut settled, &sight, &mut verdicts);
+            frame_late(&mut settled, &context, &mut verdicts);
         }
         group.bench_function(BenchmarkId::new("late, settled", nodes), |b| {
-            b.iter(|| late(&mut settled, &sight, &mut verdicts));
+            b.iter(|| frame_late(&mut settled, &context, &mut verdicts));
         });
     }
     group.finish();
@@ -127,17 +133,17 @@ fn trees(c: &mut Criterion) {
             });
         });
         let entities: Vec<EntityKey> = prepared.scene.drawables().map(|(key, _)| key).collect();
-        let mut turn = 0;
+        let mut refits = 0;
         group.bench_function(BenchmarkId::new("refit a hundredth", leaves), |b| {
             b.iter_custom(|times| {
                 let mut spent = std::time::Duration::ZERO;
                 for _ in 0..times {
-                    turn += 1;
-                    let there =
-                        DAffine3::from_translation(DVec3::X * f64::from(turn % 2 * 2 - 1) * 0.1);
-                    for entity in entities.iter().skip(turn as usize % 100).step_by(100) {
+                    refits += 1;
+                    let moved =
+                        DAffine3::from_translation(DVec3::X * f64::from(refits % 2 * 2 - 1) * 0.1);
+                    for entity in entities.iter().skip(refits as usize % 100).step_by(100) {
                         let local = prepared.scene.local(*entity).unwrap();
-                        prepared.scene.set_local(*entity, local * there).unwrap();
+                        prepared.scene.set_local(*entity, local * moved).unwrap();
                     }
                     prepared.gpu.sync(&mut prepared.scene).unwrap();
                     let started = std::time::Instant::now();
@@ -146,7 +152,7 @@ fn trees(c: &mut Criterion) {
                         .follow(prepared.gpu.table(), HierarchyShape::Bvh)
                         .unwrap();
                     spent += started.elapsed();
-                    // What was written waits for a submission, and takes memory meanwhile.
+                    // Buffer writes take memory until the next submission.
                     prepared.gpu.gpu().queue.submit([]);
                 }
                 spent
@@ -166,7 +172,7 @@ fn maps(c: &mut Criterion) {
         bottom: 148,
     });
     for (name, side) in [("4 x 4", 4), ("32 x 32", 32), ("148 x 148", 148)] {
-        // Taken to the last block: a test that finds nothing free looks at all of it.
+        // All blocks are taken, so the test reads every one of them.
         let rect = BlockRect {
             left: 7,
             top: 0,
@@ -183,5 +189,5 @@ fn maps(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, walks, trees, maps);
+criterion_group!(benches, traversals, trees, maps);
 criterion_main!(benches);
