@@ -2,7 +2,8 @@
 //! against their depth.
 //!
 //! Mansa, Amundarain, Garcia-Alonso, Matey, *Occlusion Culling for Stereoscopic Display of Complex Mechanical Sets*, 2007: OCF for one view,
-//! scOCF for two. The method is meant for scenes that lie in the frustum as a whole and hide little of themselves, so it needs neither a hierarchy nor preparation.
+//! scOCF for two. The method is meant for scenes that lie entirely in the frustum and are not densely occluded, so it needs neither a hierarchy nor
+//! preparation.
 //!
 //! | file | content |
 //! |---|---|

@@ -118,7 +118,7 @@ impl Strategy for OccupancyMapBatched {
     }
 
     fn summary(&self) -> &str {
-        "walks the tree front to back; what reaches free screen is drawn, the rest asked about in batches (Staneker et al. 2004)"
+        "traverses the tree front to back; draws what reaches free screen, queries the rest in batches (Staneker et al. 2004)"
     }
 
     fn conservative(&self) -> bool {

@@ -1,4 +1,5 @@
-//! What coherence buys and what it costs: fewer questions for the second eye, a fraction's delay and its bound, and nothing else.
+//! The coherent strategies: the second view needs fewer queries, a fraction delays an entity by a bounded number of frames, and nothing else
+//! changes.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::collections::BTreeMap;
@@ -15,12 +16,12 @@ use glam::DVec3;
 const SIZE: [u32; 2] = [160, 128];
 const LATENCIES: [&str; 3] = ["same-frame", "frame-late", "on-gpu"];
 
-/// A block of 343 spheres that hide each other.
+/// A cube of 343 spheres that hide each other.
 fn block() -> GpuScene {
     GpuScene::new(vulkan(), &mut balls(7)).unwrap()
 }
 
-/// Looks at the block's middle from an angle, in degrees.
+/// A camera that looks at the cube's centre from an angle, in degrees.
 fn camera(angle: f64) -> Camera {
     let angle = angle.to_radians();
     let eye = DVec3::new(angle.sin(), 0.3, angle.cos()) * 34.0;
@@ -77,7 +78,7 @@ fn asking_together_asks_less() {
     let mut together = stage(&scene, "coherent:latency=same-frame:together=16", &["main"]);
     let mut asked = [0, 0];
     for step in 0..12 {
-        // Moving, then still.
+        // The camera moves, then stands still.
         let camera = camera(f64::from(step.min(6)) * 0.5);
         let one = &frame(&mut alone, &scene, &[camera])[0];
         let other = &frame(&mut together, &scene, &[camera])[0];
@@ -100,7 +101,7 @@ fn eyes_in_one_place_see_the_same() {
             let cameras = eyes(f64::from(step.min(3)) * 2.0, 0.0);
             assert_eq!(cameras[0], cameras[1]);
             frame(&mut stage, &scene, &cameras);
-            // While the camera moves, late answers may be late for one eye and not for the other.
+            // While the camera moves, a late answer may be missing in one view and not in the other.
             if latency == "frame-late" && step < 7 {
                 continue;
             }

@@ -1,4 +1,4 @@
-//! The conformance kit over every strategy of this crate, in every setting that makes it another strategy, on Vulkan and on GL.
+//! The conformance kit on every strategy of this crate, with every setting that changes its passes, on Vulkan and on GL.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::Counting;
@@ -7,13 +7,13 @@ use antumbra_strategies::registry;
 use antumbra_testing::{gl, vulkan};
 use antumbra_verify::kit::{Case, Kit, KitFailure, ViolationKind};
 
-/// Checks strategies given as the registry reads them, and shows all that fail at once.
+/// Checks strategies, given as the registry parses them. Reports all failures together.
 fn conform(gpu: &Gpu, kit: &Kit, strategies: impl IntoIterator<Item = String>) {
     let registry = registry();
     let failures: Vec<String> = strategies
         .into_iter()
         .filter_map(|text| {
-            // Late answers are right once nothing moves, where nothing else makes them wrong.
+            // Late answers are exact in a still scene, unless proxies make them wrong.
             let exact_when_still = text.contains("occluders=full:occludees=full");
             let kit = Kit {
                 exact_when_still,
@@ -30,7 +30,7 @@ fn named(names: &[&str]) -> Vec<String> {
     names.iter().map(|name| (*name).to_owned()).collect()
 }
 
-/// The three-pass strategy of one latency, in all ways of counting and stand-ins that go together on the device.
+/// The three-pass strategy of one latency, with all ways of counting and all test geometry that the device supports together.
 fn three_passes(gpu: &Gpu, latency: &str) -> Vec<String> {
     let mut all = Vec::new();
     for way in Counting::ALL {
@@ -57,7 +57,7 @@ fn small() -> Kit {
     }
 }
 
-/// What tells settings of one latency from each other, for the price of a few frames.
+/// The cases in which settings of one latency differ, at the cost of a few frames.
 fn quick(latency: &str) -> Kit {
     let cases = match latency {
         "frame-late" => vec![Case::RandomScenes, Case::Cut, Case::SlotReuse],
@@ -75,7 +75,7 @@ fn baselines(gpu: &Gpu) {
 }
 
 fn stop_and_wait(gpu: &Gpu) {
-    // One query a wait takes its time with five thousand.
+    // One query a wait is slow with five thousand entities.
     let fewer = Kit {
         many_entities: 300,
         ..small()
@@ -101,13 +101,13 @@ fn three_pass_in_every_case(gpu: &Gpu) {
 fn three_pass_in_every_setting(gpu: &Gpu) {
     for latency in ["frame-late", "same-frame", "on-gpu"] {
         let all = three_passes(gpu, latency);
-        // Queries and the comparing count, at the least, exist everywhere.
+        // Every device has at least queries and counting by comparison.
         assert!(all.len() >= 12, "only {all:?} on {}", gpu.title());
         conform(gpu, &quick(latency), all);
     }
 }
 
-/// Both coherent strategies, waiting and late, alone and together, and with a fraction, which takes longer to settle.
+/// Both coherent strategies in all latencies, with single and shared queries, and with a fraction, which takes more frames to settle.
 fn coherent(gpu: &Gpu) {
     for strategy in ["coherent", "stereo-coherent"] {
         let whole = [
@@ -130,7 +130,7 @@ fn coherent(gpu: &Gpu) {
     }
 }
 
-/// Walks of the tree, in batches and one by one, waiting and late, over every kind of tree; and with memory, which takes longer to settle.
+/// Traversals of every kind of tree, with batches and single queries, in the same frame and late; and with memory, which takes more frames to settle.
 fn walks(gpu: &Gpu) {
     let whole = [
         "occupancy-map:latency=same-frame",

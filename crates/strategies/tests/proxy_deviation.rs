@@ -1,4 +1,5 @@
-//! Stand-ins that deviate from their meshes: how far is known, and none stands in where that shows; and what a frame may leave out, in every latency.
+//! Proxies that deviate from their meshes: the deviation is known, and no proxy is used where it shows. Also the part of the image that a frame may leave
+//! out, in every latency.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{AuditOptions, StageOptions, Verdicts, ViewInput};
@@ -26,8 +27,8 @@ fn settled(scene: &GpuScene, text: &str, camera: Camera) -> Verdicts {
     antumbra_testing::settled(scene, text, camera, SIZE, 5).verdicts
 }
 
-/// A sphere whose proxy is a fifth of a metre too large, and a small one behind, which shows beside the sphere and not beside its proxy. All of it
-/// `scale` times as large.
+/// A sphere whose proxy is a fifth of a metre too large, and a small sphere behind it, which is visible beside the mesh and hidden behind the proxy.
+/// Everything is scaled by `scale`.
 fn eclipse(scale: f64) -> (Scene, EntityKey, EntityKey) {
     let mut scene = Scene::new();
     let material = scene.add_material(Material::default());
@@ -88,17 +89,17 @@ fn in_every_latency_as_much_is_left_out_as_is_allowed() {
     assert!(less[0] + 5 < exact[0], "{} of {}", less[0], exact[0]);
 }
 
-/// Who is drawn in a frame.
+/// The slots drawn in a frame.
 type Drawn = Vec<u32>;
-/// A frame, and what its audit has heard of what it left out, in percent.
+/// A frame, and the part of the image it left out, in percent, as far as its audit knows.
 type LeftOut = (u64, Option<f64>);
 
-/// Flies along a path of leaps.
+/// Renders eight frames from places far apart. Returns what each drew and what each left out.
 fn leaping(scene: &GpuScene, text: &str) -> (Vec<Drawn>, Vec<LeftOut>) {
     let strategy = registry().parse(text).unwrap();
     let options = StageOptions {
         audit: Some(AuditOptions {
-            // What the GPU leaves out is told of frames that are looked at.
+            // On the GPU the part left out is known of audited frames only.
             frame_share: 1.0,
             ..AuditOptions::default()
         }),

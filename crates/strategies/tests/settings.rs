@@ -1,4 +1,4 @@
-//! Settings: what is refused, and in which words; what reads back as it was set.
+//! Settings: which are refused, with which message; values read back as they were set.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{
@@ -10,7 +10,7 @@ use antumbra_strategies::registry;
 use antumbra_testing::{balls, look_at, perspective, vulkan};
 use glam::DVec3;
 
-/// What becomes of a strategy declared on a small scene.
+/// Declares a strategy on a small scene.
 fn declared(text: &str, specs: Vec<ViewSpec>) -> Result<(Stage, GpuScene), StageError> {
     let scene = GpuScene::new(vulkan(), &mut balls(3)).unwrap();
     let strategy = registry().parse(text).unwrap();

@@ -1,5 +1,5 @@
-//! What walking a tree buys: whole sub-trees at once, no question about what stands before everything, no wait where nothing hides; and what it
-//! survives: trees of any depth, and scenes whose tree changes while it is walked.
+//! The traversal of a tree: a hidden sub-tree takes one query, an entity in front of all others takes none, and a scene in which nothing is hidden takes no
+//! wait. It works on trees of any depth, and on scenes whose tree changes between frames.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{Stage, StageOptions, Verdict, Verdicts, ViewInput};
@@ -32,7 +32,7 @@ fn frame(stage: &mut Stage, scene: &GpuScene, camera: Camera) -> (Verdicts, Fram
     (stage.verdicts(0, scene).unwrap(), report)
 }
 
-/// Slots that own a pixel and are not drawn.
+/// The slots that own a pixel and are not drawn.
 fn missed(scene: &GpuScene, camera: &Camera, verdicts: &Verdicts) -> Vec<u32> {
     let mut oracle = Oracle::new(scene, SIZE);
     let reference = oracle.render(scene, camera, EntitySet::InFrustum).unwrap();
@@ -99,10 +99,10 @@ fn a_hidden_sub_tree_takes_one_question() {
         assert!(verdicts.tested() <= 4, "{text}: {}", verdicts.tested());
         assert!(report.sync_points <= 4, "{text}: {}", report.sync_points);
     }
-    // Without the map even the wall is asked about, and everything above it.
+    // Without the map the wall is queried too, and every node above it.
     let (verdicts, _) = frame(&mut stage(&scene, "stop-and-wait:tree=groups"), &scene, eye);
     assert_eq!((verdicts.tested(), verdicts.tally()[1]), (3, 64));
-    // The late form draws what it knows nothing of, asks, and finds out level by level.
+    // The late form draws the nodes without an answer, queries them, and finds the hidden ones level by level.
     let mut stage = stage(&scene, "occupancy-map:latency=frame-late:grain=0");
     let first = frame(&mut stage, &scene, eye).0;
     assert_eq!(first.drawn().count(), 65);
@@ -113,7 +113,7 @@ fn a_hidden_sub_tree_takes_one_question() {
     assert_eq!((settled.tally()[1], report.sync_points), (64, 0));
     assert!(
         settled.tested() <= 2,
-        "{} questions about one group",
+        "{} queries for one group",
         settled.tested()
     );
 }
@@ -150,7 +150,7 @@ fn what_is_not_worth_a_wait_is_drawn() {
 
 #[test]
 fn later_frames_organise_fewer_batches() {
-    // Columns of balls behind each other: organised, each batch holds one ball a column.
+    // Columns of balls behind each other: an organised batch holds one ball of each column.
     let mut props = Props::new();
     for at in 0..360 {
         let (x, y, z) = (at % 3, at / 3 % 3, at / 9);
@@ -172,14 +172,14 @@ fn later_frames_organise_fewer_batches() {
     }
     assert!(waits[0] > 3, "{waits:?}");
     for pair in waits.windows(2) {
-        // What is left after n organised batches is asked about at once: one more, as all are leaves.
+        // After n organised batches all other nodes are queried at once. All nodes are leaves, so that is one batch more.
         assert!(pair[1] <= pair[0] * 7 / 10 + 1, "{waits:?}");
     }
 }
 
 #[test]
 fn what_stays_hidden_shares_its_questions_and_is_found_when_it_comes_to_light() {
-    // A wall that hides 49 balls, which hang nowhere, and one that is seen beside it.
+    // A wall that hides 49 balls without a parent, and one ball that is visible beside it.
     let mut props = Props::new();
     let wall = props.put(None, DVec3::ZERO, Some(props.wall));
     for at in 0..49 {
@@ -206,7 +206,7 @@ fn what_stays_hidden_shares_its_questions_and_is_found_when_it_comes_to_light() 
             alone_asked >= 49 && asked <= 9,
             "{latency}: {asked} of {alone_asked}"
         );
-        // The wall moves aside: in the waiting form every ball is drawn at once, in the late one as soon as an answer is there.
+        // The wall moves aside. The same-frame form draws every ball at once, the late form as soon as an answer is there.
         let aside = |x: f64| DAffine3::from_translation(DVec3::X * x);
         props.scene.set_local(wall, aside(-6.0)).unwrap();
         scene.sync(&mut props.scene).unwrap();
@@ -245,7 +245,7 @@ fn trees_of_any_depth_are_walked() {
         let (verdicts, _) = frame(&mut stage, &scene, eye);
         assert_eq!(missed(&scene, &eye, &verdicts), [0u32; 0], "{text}");
     }
-    // All hang from the first: to move it moves every one of them.
+    // Every entity is below the first: moving it moves all of them.
     let root = props.scene.roots().next().unwrap();
     props
         .scene
@@ -273,7 +273,7 @@ fn groups_of_those_who_are_gone_are_cleared_away() {
         scene.sync(&mut props.scene).unwrap();
         assert!(scene.table().groups().parents().len() <= 2 * groups + 1025);
     }
-    // Who stayed is still in the same groups.
+    // The other entities are still in the same groups.
     let eye = camera(DVec3::Z * 14.0);
     let mut stage = stage(&scene, "stop-and-wait:tree=groups");
     let (verdicts, _) = frame(&mut stage, &scene, eye);
@@ -310,7 +310,7 @@ fn trees_that_change_are_followed() {
                 );
             }
             2 => props.scene.set_tested(one, step % 2 == 0).unwrap(),
-            // A parent below its own child is refused, and nothing has changed then.
+            // A parent below its own child is refused without any change.
             3 => drop(props.scene.set_parent(one, Some(other))),
             _ => {
                 let moved = DAffine3::from_translation(DVec3::new(0.3, 0.2, 1.0));
@@ -319,7 +319,7 @@ fn trees_that_change_are_followed() {
             }
         }
         scene.sync(&mut props.scene).unwrap();
-        // Once in a while two changes come between two frames.
+        // Every seventh step makes two changes between two frames.
         if step % 7 == 0 {
             props.put(
                 None,

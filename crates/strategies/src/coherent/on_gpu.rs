@@ -71,7 +71,7 @@ pub(super) fn first(
     );
     let new = g.compact(view, "found visible", rest, found);
     let ids = g.shade_identified(view, "shade found visible", new, ids);
-    shade_transparent(g, view, candidates, found);
+    shade_found_transparent(g, view, candidates, found);
     let owned = g.histogram(view, ids, [width, height], owned);
     FirstOnGpu {
         set: verdicts(g, view, candidates, seen, found),
@@ -107,7 +107,7 @@ pub(super) fn next(
     );
     let new = g.compact(view, "found visible", rest, found);
     g.shade_indirect(view, "shade found visible", new);
-    shade_transparent(g, view, candidates, found);
+    shade_found_transparent(g, view, candidates, found);
     verdicts(g, view, candidates, owned, found)
 }
 
@@ -200,8 +200,8 @@ fn count(g: &mut FrameGraph<'_>, view: &ViewNodes, what: IndirectDraws) -> Buffe
     passes::count_indirect_pass(g.graph(), &spec, inputs, what, test, counts)
 }
 
-/// Shades the transparent entities that were found visible.
-fn shade_transparent(
+/// Shades the transparent entities with samples in `found`, and those that no test may cull.
+fn shade_found_transparent(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
     candidates: Host<Candidates>,

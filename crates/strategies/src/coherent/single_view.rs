@@ -2,8 +2,8 @@
 //! fraction of the occluded entities against their depth.
 //!
 //! Mansa, Amundarain, Elizalde, Garcia-Alonso, Matey, *Towards Adaptive Occlusion Culling Using Camera Coherence*, 2006 (OCF), as described in
-//! *Occlusion Culling for Stereoscopic Display of Complex Mechanical Sets*, 2007, section 3.1. The paper waits for the answers of the tests within the frame; so does
-//! [`same_frame`]. [`frame_late`] uses them in the next frame and never waits.
+//! *Occlusion Culling for Stereoscopic Display of Complex Mechanical Sets*, 2007, section 3.1. The paper waits for the answers of the tests within
+//! the frame, as [`same_frame`] does. [`frame_late`] uses them in the next frame and never waits.
 
 use antumbra_draw::{MeshDetail, SceneTable, ViewFrame};
 use antumbra_graph::{Host, HostBuilder, HostContext, ReadBack};

@@ -34,7 +34,7 @@ struct Span {
 
 impl BlockRect {
     /// The number of blocks in it.
-    pub fn blocks(&self) -> u64 {
+    pub fn count(&self) -> u64 {
         let side = |from: u32, to: u32| (u64::from(to) + 1).saturating_sub(u64::from(from));
         side(self.left, self.right) * side(self.top, self.bottom)
     }

@@ -322,5 +322,5 @@ impl LateTraversal {
 /// Whether a node without a valid answer is opened instead of queried.
 fn is_better_opened(context: &TraversalContext<'_>, visited: &VisitedNode) -> bool {
     let [wide, high] = context.screen.blocks().map(u64::from);
-    visited.blocks.blocks() * LARGE >= wide * high || context.tree.weight(visited.node) > HEAVY
+    visited.blocks.count() * LARGE >= wide * high || context.tree.weight(visited.node) > HEAVY
 }
