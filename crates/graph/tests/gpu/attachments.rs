@@ -1,4 +1,4 @@
-//! Clears and loads: the first writer of a frame clears, later ones keep what is there; imports keep theirs unless told.
+//! Clears and loads: the first writer of a frame clears a target and later ones keep its content; an import is cleared only on request.
 
 use antumbra_graph::{Bind, Clear, CompileError, CompileOptions, Graph, Texture, TextureDesc};
 
@@ -126,7 +126,7 @@ fn a_compute_pass_with_nothing_to_do_is_left_out_but_its_zeros_are_not() {
     }
 }
 
-/// A plate at 1/2, then green before it and red behind it; `sampled`: the depth is looked at while it is attached.
+/// Draws a plate at depth 1/2, then green in front of it and red behind it. `sampled`: a shader reads the depth while it is attached.
 fn hidden(gpu: &Gpu, sampled: bool) -> (Graph, Texture) {
     let mut g = Graph::new("depth");
     let depth = g.texture(

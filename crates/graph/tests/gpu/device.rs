@@ -1,4 +1,4 @@
-//! A device to test on, small pipelines, and plain blocking reads of what a plan put out.
+//! A device to test on, small pipelines, and blocking reads of a plan's outputs.
 
 use antumbra_graph::{CompileOptions, Graph, Plan};
 
@@ -13,7 +13,7 @@ pub fn vulkan() -> Gpu {
     gpu(wgpu::Backends::VULKAN)
 }
 
-/// A device on that backend, with timestamps where there are any.
+/// A device on this backend, with timestamps if it has them.
 pub fn gpu(backends: wgpu::Backends) -> Gpu {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
         backends,
@@ -51,7 +51,7 @@ impl Gpu {
             .expect("the device finishes");
     }
 
-    /// The first `bytes` of a buffer.
+    /// The first `bytes` bytes of a buffer.
     pub fn read(&self, buffer: &wgpu::Buffer, bytes: u64) -> Vec<u8> {
         let staging = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: None,
@@ -75,7 +75,7 @@ impl Gpu {
         bytemuck::pod_collect_to_vec(&self.read(buffer, count * 8))
     }
 
-    /// The texel in the middle of a four-byte texture of 64 texels width.
+    /// The middle texel of a texture 64 texels wide, with four bytes a texel.
     pub fn middle(&self, texture: &wgpu::Texture) -> [u8; 4] {
         let bytes = u64::from(texture.height()) * 256;
         let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
@@ -103,7 +103,7 @@ impl Gpu {
         [bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]
     }
 
-    /// Draws a triangle over all of the target, at depth `instance_index / 8192`, in the colour given (none: depth only).
+    /// Draws a triangle that covers the target, at depth `instance_index / 8192`, in this colour; `None` for depth only.
     pub fn fill(&self, colour: Option<&str>, depth: Option<bool>) -> wgpu::RenderPipeline {
         let source = format!(
             "@vertex fn vertex(@builtin(vertex_index) v: u32, @builtin(instance_index) i: u32) -> @builtin(position) vec4f {{

@@ -1,4 +1,4 @@
-//! Inside somebody else's frame: commands land between theirs, nothing is submitted.
+//! Plans embedded in a host's frame: they record between the host's commands and submit nothing.
 
 use antumbra_graph::{BufferDesc, CompileOptions, ExecuteError, Graph};
 

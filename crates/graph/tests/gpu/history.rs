@@ -1,4 +1,4 @@
-//! Looking back: previous textures, buffers and host values, and updates in place.
+//! Access to the previous frame: textures, buffers and host values, and updates in place.
 
 use antumbra_graph::{BufferDesc, Clear, Graph, TextureDesc};
 

@@ -1,4 +1,4 @@
-//! Frame-late read-back: answers with their frame and tag, delivered once, forgotten on demand, never waited for.
+//! Frame-late read-back: each answer carries its frame and tag, is delivered once, can be dropped, and is never waited for.
 
 use std::sync::mpsc;
 
@@ -6,7 +6,7 @@ use antumbra_graph::{BufferDesc, CompileOptions, Graph, Host, Plan};
 
 use crate::device::{Gpu, vulkan};
 
-/// (frame of the answer, its tag, its bytes as u32) as the body saw them.
+/// Answers as the body saw them: frame, tag, and bytes as `u32`.
 type Seen = (u64, u64, Vec<u32>);
 
 struct Late {
@@ -15,7 +15,7 @@ struct Late {
     seen: mpsc::Receiver<Option<Seen>>,
 }
 
-/// A graph that uploads `number` and reads it back late, tagged with itself; the reader is declared first.
+/// A graph that uploads `number` and reads it back late, with the number as its tag. The reader is declared first.
 fn graph(gpu: &Gpu, embedded: bool, slots: usize) -> Late {
     let mut g = Graph::new("late");
     let number = g.import_host::<u64>("number");
@@ -107,7 +107,7 @@ fn forgotten_answers_never_arrive() {
     assert_eq!(seen, [None, Some(0), Some(1), None]);
 }
 
-/// Who embeds a plan may submit its encoders in another order than they were recorded in.
+/// A host may submit its encoders in another order than they were recorded in.
 #[test]
 fn an_older_answer_never_follows_a_newer_one() {
     let gpu = vulkan();

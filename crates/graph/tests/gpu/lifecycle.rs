@@ -1,4 +1,4 @@
-//! Frames that fail, and devices that go away.
+//! Frames that fail, and devices that are lost.
 
 use std::sync::Arc;
 

@@ -1,11 +1,11 @@
-//! Host loops: turns with sync points, values carried from turn to turn, limits.
+//! Host loops: iterations with sync points, values kept between iterations, limits.
 
 use antumbra_graph::{BufferDesc, ExecuteError, Graph, Host, LoopOptions, LoopSyncPoints};
 
 use crate::device::{Gpu, vulkan};
 use crate::sync::step;
 
-/// Doubles `data[0]` each turn, counts in `data[1]`, ends when it has reached 100.
+/// A loop that doubles `data[0]` in each iteration, counts iterations in `data[1]`, and ends when `data[0]` has reached 100.
 fn doubling(gpu: &Gpu, limit: u32) -> (Graph, antumbra_graph::Buffer, Host<u32>) {
     let mut g = Graph::new("loop");
     let data = g.buffer("data", BufferDesc::new(8).zeroed());

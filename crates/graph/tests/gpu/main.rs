@@ -1,4 +1,4 @@
-//! Tests on a real adapter: lavapipe (Vulkan) or any GPU; the query tests on GL as well. Without an adapter they fail, loudly.
+//! Tests on an adapter: lavapipe (Vulkan) or any GPU; the query tests also on OpenGL. They fail without an adapter.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 

@@ -1,10 +1,11 @@
-//! Occlusion queries, more than a set holds, on Vulkan and on GL: zero or not zero is all that is asked.
+//! More occlusion queries than one query set holds, on Vulkan and on OpenGL. Tests only whether an answer is zero.
 
 use antumbra_graph::{BufferDesc, Clear, ExecuteError, Graph, TextureDesc};
 
 use crate::device::{Gpu, gpu};
 
-/// 5,000 queries in one node: query *i* draws at depth *i* / 8192 against a plate at 1/4, reversed depth.
+/// Answers of `asked` queries in one node, in a buffer with room for `room`. Query *i* draws at depth *i* / 8192 against a plate at 1/4, with
+/// reversed depth; only the first `issue` draw.
 fn many(gpu: &Gpu, asked: u32, issue: u32, room: u64) -> Result<Vec<u64>, ExecuteError> {
     let mut g = Graph::new("queries");
     let depth = g.texture(
@@ -19,7 +20,7 @@ fn many(gpu: &Gpu, asked: u32, issue: u32, room: u64) -> Result<Vec<u64>, Execut
     node.run(move |ctx| {
         let range = ctx.query_range();
         if range.start == 0 {
-            // Only the first run clears: later ones must still find this plate.
+            // Only the first batch of queries clears: the plate must still be there for later batches.
             ctx.pass().set_pipeline(&plate);
             ctx.pass().draw(0..3, 2048..2049);
         }

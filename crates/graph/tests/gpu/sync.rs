@@ -63,7 +63,7 @@ fn a_host_node_reads_what_the_gpu_wrote_this_frame() {
     }
 }
 
-/// Whoever polls a device may be handed another thread's answers, and hands them on after that thread's wait has returned.
+/// A thread that polls a device may run another thread's callbacks, and run them after that thread's wait has returned.
 #[test]
 fn a_wait_ends_with_the_answer_though_other_threads_poll_the_device() {
     let gpu = vulkan();

@@ -1,4 +1,4 @@
-//! Pass times: there when asked for, summed by group, gone when not.
+//! Pass times: measured on request, summed by group, absent otherwise.
 
 use antumbra_graph::{BufferDesc, CompileOptions, Graph};
 

@@ -1,4 +1,4 @@
-//! What bodies may reach, and what fails a frame.
+//! What a node's body may access, and which errors of it fail a frame.
 
 use std::error::Error;
 
@@ -8,7 +8,7 @@ use antumbra_graph::{
 
 use crate::declare::{bytes, compute, noop};
 
-/// The error of the one failing body, as an access error.
+/// The access error of the one body that fails.
 fn failure(mut plan: Plan, device: &wgpu::Device, queue: &wgpu::Queue) -> AccessError {
     let error = plan.execute(device, queue).unwrap_err();
     assert!(matches!(error, ExecuteError::Body { .. }), "{error}");

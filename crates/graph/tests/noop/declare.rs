@@ -1,4 +1,4 @@
-//! Short ways to declare test graphs, and a device that does nothing.
+//! Helpers that declare test graphs, and a device that does nothing.
 
 use antumbra_graph::{
     Buffer, BufferDesc, CompileError, CompileOptions, Graph, Host, Plan, Texture, TextureDesc,

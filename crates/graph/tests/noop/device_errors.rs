@@ -1,4 +1,4 @@
-//! What depends on the device: formats, features, limits.
+//! Errors that depend on the device: formats, features, limits.
 
 use antumbra_graph::{BufferDesc, CompileError, CompileOptions, Graph, TextureDesc};
 

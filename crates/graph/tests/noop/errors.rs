@@ -1,10 +1,10 @@
-//! Each declaration `compile` refuses, and that it names everything at once.
+//! Declarations that `compile` refuses; it reports all errors at once.
 
 use antumbra_graph::{CompileError, CompileOptions, Graph};
 
 use crate::declare::{bytes, colour, compute, depth, draw, errors, noop, wait};
 
-/// Exactly one error, of that shape.
+/// Asserts that there is exactly one error, of this shape.
 macro_rules! assert_refused {
     ($graph:expr, $pattern:pat $(if $guard:expr)?) => {{
         let errors = errors($graph);
@@ -25,7 +25,7 @@ fn a_cycle_names_its_passes_in_order() {
     let first = draw(&mut g, "a", t, &[]);
     let second = draw(&mut g, "b", u, &[first]);
     let own = g.texture("own", colour());
-    // Needs t before `a` writes it and u after `b` wrote it.
+    // Reads t before `a` writes it, and u after `b` has written it.
     let _ = draw(&mut g, "c", own, &[t, second]);
     assert_refused!(g, CompileError::Cycle { passes } if passes == &["a", "b", "c"]);
 }

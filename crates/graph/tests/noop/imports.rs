@@ -1,4 +1,4 @@
-//! What is bound and set before a frame, and what is refused at the door.
+//! Imports: what is bound and set before a frame, and what is refused.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! Host loops without a GPU: what later turns see, loops in loops, and the way out.
+//! Host loops without a GPU: what later iterations see, nested loops, and how loops end.
 
 use antumbra_graph::{CompileOptions, ExecuteError, Graph, Host, LoopOptions};
 

@@ -1,4 +1,4 @@
-//! Tests on wgpu's noop device: what compiling decides and refuses. No adapter is needed.
+//! Tests on wgpu's noop device: the decisions and errors of `compile`. They need no adapter.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 

@@ -1,4 +1,4 @@
-//! The order of passes: by data, by `after`, else by declaration; with as few sync points as the data allows.
+//! The order of passes: by data, by `after`, otherwise by declaration; with as few sync points as the data allows.
 
 use std::sync::{Arc, Mutex};
 
@@ -126,7 +126,7 @@ fn random() -> impl Strategy<Value = Vec<Random>> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
 
-    /// Bodies run after those they read, and the sync points are as many as the longest chain of waiting nodes: no order has fewer.
+    /// A body runs after the bodies it reads from, and the number of sync points is the longest chain of waiting nodes, which is the minimum.
     #[test]
     fn order_follows_data_with_the_fewest_sync_points(nodes in random()) {
         let mut g = Graph::new("random");

@@ -1,10 +1,10 @@
-//! The three pictures of one small graph, word by word.
+//! The three exports of one small plan, compared as text.
 
 use antumbra_graph::{Graph, Plan, PlanFormat};
 
 use crate::declare::{bytes, colour, compile, compute, draw, wait};
 
-/// A sync point, a history, a pruned pass, an import.
+/// A graph with a sync point, an edge to the previous frame, a pruned pass and an import.
 fn example() -> Plan {
     let mut g = Graph::new("example");
     let screen = g.import_texture("screen", colour());

@@ -1,4 +1,5 @@
-//! Who is kept: outputs, imports, side effects, and what those need through this frame, history, loops and read-back.
+//! Pruning keeps passes with outputs, imports or side effects, and what these need: in this frame, from the previous one, in loops and by
+//! read-back.
 
 use antumbra_graph::Graph;
 

@@ -1,4 +1,4 @@
-//! Transient reuse: shared where lifetimes allow, never where they overlap.
+//! Reuse of transient resources: memory is shared where lifetimes allow, never where they overlap.
 
 use antumbra_graph::{Graph, PlanFormat};
 use proptest::prelude::*;
@@ -40,7 +40,7 @@ fn other_shapes_outputs_and_histories_do_not_share() {
     let e = draw(&mut g, "e", e, &[d, past_now, past.previous()]);
     g.output(c);
     g.output(e);
-    // a and d share; b has layers; c and e are outputs; past lies in two places.
+    // a and d share one texture; b has layers; c and e are outputs; `past` has two copies.
     assert_eq!(compile(g).physical_textures(), 1 + 1 + 2 + 2);
 }
 
@@ -57,7 +57,7 @@ fn buffers_of_a_like_size_share() {
     let import = g.import_buffer("out", bytes(4));
     let _ = compute(&mut g, "end", import, &[last.unwrap()]);
     let plan = compile(g);
-    // 100 and 70 share 100 bytes; 120 and 64 share 120.
+    // The buffers of 100 and 70 bytes share one of 100; those of 120 and 64 share one of 120.
     assert_eq!(plan.physical_buffers(), 3);
     assert_eq!(plan.describe_memory().buffers, 100 + 120 + 1000);
 }
@@ -87,7 +87,7 @@ fn what_a_loop_touches_lives_as_long_as_the_loop() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// Whatever shares an object is never alive at the same time, told from the JSON picture alone.
+    /// Resources that share an object are never alive at the same time, judged by the JSON export alone.
     #[test]
     fn sharers_never_overlap(reads in prop::collection::vec((any::<prop::sample::Index>(), any::<prop::sample::Index>(), 0..3u64), 2..30)) {
         let mut g = Graph::new("random");
