@@ -9,7 +9,8 @@ use antumbra::measure::report::StrategyReport;
 use antumbra::scene::{Material, Scene};
 use antumbra::strategies::registry;
 use antumbra::terrain::{
-    Field, GroupOptions, HorizonStrategy, Part, Sectors, ShownTerrain, Terrain, TerrainOptions,
+    Field, GroupOptions, HorizonStrategy, Sectors, ShownTerrain, Terrain, TerrainInScene,
+    TerrainOptions, Tile,
 };
 use antumbra_testing::{auto, perspective};
 use glam::{DVec2, DVec3};
@@ -43,19 +44,19 @@ fn island(hole: f64) -> Field {
     Field::new(points.collect(), triangles.collect()).unwrap()
 }
 
-fn prepared(part: Part) -> Arc<Terrain> {
-    let triangles = part.own();
+fn prepared(tile: Tile) -> Arc<Terrain> {
+    let triangles = tile.own_triangles();
     let options = TerrainOptions {
         sectors: Sectors::new(32, 4).unwrap(),
         groups: Some(GroupOptions {
             seeds: triangles as u32 / 8,
-            most: triangles as u32 / 4,
-            smallest: 1,
+            max_groups: triangles as u32 / 4,
+            min_triangles: 1,
             ..GroupOptions::for_triangles(triangles)
         }),
         ..TerrainOptions::default()
     };
-    Arc::new(Terrain::prepare_part(part, &options, &|| ()).unwrap())
+    Arc::new(Terrain::prepare_tile(tile, &options, &|| ()).unwrap())
 }
 
 fn show(scene: &mut Scene, terrain: &Terrain, double_sided: bool) -> ShownTerrain {
@@ -126,7 +127,7 @@ fn from_outside_and_over_a_hole_no_pixel_is_wrong() {
             .map(|[east, north]| [[600.0, 605.0, up], [east, north, 0.0]])
     });
     let over_the_hole: Vec<_> = over_the_hole.collect();
-    let terrain = prepared(Part::whole(island(70.0)));
+    let terrain = prepared(Tile::whole(island(70.0)));
     let looks = [
         (from_outside(), false),
         (over_the_hole.clone(), false),
@@ -147,17 +148,20 @@ fn from_outside_and_over_a_hole_no_pixel_is_wrong() {
 fn blocks_are_drawn_as_one_and_without_one_of_them_as_what_is_left() {
     let field = island(0.0);
     let drawn = [0.0, 200.0].map(|margin| {
-        let parts = field.cut(2, 2, margin).unwrap();
-        let blocks: Vec<Arc<Terrain>> = parts.into_iter().map(prepared).collect();
+        let tiles = field.cut_into_tiles(2, 2, margin).unwrap();
+        let tiles: Vec<Arc<Terrain>> = tiles.into_iter().map(prepared).collect();
         [None, Some(0), Some(3)].map(|gone| {
             let mut scene = Scene::new();
-            let shown = blocks.iter().map(|block| show(&mut scene, block, false));
-            let shown: Vec<ShownTerrain> = shown.collect();
-            let horizon = HorizonStrategy::over(blocks.iter().cloned().zip(&shown));
+            let shown = tiles.iter().map(|tile| TerrainInScene {
+                terrain: Arc::clone(tile),
+                shown: show(&mut scene, tile, false),
+            });
+            let shown: Vec<TerrainInScene> = shown.collect();
+            let horizon = HorizonStrategy::for_tiles(&shown);
             if let Some(gone) = gone {
                 // Removing a third of its groups is enough.
-                for (entity, _) in shown[gone].groups.iter().step_by(3) {
-                    scene.despawn(*entity);
+                for group in shown[gone].shown.groups.iter().step_by(3) {
+                    scene.despawn(group.entity);
                 }
             }
             let [all, found] = compared(scene, horizon, &from_outside());

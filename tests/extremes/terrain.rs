@@ -42,8 +42,8 @@ fn holds(metre: f64, origin: DVec3) -> [usize; 2] {
         sectors: Sectors::new(32, 4).unwrap(),
         groups: Some(GroupOptions {
             seeds: count as u32 / 8,
-            most: count as u32 / 4,
-            smallest: 1,
+            max_groups: count as u32 / 4,
+            min_triangles: 1,
             ..GroupOptions::for_triangles(count)
         }),
         ..TerrainOptions::default()

@@ -15,7 +15,9 @@ use antumbra::scene::{Aabb, Camera, Projection, Scene, Stereo};
 use antumbra::subsurface::{
     BrickSource, SectionPositions, SlicePosition, VolumeFile, VolumeSections,
 };
-use antumbra::terrain::{HorizonStrategy, PreparedScene, ShownTerrain, Terrain, TerrainOptions};
+use antumbra::terrain::{
+    FlightStation, HorizonStrategy, PreparedScene, Terrain, TerrainInScene, TerrainOptions,
+};
 use antumbra::{demo_scenes, terrain};
 
 use glam::DVec3;
@@ -127,7 +129,7 @@ struct Found {
     model: Option<Model>,
     sections: Option<VolumeSections>,
     /// What is known of its terrain.
-    terrain: Option<(Arc<Terrain>, ShownTerrain)>,
+    terrain: Option<TerrainInScene>,
     /// Whether it is the whole built-in grid, which has an orbit of its own.
     whole_grid: bool,
 }
@@ -139,7 +141,10 @@ impl From<PreparedScene> for Found {
             seed: None,
             model: None,
             sections: None,
-            terrain: Some((prepared.terrain, prepared.shown)),
+            terrain: Some(TerrainInScene {
+                terrain: prepared.terrain,
+                shown: prepared.shown,
+            }),
             whole_grid: false,
         }
     }
@@ -153,7 +158,7 @@ impl Found {
             let field = landscape::field(file, None)?;
             let terrain = landscape::prepare(field, &TerrainOptions::default(), false)?;
             let stem = file.file_stem().unwrap_or_default();
-            return Ok(PreparedScene::of(terrain, &stem.to_string_lossy())?.into());
+            return Ok(PreparedScene::from_terrain(terrain, &stem.to_string_lossy())?.into());
         }
         if file.is_file() || landscape::is_mesh(file) {
             return Self::file(file);
@@ -200,7 +205,7 @@ impl Found {
         let attachment = loaded.attachments.into_iter().next();
         let known = attachment.map(|attachment| Terrain::read(&loaded.scene, &attachment?));
         let terrain = known.and_then(|known| match known {
-            Ok((terrain, shown)) => Some((Arc::new(terrain), shown)),
+            Ok(known) => Some(known),
             Err(error) => {
                 eprintln!(
                     "antumbra: {}: shown without its horizons: {error}",
@@ -284,11 +289,11 @@ impl Found {
 impl Found {
     /// The strategy of the scene's terrain, with all that stands on it prepared.
     fn horizon(&self) -> Option<HorizonStrategy> {
-        let (terrain, shown) = self.terrain.as_ref()?;
+        let TerrainInScene { terrain, shown } = self.terrain.as_ref()?;
         let horizon = HorizonStrategy::new(Arc::clone(terrain), shown);
         let bar = progress::work("finding horizons of entities", false);
         bar.set_length(u64::from(terrain.groups().sectors().count()));
-        horizon.stand(&self.scene, &|| bar.inc(1));
+        horizon.prepare_entities(&self.scene, &|| bar.inc(1));
         bar.finish_and_clear();
         Some(horizon)
     }
@@ -370,7 +375,7 @@ fn path(
     {
         return Ok(path);
     }
-    if let Some((terrain, _)) = &found.terrain
+    if let Some(TerrainInScene { terrain, .. }) = &found.terrain
         && matches!(args.path.as_deref(), None | Some("flight"))
     {
         return over(terrain, frames);
@@ -392,7 +397,7 @@ fn over(terrain: &Terrain, frames: usize) -> Result<CameraPath, Failure> {
         fov_y: 0.9,
         near: height / FLYING.0,
     };
-    let look = |[eye, target]: [DVec3; 2]| Pose::look_at(eye, target, None);
+    let look = |station: FlightStation| Pose::look_at(station.eye, station.target, None);
     let poses = terrain.flight(height, frames).into_iter().map(look);
     let poses = poses.collect::<Result<Vec<_>, _>>();
     let poses = poses.map_err(|error| Failure::Usage(format!("the flight: {error}")))?;

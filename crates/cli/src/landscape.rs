@@ -5,7 +5,7 @@ use std::path::Path;
 use antumbra::demo_scenes::terrain::TerrainSceneOptions;
 use antumbra::formats::load_raster;
 use antumbra::formats::{LoadOptions, RasterFormat, SceneFormat, load};
-use antumbra::terrain::{Detail, Field, PreparedScene, Terrain, TerrainOptions};
+use antumbra::terrain::{Field, PreparedScene, RasterDetail, Terrain, TerrainOptions};
 
 use crate::failure::Failure;
 use crate::progress;
@@ -33,10 +33,10 @@ fn ending(file: &Path) -> Option<&str> {
 ///
 /// # Errors
 /// What is wrong with the file; [`Failure::Usage`] for a detail of a mesh.
-pub fn field(file: &Path, detail: Option<Detail>) -> Result<Field, Failure> {
+pub fn field(file: &Path, detail: Option<RasterDetail>) -> Result<Field, Failure> {
     if is_raster(file) {
-        let detail = detail.unwrap_or(Detail::Vertices(VERTICES));
-        return Ok(Field::over(&load_raster(file)?, detail)?);
+        let detail = detail.unwrap_or(RasterDetail::Vertices(VERTICES));
+        return Ok(Field::from_raster(&load_raster(file)?, detail)?);
     }
     if detail.is_some() {
         return Err(Failure::Usage(format!(
@@ -48,7 +48,7 @@ pub fn field(file: &Path, detail: Option<Detail>) -> Result<Field, Failure> {
         path: file.to_owned(),
         error,
     })?;
-    Ok(Field::of_scene(&scene)?)
+    Ok(Field::from_scene(&scene)?)
 }
 
 /// Prepares a field.

@@ -10,7 +10,7 @@ use antumbra::terrain::HorizonStrategy;
 pub fn registry(horizon: Option<&HorizonStrategy>) -> Registry {
     let mut registry = strategies::registry();
     let next = Arc::new(strategies::registry());
-    let horizon = horizon.cloned().unwrap_or_default().before(next);
+    let horizon = horizon.cloned().unwrap_or_default().with_registry(next);
     registry.register(move || Box::new(horizon.clone()));
     registry
 }

@@ -112,7 +112,7 @@ fn a_raster_becomes_a_file_that_is_compared_without_preparing_again() {
     let output = antumbra(&draw);
     assert!(output.status.success(), "{}", stderr(&output));
     assert!(
-        stderr(&output).contains("\"method\" is none of sound"),
+        stderr(&output).contains("\"method\" is not sound"),
         "{}",
         stderr(&output)
     );

@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use antumbra_terrain::horizon::{Method, Sectors};
 use antumbra_terrain::{
-    Detail, Field, GroupOptions, PreparedScene, Terrain, TerrainError, TerrainOptions,
+    Field, GroupOptions, PreparedScene, RasterDetail, Terrain, TerrainError, TerrainOptions,
 };
 
 mod fractal;
@@ -109,10 +109,13 @@ impl TerrainSceneOptions {
     /// [`TerrainError::Setting`] for an option out of range.
     pub fn scene(&self, done: &(dyn Fn() + Sync)) -> Result<PreparedScene, TerrainError> {
         let seed = self.landscape.seed;
-        let field = Field::over(&self.landscape.raster()?, Detail::Vertices(self.vertices))?;
+        let field = Field::from_raster(
+            &self.landscape.raster()?,
+            RasterDetail::Vertices(self.vertices),
+        )?;
         let prepare = self.prepare.seeded(seed, &field);
         let terrain = Terrain::prepare(field, &prepare, done)?;
-        let mut made = PreparedScene::of(terrain, "terrain")?;
+        let mut made = PreparedScene::from_terrain(terrain, "terrain")?;
         spread_boxes(&mut made.scene, &made.terrain, self.boxes, seed)?;
         Ok(made)
     }

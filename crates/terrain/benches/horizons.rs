@@ -1,18 +1,19 @@
-//! What horizons cost to find, a vertex and direction, and what it costs to ask a field's groups who may be seen.
+//! The cost of finding horizons for each vertex and direction, and of finding the visible groups of a field in a frame.
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use std::hint::black_box;
 
 use antumbra_demo_scenes::terrain::FractalOptions;
 use antumbra_terrain::{
-    Arc, Detail, Eye, Field, GroupOptions, Groups, Horizons, Method, Scope, Sectors,
+    AzimuthRange, Field, GroupHierarchy, GroupOptions, Horizons, Method, Observer, RasterDetail,
+    Scope, Sectors,
 };
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use glam::DVec3;
 
 fn field(vertices: usize) -> Field {
     let raster = FractalOptions::default().raster().unwrap();
-    Field::over(&raster, Detail::Vertices(vertices)).unwrap()
+    Field::from_raster(&raster, RasterDetail::Vertices(vertices)).unwrap()
 }
 
 fn finding(criterion: &mut Criterion) {
@@ -21,8 +22,8 @@ fn finding(criterion: &mut Criterion) {
     let sectors = Sectors::new(16, 1).unwrap();
     for vertices in [10_000, 100_000] {
         let field = field(vertices);
-        let questions = field.points().len() as u64 * u64::from(sectors.count() * sectors.parts());
-        group.throughput(Throughput::Elements(questions));
+        let queries = field.points().len() as u64 * u64::from(sectors.count() * sectors.parts());
+        group.throughput(Throughput::Elements(queries));
         for method in Method::ALL {
             group.bench_with_input(
                 BenchmarkId::new(method.to_string(), vertices),
@@ -36,17 +37,17 @@ fn finding(criterion: &mut Criterion) {
     group.finish();
 }
 
-fn asking(criterion: &mut Criterion) {
+fn traversing(criterion: &mut Criterion) {
     let field = field(20_000);
     let sectors = Sectors::default();
     let horizons = Horizons::find(&field, sectors, Method::Sound, Scope::Surface, &|| ());
     let mut group = criterion.benchmark_group("a frame");
     for seeds in [100, 600, 2000] {
         let options = GroupOptions {
-            smallest: 1,
+            min_triangles: 1,
             ..GroupOptions::of_seeds(seeds)
         };
-        let groups = Groups::make(&field, &horizons, &options).unwrap();
+        let groups = GroupHierarchy::build(&field, &horizons, &options).unwrap();
         let crystals = groups
             .groups()
             .iter()
@@ -57,7 +58,8 @@ fn asking(criterion: &mut Criterion) {
         group.bench_function(BenchmarkId::from_parameter(crystals), |b| {
             b.iter(|| {
                 let mut seen = 0;
-                Eye::new(&groups, black_box(eye), Arc::ALL).each_seen(|_| seen += 1);
+                Observer::new(&groups, black_box(eye), AzimuthRange::ALL)
+                    .each_visible(|_| seen += 1);
                 seen
             });
         });
@@ -65,5 +67,5 @@ fn asking(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, finding, asking);
+criterion_group!(benches, finding, traversing);
 criterion_main!(benches);

@@ -1,29 +1,29 @@
-//! What can go wrong with a height field: what, where, and what to do.
+//! The error type of the crate: what is wrong, where it is, and what to do about it.
 
 use thiserror::Error;
 
-use crate::field::Fault;
+use crate::fault::FieldFault;
 
-/// Why there is no such terrain.
+/// Why a terrain could not be made, prepared, read or written.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum TerrainError {
-    /// A mesh that is not single-valued over the plan, or not a surface.
-    #[error("this is no height field: {}", list(faults, *total))]
+    /// A mesh that is not single-valued over the plan, or is not a surface.
+    #[error("the mesh is no height field: {}", list(faults, *total))]
     NotAHeightField {
         /// The first of its faults.
-        faults: Vec<Fault>,
-        /// How many there are in all; of triangles one above the other at least so many.
+        faults: Vec<FieldFault>,
+        /// The number of all faults. Of overlapping triangles only some pairs are counted, so this is a lower bound for them.
         total: usize,
     },
-    /// More than can be numbered.
-    #[error("{count} {what} are more than {most}; divide the field into blocks")]
+    /// More items than indices can number.
+    #[error("{count} {what} are more than {most}; divide the field into tiles")]
     TooMany {
-        /// Of what.
+        /// The name of the items.
         what: &'static str,
         /// How many there are.
         count: usize,
-        /// How many there may be.
+        /// How many are allowed.
         most: usize,
     },
     /// A raster that no field can be made of.
@@ -32,7 +32,7 @@ pub enum TerrainError {
         /// What is wrong, and what to do.
         problem: String,
     },
-    /// The scene refused something.
+    /// The scene refused an operation.
     #[error(transparent)]
     Scene(#[from] antumbra_scene::SceneError),
     /// A scene file that cannot be read.
@@ -43,13 +43,15 @@ pub enum TerrainError {
     #[cfg(feature = "files")]
     #[error(transparent)]
     Save(#[from] antumbra_formats::SaveError),
-    /// A scene without what is known of its terrain.
+    /// A scene file without the data of a prepared terrain.
+    #[cfg(feature = "files")]
     #[error(
-        "it has no extension ANTUMBRA_horizons: write it with Terrain::save or `antumbra prepare`"
+        "the file has no extension ANTUMBRA_horizons: write it with Terrain::save or `antumbra prepare`"
     )]
     NotPrepared,
-    /// What a file says of its terrain cannot be.
-    #[error("its extension ANTUMBRA_horizons cannot be used: {problem}; prepare the terrain again")]
+    /// A scene file whose terrain data is damaged or does not fit its scene.
+    #[cfg(feature = "files")]
+    #[error("the extension ANTUMBRA_horizons cannot be used: {problem}; prepare the terrain again")]
     BadFile {
         /// What is wrong, and where.
         problem: String,
@@ -57,16 +59,17 @@ pub enum TerrainError {
     /// A setting out of its range.
     #[error("{what} cannot be {value}: {problem}")]
     Setting {
-        /// Its name.
+        /// The name of the setting.
         what: &'static str,
-        /// What was asked for.
+        /// The value that was given.
         value: String,
-        /// What is possible.
+        /// The values that are allowed.
         problem: &'static str,
     },
 }
 
-fn list(faults: &[Fault], total: usize) -> String {
+/// The faults in one line, and how many are not listed.
+fn list(faults: &[FieldFault], total: usize) -> String {
     let mut text = faults
         .iter()
         .map(ToString::to_string)

@@ -1,67 +1,77 @@
-//! Height fields: triangle meshes that are single-valued over the plan, whatever their triangles are.
+//! Height fields: triangle meshes that are single-valued over the plan, regular or not.
 //!
-//! A height field keeps its corners in metres east, north and up of an origin of its own, so that fields far from zero lose nothing.
-//! Everything about it that can be wrong is found once, when it is made, and named with its place.
+//! A field keeps its vertices in metres east, north and up of an origin of its own, so that a field far from zero loses no precision. All
+//! faults are found when the field is made, and each is reported with its position.
 
+mod boundary;
 mod check;
-mod fault;
-mod outline;
+mod half_edge;
 mod weld;
 
 use glam::{DVec2, DVec3};
 
 use crate::error::TerrainError;
+use check::{Checked, Origin};
 
-pub use fault::Fault;
-pub use outline::Outline;
-pub(crate) use outline::around;
-
-/// Stands for no triangle, no edge and no vertex.
-pub const NONE: u32 = u32::MAX;
+pub use boundary::Boundary;
+pub use half_edge::{NONE, next, prev};
 
 /// A triangle mesh that is single-valued over the plan.
 ///
-/// A half-edge is a side of a triangle: half-edge `3 t + k` leads from corner `k` of triangle `t` to the next one, and has the triangle on
+/// A half-edge is a side of a triangle: half-edge `3 t + k` leads from corner `k` of triangle `t` to the next corner, with the triangle on
 /// its left.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {
     origin: DVec3,
     points: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
-    /// For each half-edge, the one that runs the other way; [`NONE`] at the border.
-    across: Vec<u32>,
+    /// For each half-edge, the half-edge of the neighbouring triangle; [`NONE`] at the boundary.
+    opposite: Vec<u32>,
     /// One half-edge for each edge.
     edges: Vec<u32>,
-    outline: Outline,
+    boundary: Boundary,
 }
 
 impl Field {
-    /// A field of corners in metres east, north and up, and triangles that all turn the same way. Corners at one place are made one;
-    /// corners of no triangle are dropped.
+    /// Makes a field of points in metres east, north and up, and of triangles of one winding. Points at one position are welded, and
+    /// points without a triangle are dropped. The origin becomes the middle of the field, in whole metres.
     ///
     /// # Errors
-    /// [`TerrainError::NotAHeightField`] with every fault's place, [`TerrainError::TooMany`].
+    /// [`TerrainError::NotAHeightField`] with every fault's position, [`TerrainError::TooMany`].
     pub fn new(points: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Self, TerrainError> {
-        check::make(points, triangles, true)
+        let checked = check::check(points, triangles, Origin::Centred)?;
+        Ok(Self::from_checked(checked))
     }
 
-    /// The same with an origin of your own, which corners are metres east, north and up of.
+    /// Makes a field about a given origin, which the points are relative to. Otherwise as [`Self::new`].
     ///
     /// # Errors
     /// As [`Self::new`].
-    pub fn about(
+    pub fn with_origin(
         origin: DVec3,
         points: Vec<DVec3>,
         triangles: Vec<[u32; 3]>,
     ) -> Result<Self, TerrainError> {
-        let field = check::make(points, triangles, false)?;
+        let checked = check::check(points, triangles, Origin::Zero)?;
+        let field = Self::from_checked(checked);
         Ok(Self { origin, ..field })
     }
 
-    /// The field as it is drawn: with every vertex where 32 bits put it. Horizons of anything else would be true of another surface.
+    fn from_checked(checked: Checked) -> Self {
+        Self {
+            origin: checked.origin,
+            points: checked.points,
+            triangles: checked.triangles,
+            opposite: checked.opposite,
+            edges: checked.edges,
+            boundary: checked.boundary,
+        }
+    }
+
+    /// The field as the GPU draws it: every vertex rounded to f32. Horizons must be those of the drawn surface.
     ///
     /// # Errors
-    /// [`TerrainError::NotAHeightField`] where rounding turns triangles over or makes them empty.
+    /// [`TerrainError::NotAHeightField`] if rounding flips a triangle or leaves it without an area.
     pub fn rounded(self) -> Result<Self, TerrainError> {
         let round = |point: &DVec3| point.as_vec3().as_dvec3();
         let same = |point: &DVec3| round(point) == *point;
@@ -69,11 +79,11 @@ impl Field {
             return Ok(self);
         }
         let points = self.points.iter().map(round).collect();
-        // About the same origin: what is moved may have to be rounded again.
-        Self::about(self.origin, points, self.triangles)
+        // The origin stays: about another one the points would have to be rounded again.
+        Self::with_origin(self.origin, points, self.triangles)
     }
 
-    /// Where the field's own coordinates begin: metres east, north and up.
+    /// The origin of the field's coordinates, metres east, north and up.
     #[must_use]
     pub fn origin(&self) -> DVec3 {
         self.origin
@@ -91,10 +101,10 @@ impl Field {
         &self.triangles
     }
 
-    /// The border of the field, and whether it has gaps.
+    /// The boundary of the field, with its holes.
     #[must_use]
-    pub fn outline(&self) -> &Outline {
-        &self.outline
+    pub fn boundary(&self) -> &Boundary {
+        &self.boundary
     }
 
     /// One half-edge for each edge.
@@ -103,36 +113,37 @@ impl Field {
         &self.edges
     }
 
-    /// For each half-edge, the number of its edge in [`Self::edges`].
+    /// For each half-edge, the index of its edge in [`Self::edges`].
     #[must_use]
-    pub(crate) fn edge_numbers(&self) -> Vec<u32> {
-        let mut numbers = vec![NONE; self.across.len()];
-        for (number, &half) in (0..).zip(&self.edges) {
-            numbers[half as usize] = number;
-            if let Some(other) = numbers.get_mut(self.across(half) as usize) {
-                *other = number;
+    pub(crate) fn edge_indices(&self) -> Vec<u32> {
+        let mut indices = vec![NONE; self.opposite.len()];
+        for (index, &half_edge) in (0..).zip(&self.edges) {
+            indices[half_edge as usize] = index;
+            if let Some(other) = indices.get_mut(self.opposite(half_edge) as usize) {
+                *other = index;
             }
         }
-        numbers
+        indices
     }
 
-    /// The half-edge that runs the other way; [`NONE`] at the border.
+    /// The half-edge of the neighbouring triangle at the same edge; [`NONE`] at the boundary.
     #[must_use]
-    pub fn across(&self, half: u32) -> u32 {
-        self.across.get(half as usize).copied().unwrap_or(NONE)
+    pub fn opposite(&self, half_edge: u32) -> u32 {
+        let opposite = self.opposite.get(half_edge as usize);
+        opposite.copied().unwrap_or(NONE)
     }
 
-    /// The vertex that a half-edge leaves.
+    /// The vertex that a half-edge starts at.
     #[must_use]
-    pub fn start(&self, half: u32) -> u32 {
-        let corners = &self.triangles[half as usize / 3];
-        corners[half as usize % 3]
+    pub fn start(&self, half_edge: u32) -> u32 {
+        let corners = &self.triangles[half_edge as usize / 3];
+        corners[half_edge as usize % 3]
     }
 
-    /// The vertex that a half-edge leads to.
+    /// The vertex that a half-edge ends at.
     #[must_use]
-    pub fn end(&self, half: u32) -> u32 {
-        self.start(next(half))
+    pub fn end(&self, half_edge: u32) -> u32 {
+        self.start(next(half_edge))
     }
 
     /// A vertex, metres east, north and up of the origin.
@@ -141,39 +152,52 @@ impl Field {
         self.points[vertex as usize]
     }
 
-    /// The corners of a triangle.
+    /// The corners of a triangle, metres east, north and up of the origin.
     #[must_use]
     pub fn corners(&self, triangle: u32) -> [DVec3; 3] {
         self.triangles[triangle as usize].map(|vertex| self.point(vertex))
     }
 
-    /// The two ends of an edge.
+    /// The start and the end of a half-edge, metres east, north and up of the origin.
     #[must_use]
-    pub fn ends(&self, half: u32) -> [DVec3; 2] {
-        [self.point(self.start(half)), self.point(self.end(half))]
+    pub fn ends(&self, half_edge: u32) -> [DVec3; 2] {
+        [
+            self.point(self.start(half_edge)),
+            self.point(self.end(half_edge)),
+        ]
     }
 
-    /// The smallest box around it in the plan.
+    /// The bounding box of the field in the plan: its lowest and its highest corner.
     #[must_use]
     pub fn plan_bounds(&self) -> [DVec2; 2] {
         let plan = self.points.iter().map(|point| point.truncate());
         let empty = [DVec2::INFINITY, DVec2::NEG_INFINITY];
         plan.fold(empty, |[low, high], at| [low.min(at), high.max(at)])
     }
-}
 
-/// The next side of the same triangle.
-#[must_use]
-pub fn next(half: u32) -> u32 {
-    if half % 3 == 2 { half - 2 } else { half + 1 }
-}
-
-/// The side before it, of the same triangle.
-#[must_use]
-pub fn before(half: u32) -> u32 {
-    if half.is_multiple_of(3) {
-        half + 2
-    } else {
-        half - 1
+    /// The edges at the vertex that a half-edge starts at, one half-edge for each, of either direction.
+    pub(crate) fn edges_around_start(&self, half_edge: u32) -> Vec<u32> {
+        let mut edges = vec![half_edge];
+        let mut at = half_edge;
+        loop {
+            // Counter-clockwise: the side that leads back to the vertex starts at it in the neighbouring triangle.
+            let back = prev(at);
+            edges.push(back);
+            at = self.opposite(back);
+            if at == half_edge {
+                return edges;
+            }
+            if at == NONE {
+                break;
+            }
+        }
+        // The walk ended at the boundary. The remaining edges lie clockwise of the first.
+        let mut at = self.opposite(half_edge);
+        while at != NONE {
+            let out = next(at);
+            edges.push(out);
+            at = self.opposite(out);
+        }
+        edges
     }
 }

@@ -1,19 +1,19 @@
-//! Prepared terrains as files: a binary glTF that every viewer shows, and in it the extension `ANTUMBRA_horizons`, with which nothing is
-//! prepared again. What its fields are is told in `docs/horizons-extension.md`.
+//! Prepared terrains as files: a binary glTF file that every viewer shows, with the extension `ANTUMBRA_horizons`, from which the terrain is
+//! read without preparing it again. `docs/horizons-extension.md` describes its fields.
 //!
-//! A file is hostile until it is read: what it counts is held against the bytes that are there before memory is taken, and whatever can be
-//! found out about a field, a hierarchy or a mesh is found out. What hides a group cannot be, short of finding all horizons again: regions
-//! are believed, and culling is as right as whoever wrote them.
+//! A file is treated as hostile. Counts are compared with the bytes that exist before memory is allocated, and everything that can be
+//! checked about a field, a hierarchy or a mesh is checked. Regions cannot be checked without finding all horizons again. They are taken as
+//! they are, and culling is as correct as the program that wrote them.
 //!
 //! ```
 //! use antumbra_formats::LoadOptions;
 //! use antumbra_scene::Scene;
-//! use antumbra_terrain::{Detail, Field, PreparedScene, Terrain, TerrainOptions};
+//! use antumbra_terrain::{Field, PreparedScene, RasterDetail, Terrain, TerrainOptions};
 //! use antumbra_demo_scenes::terrain::FractalOptions;
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let raster = FractalOptions { order: 4, ..FractalOptions::default() }.raster()?;
-//! let field = Field::over(&raster, Detail::Vertices(100))?;
+//! let field = Field::from_raster(&raster, RasterDetail::Vertices(100))?;
 //! let terrain = Terrain::prepare(field, &TerrainOptions::default(), &|| ())?;
 //! let mut scene = Scene::new();
 //! let shown = terrain.show_lit(&mut scene)?;
@@ -31,7 +31,8 @@
 mod check;
 mod layout;
 mod numbers;
-mod shown;
+mod problem;
+mod scene_check;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -43,26 +44,27 @@ use glam::{DVec2, DVec3};
 use crate::circle::Circle;
 use crate::error::TerrainError;
 use crate::field::Field;
-use crate::groups::{Group, Groups};
+use crate::groups::{Group, GroupHierarchy, HierarchyParts};
 use crate::region::{CORNERS, Region};
-use crate::show::ShownTerrain;
+use crate::show::{ShownGroup, ShownTerrain, ShownUngrouped, TerrainInScene};
 use crate::terrain::Terrain;
 use layout::Layout;
 use numbers::{Reader, Writer};
+use problem::bad;
 
-/// The extension's name.
+pub use layout::VERSION;
+
+/// The name of the extension.
 pub const EXTENSION: &str = "ANTUMBRA_horizons";
-/// The version that is written. The first, which has one reach, is read too.
-pub const VERSION: u64 = 2;
 
-/// A scene out of a file, and what is known of its terrain.
+/// A scene with a prepared terrain.
 #[derive(Debug)]
 pub struct PreparedScene {
     /// The scene.
     pub scene: Scene,
-    /// What is known of its terrain.
+    /// The terrain.
     pub terrain: Arc<Terrain>,
-    /// Its entities.
+    /// The entities that show the terrain.
     pub shown: ShownTerrain,
 }
 
@@ -75,19 +77,19 @@ impl PreparedScene {
         let loaded = load_with_attachments(path, options, &[EXTENSION])?;
         let attachment = loaded.attachments.into_iter().next();
         let attachment = attachment.ok_or(TerrainError::NotPrepared)??;
-        let (terrain, shown) = Terrain::read(&loaded.scene, &attachment)?;
+        let TerrainInScene { terrain, shown } = Terrain::read(&loaded.scene, &attachment)?;
         Ok(Self {
             scene: loaded.scene,
-            terrain: Arc::new(terrain),
+            terrain,
             shown,
         })
     }
 
-    /// A scene that shows a terrain and nothing else.
+    /// A scene with the given name that shows a terrain and nothing else.
     ///
     /// # Errors
     /// As [`Terrain::show_lit`].
-    pub fn of(terrain: Terrain, name: &str) -> Result<Self, TerrainError> {
+    pub fn from_terrain(terrain: Terrain, name: &str) -> Result<Self, TerrainError> {
         let mut scene = Scene::new();
         scene.set_name(name);
         let shown = terrain.show_lit(&mut scene)?;
@@ -99,37 +101,30 @@ impl PreparedScene {
     }
 }
 
-/// An error about a file.
-fn bad(problem: impl Into<String>) -> TerrainError {
-    TerrainError::BadFile {
-        problem: problem.into(),
-    }
-}
-
 impl Terrain {
-    /// Saves a scene that shows the terrain, and with it all that is known of the terrain.
+    /// Saves a scene that shows the terrain, with the extension.
     ///
     /// # Errors
-    /// [`TerrainError::BadFile`] where the scene does not show the terrain as it was shown, [`TerrainError::Save`].
+    /// [`TerrainError::BadFile`] if the scene does not show the terrain as it was shown, [`TerrainError::Save`].
     pub fn save(
         &self,
         scene: &Scene,
         shown: &ShownTerrain,
         path: &Path,
     ) -> Result<(), TerrainError> {
-        shown::agrees(self, scene, shown)?;
+        scene_check::check_scene(self, scene, shown)?;
         save_glb_with_attachments(scene, &[self.attachment(shown)?], path)?;
         Ok(())
     }
 
-    /// All that is known of the terrain and of who shows what of it, for [`save_glb_with_attachments`].
+    /// The extension's data, for [`save_glb_with_attachments`].
     ///
     /// # Errors
-    /// [`TerrainError::BadFile`] for a block with a margin: a file holds nothing of the neighbours that it rests on.
+    /// [`TerrainError::BadFile`] for a tile with a margin: a file has no data of the neighbours that its horizons depend on.
     pub fn attachment(&self, shown: &ShownTerrain) -> Result<Attachment, TerrainError> {
         if !self.margin().is_empty() {
             return Err(bad(
-                "the terrain is a block whose horizons rest on its neighbours: save one that was prepared without a margin",
+                "the terrain is a tile whose horizons depend on its neighbours: save one that was prepared without a margin",
             ));
         }
         let (field, groups) = (self.field(), self.groups());
@@ -153,11 +148,11 @@ impl Terrain {
         let ranges = groups.groups().iter().map(|group| &group.triangles);
         out.row(ranges.map(|range| [range.start, range.end]));
         out.row(groups.groups().iter().map(|group| group.children));
-        out.row(groups.tops().iter().map(|&top| [top]));
+        out.row(groups.roots().iter().map(|&root| [root]));
         out.row(groups.order().iter().map(|&triangle| [triangle]));
-        let always = || shown.always.iter().map(|(_, triangles)| triangles);
-        out.row(always().flatten().map(|&triangle| [triangle]));
-        let ends = always().scan(0, |end, triangles| {
+        let ungrouped = || shown.ungrouped.iter().map(|shown| &shown.triangles);
+        out.row(ungrouped().flatten().map(|&triangle| [triangle]));
+        let ends = ungrouped().scan(0, |end, triangles| {
             *end += triangles.len() as u32;
             Some([*end])
         });
@@ -168,13 +163,13 @@ impl Terrain {
             vertices: field.points().len(),
             triangles: field.triangles().len(),
             groups: groups.groups().len(),
-            tops: groups.tops().len(),
-            always: groups.always().len(),
-            always_nodes: shown.always.len(),
+            roots: groups.roots().len(),
+            ungrouped: groups.ungrouped().len(),
+            ungrouped_nodes: shown.ungrouped.len(),
         };
         let mut entities = vec![shown.root];
-        entities.extend(shown.groups.iter().map(|(entity, _)| *entity));
-        entities.extend(shown.always.iter().map(|(entity, _)| *entity));
+        entities.extend(shown.groups.iter().map(|shown| shown.entity));
+        entities.extend(shown.ungrouped.iter().map(|shown| shown.entity));
         Ok(Attachment {
             name: EXTENSION.to_owned(),
             entities,
@@ -183,17 +178,14 @@ impl Terrain {
         })
     }
 
-    /// The terrain that a scene shows, out of what its file says of it. `scene` is as it was loaded.
+    /// Reads the terrain that a scene shows from the extension's data. `scene` must be as it was loaded.
     ///
     /// # Errors
-    /// [`TerrainError::BadFile`] for another version, and for all that cannot be; [`TerrainError::NotAHeightField`] where the file's field is
-    /// none.
-    pub fn read(
-        scene: &Scene,
-        attachment: &Attachment,
-    ) -> Result<(Self, ShownTerrain), TerrainError> {
+    /// [`TerrainError::BadFile`] for an unsupported version and for invalid data, [`TerrainError::NotAHeightField`] if the data's mesh is no
+    /// height field.
+    pub fn read(scene: &Scene, attachment: &Attachment) -> Result<TerrainInScene, TerrainError> {
         let layout = Layout::read(&attachment.properties)?;
-        layout.fits(attachment.bytes.len())?;
+        layout.check_size(attachment.bytes.len())?;
         let mut rest = Reader::new(&attachment.bytes);
         let origin = rest.row(1)?.into_iter().next().unwrap_or_default();
         let circles: Vec<[f64; 3]> = rest.row(layout.groups)?;
@@ -214,27 +206,31 @@ impl Terrain {
             },
             heights,
         });
-        let tops: Vec<[u32; 1]> = rest.row(layout.tops)?;
+        let roots: Vec<[u32; 1]> = rest.row(layout.roots)?;
         let order: Vec<[u32; 1]> = rest.row(layout.triangles)?;
-        let grouped = layout.triangles.checked_sub(layout.always);
+        let grouped = layout.triangles.checked_sub(layout.ungrouped);
         let grouped =
             grouped.ok_or_else(|| bad("more triangles are in no group than there are"))?;
-        let groups = Groups::from_parts(
-            layout.sectors,
-            groups.collect(),
+        let groups = GroupHierarchy::from_parts(HierarchyParts {
+            sectors: layout.sectors,
+            groups: groups.collect(),
             regions,
-            tops.into_flattened(),
-            order.into_flattened(),
-            grouped as u32..layout.triangles as u32,
-        );
-        check::groups(&field, &groups)?;
-        let always: Vec<[u32; 1]> = rest.row(layout.always)?;
-        let ends: Vec<[u32; 1]> = rest.row(layout.always_nodes)?;
-        let always = check::always(&groups, always.as_flattened(), ends.as_flattened())?;
-        let shown = shown_by(&groups, always, &attachment.entities)?;
+            roots: roots.into_flattened(),
+            order: order.into_flattened(),
+            ungrouped: grouped as u32..layout.triangles as u32,
+        });
+        check::check_groups(&field, &groups)?;
+        let ungrouped: Vec<[u32; 1]> = rest.row(layout.ungrouped)?;
+        let ends: Vec<[u32; 1]> = rest.row(layout.ungrouped_nodes)?;
+        let ungrouped =
+            check::check_ungrouped(&groups, ungrouped.as_flattened(), ends.as_flattened())?;
+        let shown = shown_by(&groups, ungrouped, &attachment.entities)?;
         let terrain = Self::from_parts(field, groups, layout.method);
-        shown::agrees(&terrain, scene, &shown)?;
-        Ok((terrain, shown))
+        scene_check::check_scene(&terrain, scene, &shown)?;
+        Ok(TerrainInScene {
+            terrain: Arc::new(terrain),
+            shown,
+        })
     }
 }
 
@@ -255,28 +251,29 @@ fn regions(
         Region::from_parts(corners, slope).ok_or_else(|| {
             let (group, sector, reach) = (at / each, at % each / reaches, at % reaches);
             bad(format!(
-                "what hides group {group} in sector {sector} and reach {reach} is no region: {row:?}"
+                "the region of group {group}, sector {sector} and reach {reach} is invalid: {row:?}"
             ))
         })
     };
     rows.into_iter().enumerate().map(region).collect()
 }
 
-/// The field, if it is one, and as it was when it was made.
+/// Makes the field, and checks that its vertices and triangles are in the order in which it stores them.
 fn field(
     origin: DVec3,
     points: &[[f32; 3]],
     triangles: Vec<[u32; 3]>,
 ) -> Result<Field, TerrainError> {
     if !origin.is_finite() || origin.abs().max_element() > 1e9 {
-        let problem = format!("its origin {origin} is no place within 1e9 metres of zero");
+        let problem =
+            format!("its origin {origin} is not finite, or not within 1e9 metres of zero");
         return Err(bad(problem));
     }
     let points = points
         .iter()
         .map(|&point| glam::Vec3::from(point).as_dvec3());
     let points: Vec<DVec3> = points.collect();
-    let field = Field::about(origin, points.clone(), triangles.clone())?;
+    let field = Field::with_origin(origin, points.clone(), triangles.clone())?;
     if field.points() != points || field.triangles() != triangles {
         return Err(bad(
             "its vertices and triangles are not in the order in which a field has them",
@@ -285,26 +282,30 @@ fn field(
     Ok(field)
 }
 
-/// Who shows what: the root, an entity for each crystal, and those always drawn.
+/// Assigns the entities: the root, then one for each leaf group, then those of the ungrouped triangles.
 fn shown_by(
-    groups: &Groups,
-    always: Vec<Vec<u32>>,
+    groups: &GroupHierarchy,
+    ungrouped: Vec<Vec<u32>>,
     entities: &[EntityKey],
 ) -> Result<ShownTerrain, TerrainError> {
     let all = groups.groups().iter().enumerate();
     let leaves = all.filter_map(|(number, group)| group.is_leaf().then_some(number as u32));
     let leaves: Vec<u32> = leaves.collect();
-    let needed = 1 + leaves.len() + always.len();
-    let there = entities.len();
-    let Some((root, rest)) = entities.split_first().filter(|_| there == needed) else {
+    let needed = 1 + leaves.len() + ungrouped.len();
+    let found = entities.len();
+    let Some((root, rest)) = entities.split_first().filter(|_| found == needed) else {
         return Err(bad(format!(
-            "it names {there} nodes where its terrain needs {needed}"
+            "it names {found} nodes, but its terrain needs {needed}"
         )));
     };
-    let (crystals, rest) = rest.split_at(leaves.len());
+    let (of_groups, rest) = rest.split_at(leaves.len());
+    let group = |(&entity, group)| ShownGroup { entity, group };
+    let ungrouped = rest.iter().zip(ungrouped);
     Ok(ShownTerrain {
         root: *root,
-        groups: crystals.iter().copied().zip(leaves).collect(),
-        always: rest.iter().copied().zip(always).collect(),
+        groups: of_groups.iter().zip(leaves).map(group).collect(),
+        ungrouped: ungrouped
+            .map(|(&entity, triangles)| ShownUngrouped { entity, triangles })
+            .collect(),
     })
 }

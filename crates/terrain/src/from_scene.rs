@@ -1,4 +1,4 @@
-//! Fields out of scenes: all triangles, wherever their entities stand.
+//! Fields from scenes: all triangles of all entities, in world coordinates.
 
 use std::collections::VecDeque;
 
@@ -7,24 +7,24 @@ use glam::{DAffine3, Vec3};
 
 use crate::error::TerrainError;
 use crate::field::Field;
-use crate::show::from_world;
+use crate::world::from_world;
 
-/// The most corners, and the most triangles: a mesh may stand in a scene any number of times.
+/// The most corners, and the most triangles: a mesh may be in a scene any number of times.
 const MOST: usize = 1 << 27;
 
 impl Field {
-    /// A field of all triangles of a scene, at full detail, with Y up and Z south made metres east, north and up: what
-    /// a loader makes of a mesh's file. Lines and points are no part of it.
+    /// Makes a field of all triangles of a scene, at full detail: of what a loader makes of a mesh's file, for example. World coordinates, Y
+    /// up and Z south, become metres east, north and up. Lines and points are ignored.
     ///
-    /// Corners at one place are made one, to the last bit; meshes that were moved apart and back may no longer touch.
+    /// Corners are welded if their positions are equal to the last bit. Meshes that were moved apart and back may no longer touch.
     ///
     /// # Errors
-    /// [`TerrainError::NotAHeightField`] with every fault's place, metres east, north and up, and triangles numbered through all entities,
-    /// those above first; [`TerrainError::TooMany`].
-    pub fn of_scene(scene: &Scene) -> Result<Self, TerrainError> {
+    /// [`TerrainError::NotAHeightField`] with every fault's position, metres east, north and up, and triangles numbered through all entities,
+    /// parents before their children; [`TerrainError::TooMany`].
+    pub fn from_scene(scene: &Scene) -> Result<Self, TerrainError> {
         let shown = shown(scene);
         let count = |each: fn(&Geometry) -> usize| {
-            let counts = shown.iter().map(|(_, geometry)| each(geometry));
+            let counts = shown.iter().map(|placed| each(placed.geometry));
             counts.fold(0, usize::saturating_add)
         };
         for (what, count) in [
@@ -38,7 +38,7 @@ impl Field {
         }
         let mut points = Vec::new();
         let mut triangles: Vec<[u32; 3]> = Vec::new();
-        for (world, geometry) in shown {
+        for PlacedGeometry { world, geometry } in shown {
             let first = points.len() as u32;
             let corners = geometry.positions.iter();
             points.extend(
@@ -56,17 +56,23 @@ impl Field {
     }
 }
 
-/// All triangle meshes that entities have, and where they stand, each entity after the one that it hangs below.
-fn shown(scene: &Scene) -> Vec<(DAffine3, &Geometry)> {
+/// A triangle mesh in the world.
+struct PlacedGeometry<'a> {
+    world: DAffine3,
+    geometry: &'a Geometry,
+}
+
+/// All triangle meshes of a scene's entities, parents before their children.
+fn shown(scene: &Scene) -> Vec<PlacedGeometry<'_>> {
     let mut shown = Vec::new();
     let mut open: VecDeque<(EntityKey, DAffine3)> = VecDeque::new();
     open.extend(scene.roots().map(|root| (root, DAffine3::IDENTITY)));
-    while let Some((entity, above)) = open.pop_front() {
-        let world = above * scene.local(entity).unwrap_or_default();
+    while let Some((entity, parent)) = open.pop_front() {
+        let world = parent * scene.local(entity).unwrap_or_default();
         let mesh = scene.drawable(entity).and_then(|it| scene.mesh(it.mesh));
         let full = mesh.and_then(|mesh| mesh.full());
         let triangles = full.filter(|full| full.topology == Topology::Triangles);
-        shown.extend(triangles.map(|full| (world, full)));
+        shown.extend(triangles.map(|geometry| PlacedGeometry { world, geometry }));
         open.extend(scene.children(entity).map(|child| (child, world)));
     }
     shown

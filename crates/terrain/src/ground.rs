@@ -1,75 +1,89 @@
-//! Where the surface is: the height below a place, and whether anything of the surface is near one.
+//! Queries about the surface of a field: its height at a position, and the highest point near a position.
 
 use glam::{DVec2, DVec3};
 
 use crate::field::Field;
-use crate::packed::{Boxes, Extent};
+use crate::packed_tree::{Extent, PackedTree};
 
-/// Finds a field's triangles by place. The field is named anew in every question, so that one can own both.
+/// A spatial index of a field's triangles in the plan. Every query takes the field as well, so that one struct can own both.
 #[derive(Debug, Clone)]
 pub struct Ground {
-    boxes: Boxes,
+    tree: PackedTree,
+}
+
+/// A point of the surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SurfacePoint {
+    /// The triangle that it lies in.
+    pub triangle: u32,
+    /// Its height, metres up of the field's origin.
+    pub height: f64,
 }
 
 impl Ground {
-    /// Of a field.
+    /// Indexes the triangles of a field.
     #[must_use]
     pub fn new(field: &Field) -> Self {
-        let extents = (0..field.triangles().len() as u32)
-            .map(|triangle| Extent::around(field.corners(triangle).map(DVec3::truncate)));
+        let extents: Vec<Extent> = (0..field.triangles().len() as u32)
+            .map(|triangle| Extent::around(field.corners(triangle).map(DVec3::truncate)))
+            .collect();
         Self {
-            boxes: Boxes::new(extents.collect()),
+            tree: PackedTree::new(&extents),
         }
     }
 
-    /// The triangle over a place in the plan, and its height there, metres; `None` outside of the field and in its holes.
+    /// The surface at a position in the plan, metres from the field's origin. `None` outside of the field and in its holes.
     #[must_use]
-    pub fn below(&self, field: &Field, place: DVec2) -> Option<(u32, f64)> {
+    pub fn surface_at(&self, field: &Field, at: DVec2) -> Option<SurfacePoint> {
         let mut found = None;
-        self.boxes.all(
-            |extent| extent.touches(&Extent::around([place])),
+        self.tree.each_while(
+            |extent| extent.touches(&Extent::around([at])),
             |triangle| {
-                found = height_of(field, triangle, place).map(|height| (triangle, height));
+                let height = height_in(field, triangle, at);
+                found = height.map(|height| SurfacePoint { triangle, height });
                 found.is_none()
             },
         );
         found
     }
 
-    /// Whether the field has a triangle with just these corners, counter-clockwise from any of them.
+    /// Whether the field has a triangle with these corners, counter-clockwise from any of them.
     #[must_use]
-    pub fn has(&self, field: &Field, [a, b, c]: &[DVec3; 3]) -> bool {
-        let turns = [[*a, *b, *c], [*b, *c, *a], [*c, *a, *b]];
+    pub fn has_triangle(&self, field: &Field, [a, b, c]: &[DVec3; 3]) -> bool {
+        let rotations = [[*a, *b, *c], [*b, *c, *a], [*c, *a, *b]];
         let extent = Extent::around([a, b, c].map(|corner| corner.truncate()));
-        !self.boxes.all(
+        !self.tree.each_while(
             |own| own.touches(&extent),
-            |triangle| !turns.contains(&field.corners(triangle)),
+            |triangle| !rotations.contains(&field.corners(triangle)),
         )
     }
 
-    /// The highest place of the triangles that reach within so many metres of a place in the plan; no higher than what of them does.
+    /// An upper bound of the surface's height within the square that reaches `reach` metres from a position in the plan, in each axis.
+    /// `None` where no triangle touches that square. The bound is the height of the triangles' planes over the square, or of their highest
+    /// corners where those are lower.
     #[must_use]
-    pub fn highest_near(&self, field: &Field, place: DVec2, reach: f64) -> Option<f64> {
+    pub fn highest_near(&self, field: &Field, at: DVec2, reach: f64) -> Option<f64> {
         let square = Extent {
-            low: place - reach,
-            high: place + reach,
+            low: at - reach,
+            high: at + reach,
         };
         let mut highest: Option<f64> = None;
-        self.boxes.each_touching(&square, |triangle| {
+        self.tree.each_touching(&square, |triangle| {
             let [a, b, c] = field.corners(triangle);
-            // Its box may touch the square where it does not itself: all of the square lies beyond one of its sides then.
+            // The triangle's box may touch the square when the triangle does not. Then the whole square lies beyond one of its sides.
             let beyond = |[a, b]: [DVec3; 2]| {
                 let side = (b - a).truncate();
-                let inward = side.perp_dot(place - a.truncate());
+                let inward = side.perp_dot(at - a.truncate());
                 inward + side.abs().element_sum() * reach < -1e-9 * side.length_squared()
             };
             if [[a, b], [b, c], [c, a]].into_iter().any(beyond) {
                 return;
             }
             let normal = (b - a).cross(c - a);
-            let fall = -normal.truncate() / normal.z;
-            // The plane over the square's highest corner, and no more than the triangle's own.
-            let plane = a.z + fall.dot(place - a.truncate()) + fall.abs().element_sum() * reach;
+            let gradient = -normal.truncate() / normal.z;
+            // The plane at the corner of the square where it is highest, and no higher than the triangle itself.
+            let plane =
+                a.z + gradient.dot(at - a.truncate()) + gradient.abs().element_sum() * reach;
             let top = plane.min(a.z.max(b.z).max(c.z));
             highest = Some(highest.map_or(top, |highest| highest.max(top)));
         });
@@ -77,16 +91,16 @@ impl Ground {
     }
 }
 
-/// The height of a triangle at a place in it.
-fn height_of(field: &Field, triangle: u32, place: DVec2) -> Option<f64> {
+/// The height of a triangle at a position within it; `None` outside of the triangle.
+fn height_in(field: &Field, triangle: u32, at: DVec2) -> Option<f64> {
     let corners = field.corners(triangle);
-    let [a, b, c] = corners.map(|corner| corner.truncate() - place);
-    let shares = [b.perp_dot(c), c.perp_dot(a), a.perp_dot(b)];
-    let inside = shares.iter().all(|share| *share >= 0.0);
-    let whole: f64 = shares.iter().sum();
+    let [a, b, c] = corners.map(|corner| corner.truncate() - at);
+    let weights = [b.perp_dot(c), c.perp_dot(a), a.perp_dot(b)];
+    let inside = weights.iter().all(|weight| *weight >= 0.0);
+    let total: f64 = weights.iter().sum();
     let heights = corners
         .iter()
-        .zip(shares)
-        .map(|(corner, share)| corner.z * share);
-    inside.then(|| heights.sum::<f64>() / whole)
+        .zip(weights)
+        .map(|(corner, weight)| corner.z * weight);
+    inside.then(|| heights.sum::<f64>() / total)
 }

@@ -1,18 +1,21 @@
-//! Horizons: for every vertex of a height field and every sector of directions, below which slope and beyond which distance nobody sees it.
+//! Horizons: for every vertex of a height field and every sector of directions, a slope and a distance. A viewpoint below that slope and
+//! beyond that distance does not see the vertex.
 //!
-//! Seen from a vertex, the terrain rises to a horizon in every direction. Whoever is farther away than what makes that horizon, and lower
-//! than the line over it, does not see the vertex, nor does the vertex see them: Stewart 1998. A [`Horizons`] table says so for whole
-//! sectors of directions, and for several reaches. Three [`Method`]s fill it.
+//! Seen from a vertex, the terrain rises to a horizon in every direction. A viewpoint that is farther away than the terrain that forms the
+//! horizon, and lower than the line over it, does not see the vertex (Stewart 1998). A [`Horizons`] table states this for whole sectors of
+//! directions, and for several reaches. One of three [`Method`]s fills it.
 
-mod bearing;
+pub(crate) mod boxes;
 mod bundle;
-pub(crate) mod compass;
 mod crossing;
+mod finder;
 mod rays;
+mod rotated_edges;
+pub(crate) mod sector_lookup;
 mod sectors;
 mod sound;
-pub(crate) mod standing;
 mod thesis;
+mod value;
 mod walk;
 
 use std::fmt;
@@ -22,70 +25,35 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::field::Field;
+use finder::{Finder, Row};
 
 pub use sectors::Sectors;
+pub use value::Horizon;
 
-/// Where nobody is seen from in one sector: farther away than `distance` and lower than a line that rises by `slope`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Horizon {
-    /// Metres up a metre away.
-    pub slope: f32,
-    /// Metres in the plan.
-    pub distance: f32,
-}
-
-impl Horizon {
-    /// Hides nothing.
-    pub const OPEN: Self = Self {
-        slope: f32::NEG_INFINITY,
-        distance: f32::INFINITY,
-    };
-
-    /// Hides everybody: before anything has been looked at.
-    pub(crate) const ALL: Self = Self {
-        slope: f32::INFINITY,
-        distance: 0.0,
-    };
-
-    /// Whether somebody `far` metres away in the plan and `up` metres higher is hidden.
-    #[must_use]
-    pub fn hides(&self, far: f64, up: f64) -> bool {
-        far >= f64::from(self.distance) && up < f64::from(self.slope) * far
-    }
-
-    /// What is hidden behind both.
-    #[must_use]
-    pub fn and(self, other: Self) -> Self {
-        Self {
-            slope: self.slope.min(other.slope),
-            distance: self.distance.max(other.distance),
-        }
-    }
-}
-
-/// How horizons are found.
+/// The method that finds horizons.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Method {
-    /// Edmondson's, after Stewart: the highest vertex of each sub-sector, the lowest of those of a sector. It misses edges that cross a
-    /// sub-sector between two vertices, and claims the highest vertex for directions in which the terrain is lower. It has one reach, whatever
-    /// is asked for.
+    /// Edmondson's, after Stewart: the highest vertex of each sub-sector, and the lowest of those of a sector. It misses edges that cross a
+    /// sub-sector between two vertices, and claims the highest vertex for directions in which the terrain is lower. It has one reach,
+    /// whatever the number of reaches asked for.
     Thesis,
-    /// The exact horizon along the middle of each sub-sector, the lowest of those of a sector. It claims it for all directions between.
+    /// The exact horizon along the middle of each sub-sector, and the lowest of those of a sector. It is claimed for all directions of the
+    /// sector.
     Rays,
-    /// What is hidden in every direction of the sector: exact horizons along the ends of each sub-sector, and between them the lowest place
-    /// of a wall of terrain that every direction crosses. Nothing is claimed where a direction leaves the field.
+    /// What is hidden in every direction of the sector. It takes exact horizons along the ends of each sub-sector, and between them the
+    /// lowest point of a wall of terrain that every direction crosses. Nothing is claimed where a direction leaves the field.
     #[default]
     Sound,
 }
 
 impl Method {
-    /// All of them.
+    /// All methods.
     pub const ALL: [Self; 3] = [Self::Thesis, Self::Rays, Self::Sound];
 
-    /// The sectors with as many of their reaches as it knows.
-    fn of(self, sectors: Sectors) -> Sectors {
+    /// The sectors with the reaches that the method supports.
+    fn supported(self, sectors: Sectors) -> Sectors {
         match self {
-            Self::Thesis => sectors.far(),
+            Self::Thesis => sectors.first_reach(),
             Self::Rays | Self::Sound => sectors,
         }
     }
@@ -110,31 +78,32 @@ impl FromStr for Method {
     }
 }
 
-/// What horizons are found of.
+/// What horizons are found for.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Scope {
-    /// Each vertex.
+    /// For each vertex.
     Vertices,
-    /// Each vertex, and each edge with all its places: a triangle may be seen between corners that are not, but not between edges that
-    /// are not. [`Method::Sound`] alone looks at edges; the others take what both ends have.
+    /// For each vertex and for each edge. A triangle may be visible between corners that are hidden, but not between edges that are hidden.
+    /// [`Method::Sound`] alone searches from edges. With the other methods an edge has what the horizons of both its ends hide.
     #[default]
     Surface,
 }
 
-/// A horizon for every vertex, and perhaps every edge, sector and reach.
+/// The horizons of all vertices of a field, and of all edges in [`Scope::Surface`], for each sector and reach.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Horizons {
     sectors: Sectors,
+    /// The number of vertices.
     vertices: usize,
-    /// Vertices and edges.
-    places: usize,
-    /// For each reach of each sector a row of vertices and then of edges.
+    /// The number of vertices and edges.
+    row_length: usize,
+    /// For each reach of each sector a row: the vertices, then the edges.
     table: Vec<Horizon>,
 }
 
 impl Horizons {
-    /// Finds the horizons of a field; `done` is told of every sector finished. Sectors run side by side. It takes eight bytes a vertex, sector and
-    /// reach, and as many for each edge.
+    /// Finds the horizons of a field. `done` is called once for each finished sector. Sectors run in parallel. The table takes eight bytes
+    /// for each vertex, sector and reach, and as many for each edge.
     pub fn find(
         field: &Field,
         sectors: Sectors,
@@ -142,117 +111,123 @@ impl Horizons {
         scope: Scope,
         done: &(dyn Fn() + Sync),
     ) -> Self {
-        let sectors = method.of(sectors);
+        let sectors = method.supported(sectors);
         let vertices = field.points().len();
         let edges = match scope {
             Scope::Vertices => 0,
             Scope::Surface => field.edges().len(),
         };
-        let places = vertices + edges;
-        let mut table = vec![Horizon::OPEN; places * sectors.rows()];
+        let row_length = vertices + edges;
+        let mut table = vec![Horizon::OPEN; row_length * sectors.rows()];
         let finder: Box<dyn Finder> = match method {
             Method::Thesis => Box::new(thesis::Thesis::new(field)),
             Method::Rays => Box::new(rays::Rays::new(field)),
             Method::Sound => Box::new(sound::Sound::new(field)),
         };
         table
-            .par_chunks_mut((places * sectors.reaches() as usize).max(1))
+            .par_chunks_mut((row_length * sectors.reaches() as usize).max(1))
             .enumerate()
             .for_each(|(sector, reaches)| {
                 let row = |row| Row::new(row, vertices);
-                let mut rows: Vec<Row<'_>> = reaches.chunks_mut(places.max(1)).map(row).collect();
-                finder.sector(&sectors, sector as u32, &mut rows);
+                let mut rows: Vec<Row<'_>> =
+                    reaches.chunks_mut(row_length.max(1)).map(row).collect();
+                finder.find_sector(&sectors, sector as u32, &mut rows);
                 done();
             });
         Self {
             sectors,
             vertices,
-            places,
+            row_length,
             table,
         }
     }
 
-    /// Those of a field that is the first part of this one: its triangles are the first here, and so are its vertices and edges.
+    /// The horizons of a part of this field whose vertices, edges and triangles are the first of this field.
     #[must_use]
-    pub(crate) fn first(self, part: &Field) -> Self {
+    pub(crate) fn of_first(self, part: &Field) -> Self {
         let [vertices, edges] = [part.points().len(), part.edges().len()];
-        let rows = self.table.chunks(self.places.max(1));
+        let rows = self.table.chunks(self.row_length.max(1));
         let kept = rows.flat_map(|row| {
-            let (points, sides) = row.split_at(self.vertices);
-            points.iter().take(vertices).chain(sides.iter().take(edges))
+            let (of_vertices, of_edges) = row.split_at(self.vertices);
+            of_vertices
+                .iter()
+                .take(vertices)
+                .chain(of_edges.iter().take(edges))
         });
         Self {
             table: kept.copied().collect(),
             sectors: self.sectors,
             vertices,
-            places: vertices + edges,
+            row_length: vertices + edges,
         }
     }
 
-    /// The sectors, with as many reaches as the method knows.
+    /// The sectors, with the reaches that the method supports.
     #[must_use]
     pub fn sectors(&self) -> &Sectors {
         &self.sectors
     }
 
-    /// The horizon of a vertex in a sector and reach; [`Horizon::OPEN`] where there is no such. Whoever is hidden by that of any reach is hidden.
+    /// The horizon of a vertex in a sector and reach; [`Horizon::OPEN`] if one of these does not exist. A vertex is hidden if the horizon of
+    /// any reach hides it.
     #[must_use]
-    pub fn at(&self, vertex: u32, sector: u32, reach: u32) -> Horizon {
+    pub fn of_vertex(&self, vertex: u32, sector: u32, reach: u32) -> Horizon {
         let known = (vertex as usize) < self.vertices;
         let row = self.row(sector, reach);
         let horizon = row.get(vertex as usize).filter(|_| known);
         horizon.copied().unwrap_or(Horizon::OPEN)
     }
 
-    /// The horizon of an edge, by its number in [`Field::edges`]: it holds at each of its places, at that place's own height and distance.
+    /// The horizon of an edge, by its index in [`Field::edges`]. It holds at each point of the edge, with that point's height and distance.
     #[must_use]
-    pub fn along(&self, edge: u32, sector: u32, reach: u32) -> Horizon {
+    pub fn of_edge(&self, edge: u32, sector: u32, reach: u32) -> Horizon {
         let row = self.row(sector, reach);
         let horizon = row.get(self.vertices + edge as usize);
         horizon.copied().unwrap_or(Horizon::OPEN)
     }
 
-    /// Whether all of an edge of this field between its ends is hidden from somebody at `from`, metres east, north and up of the field's origin. An end may
-    /// be seen where what hides the rest begins at it.
+    /// Whether an edge of this field is hidden between its ends from a viewpoint at `from`, metres east, north and up of the field's
+    /// origin. An end may be visible if the terrain that hides the rest begins at it.
     ///
-    /// Both ends do not speak for what lies between: somebody right before an edge is nearer to its middle than to its ends. So the nearest of its places is
-    /// asked for, and the one that comes closest to the line over the horizon.
+    /// The ends alone do not decide about the points between: a viewpoint just before an edge is nearer to its middle than to its ends. So
+    /// the nearest point of the edge is tested against the distance, and the point that comes closest to the line over the horizon against
+    /// the slope.
     #[must_use]
     pub fn hides_edge(&self, field: &Field, edge: u32, from: DVec3) -> bool {
-        let Some(&half) = field.edges().get(edge as usize) else {
+        let Some(&half_edge) = field.edges().get(edge as usize) else {
             return false;
         };
-        let ends = field.ends(half);
+        let ends = field.ends(half_edge);
         let [first, last] = ends.map(|end| self.sectors.containing((from - end).truncate()));
         let Some(sector) = first.filter(|_| first == last) else {
             return false;
         };
-        let long = (ends[1] - ends[0]).truncate().length();
-        let along = (ends[1] - ends[0]) / long;
+        let length = (ends[1] - ends[0]).truncate().length();
+        let along = (ends[1] - ends[0]) / length;
         let away = (from - ends[0]).truncate();
         let (foot, aside) = (
             away.dot(along.truncate()),
             away.perp_dot(along.truncate()).abs(),
         );
-        let nearest = (foot - foot.clamp(0.0, long)).hypot(aside);
+        let nearest = (foot - foot.clamp(0.0, length)).hypot(aside);
         (0..self.sectors.reaches()).any(|reach| {
-            let horizon = self.along(edge, sector, reach);
-            // Where the edge rises as fast as the line over the horizon falls with a place that comes nearer; a falling line is lowest at an end.
+            let horizon = self.of_edge(edge, sector, reach);
+            // The point where the edge rises as fast as the line over the horizon falls. A falling line is lowest at an end.
             let turn = along.z / f64::from(horizon.slope);
             let lowest = foot - turn * aside / (1.0 - turn * turn).max(0.0).sqrt();
-            let places = [
+            let points = [
                 0.0,
-                long,
+                length,
                 if lowest.is_finite() {
-                    lowest.clamp(0.0, long)
+                    lowest.clamp(0.0, length)
                 } else {
                     0.0
                 },
             ];
             nearest >= f64::from(horizon.distance)
-                && places.into_iter().all(|place| {
-                    let up = from.z - ends[0].z - along.z * place;
-                    up < f64::from(horizon.slope) * (foot - place).hypot(aside)
+                && points.into_iter().all(|at| {
+                    let up = from.z - ends[0].z - along.z * at;
+                    up < f64::from(horizon.slope) * (foot - at).hypot(aside)
                 })
         })
     }
@@ -262,51 +237,22 @@ impl Horizons {
         if reach >= reaches {
             return &[];
         }
-        let first = (sector as usize * reaches as usize + reach as usize) * self.places;
-        let row = self.table.get(first..first + self.places);
+        let first = (sector as usize * reaches as usize + reach as usize) * self.row_length;
+        let row = self.table.get(first..first + self.row_length);
         row.unwrap_or_default()
     }
 
-    /// Whether a vertex of this field is hidden from somebody at `from`, metres east, north and up of the field's origin.
+    /// Whether a vertex of this field is hidden from a viewpoint at `from`, metres east, north and up of the field's origin.
     #[must_use]
-    pub fn hides(&self, field: &Field, vertex: u32, from: DVec3) -> bool {
+    pub fn hides_vertex(&self, field: &Field, vertex: u32, from: DVec3) -> bool {
         let away = from - field.point(vertex);
         let Some(sector) = self.sectors.containing(away.truncate()) else {
             return false;
         };
-        let far = away.truncate().length();
-        (0..self.sectors.reaches()).any(|reach| self.at(vertex, sector, reach).hides(far, away.z))
+        let distance = away.truncate().length();
+        (0..self.sectors.reaches()).any(|reach| {
+            let horizon = self.of_vertex(vertex, sector, reach);
+            horizon.hides(distance, away.z)
+        })
     }
-}
-
-/// Horizons in one reach of one sector, [`Horizon::OPEN`] until found.
-struct Row<'a> {
-    vertices: &'a mut [Horizon],
-    /// Empty where edges are not asked for.
-    edges: &'a mut [Horizon],
-}
-
-impl<'a> Row<'a> {
-    fn new(row: &'a mut [Horizon], vertices: usize) -> Self {
-        let (vertices, edges) = row.split_at_mut(vertices);
-        Self { vertices, edges }
-    }
-
-    fn len(&self) -> usize {
-        self.vertices.len() + self.edges.len()
-    }
-
-    /// Takes for each edge what both of its ends have.
-    fn of_ends(&mut self, field: &Field) {
-        for (horizon, &half) in self.edges.iter_mut().zip(field.edges()) {
-            let [a, b] = [field.start(half), field.end(half)];
-            *horizon = self.vertices[a as usize].and(self.vertices[b as usize]);
-        }
-    }
-}
-
-/// One of the three ways.
-trait Finder: Sync {
-    /// Fills in all horizons of one sector, a row a reach.
-    fn sector(&self, sectors: &Sectors, sector: u32, rows: &mut [Row<'_>]);
 }

@@ -1,37 +1,64 @@
-//! A prepared terrain as entities of a scene: one a crystal, and some for what is always drawn.
+//! A prepared terrain as entities of a scene: one for each leaf group, and some for the ungrouped triangles, which are always drawn.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use antumbra_scene::{Drawable, EntityKey, Geometry, Light, Material, MaterialKey, Mesh, Scene};
 use glam::{DAffine3, DQuat, DVec3, EulerRot, Vec3};
 
-use crate::blocks::bits;
 use crate::error::TerrainError;
 use crate::field::Field;
-use crate::packed::order;
+use crate::packed_tree::packed_order;
+use crate::position_key::position_key;
 use crate::terrain::Terrain;
+use crate::world::to_world;
 
-/// Triangles of an entity that is always drawn.
-const ALWAYS: usize = 1024;
+/// The most triangles of an entity that shows ungrouped triangles.
+const UNGROUPED_TRIANGLES: usize = 1024;
 
-/// A terrain in a scene. Moving `root` would make its horizons those of another place.
+/// The entities that show a terrain. Do not move `root`: the horizons hold only where the terrain was shown.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ShownTerrain {
-    /// The entity that all others hang below.
+    /// The parent of all other entities.
     pub root: EntityKey,
-    /// The crystals' entities and their groups.
-    pub groups: Vec<(EntityKey, u32)>,
-    /// Entities of the triangles of no group, and which of those each shows.
-    pub always: Vec<(EntityKey, Vec<u32>)>,
+    /// The entities of the leaf groups.
+    pub groups: Vec<ShownGroup>,
+    /// The entities of the ungrouped triangles.
+    pub ungrouped: Vec<ShownUngrouped>,
 }
 
-/// The triangles of no group, neighbours together.
-fn always(terrain: &Terrain) -> Vec<u32> {
-    let (field, groups) = (terrain.field(), terrain.groups());
-    let range = groups.always();
-    let rest = groups.order().get(range.start as usize..range.end as usize);
-    let rest = rest.unwrap_or_default();
-    let middle = |triangle: &u32| {
+/// The entity that shows a leaf group.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ShownGroup {
+    /// The entity.
+    pub entity: EntityKey,
+    /// The group, as an index of [`GroupHierarchy::groups`](crate::GroupHierarchy::groups).
+    pub group: u32,
+}
+
+/// An entity that shows some of the ungrouped triangles.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ShownUngrouped {
+    /// The entity.
+    pub entity: EntityKey,
+    /// The triangles, as indices of [`Field::triangles`].
+    pub triangles: Vec<u32>,
+}
+
+/// A terrain, and the entities that show it in a scene.
+#[derive(Debug, Clone)]
+pub struct TerrainInScene {
+    /// The terrain.
+    pub terrain: Arc<Terrain>,
+    /// Its entities.
+    pub shown: ShownTerrain,
+}
+
+/// The ungrouped triangles, neighbours near each other.
+fn ungrouped(terrain: &Terrain) -> Vec<u32> {
+    let field = terrain.field();
+    let triangles = terrain.groups().ungrouped_triangles();
+    let centroid = |triangle: &u32| {
         field
             .corners(*triangle)
             .into_iter()
@@ -39,26 +66,15 @@ fn always(terrain: &Terrain) -> Vec<u32> {
             .truncate()
             / 3.0
     };
-    let middles: Vec<_> = rest.iter().map(middle).collect();
-    order(&middles)
+    let centroids: Vec<_> = triangles.iter().map(centroid).collect();
+    packed_order(&centroids)
         .into_iter()
-        .map(|at| rest[at as usize])
+        .map(|at| triangles[at as usize])
         .collect()
 }
 
-/// From metres east, north and up to the world, Y up and Z south.
-#[must_use]
-pub fn to_world(place: DVec3) -> DVec3 {
-    DVec3::new(place.x, place.z, -place.y)
-}
-
-/// The way back.
-pub(crate) fn from_world(place: DVec3) -> DVec3 {
-    DVec3::new(place.x, -place.z, place.y)
-}
-
 impl Terrain {
-    /// Puts the terrain into a scene.
+    /// Adds the terrain's entities to a scene.
     ///
     /// # Errors
     /// [`TerrainError::Scene`] when the scene is full, or for an unknown material.
@@ -68,8 +84,8 @@ impl Terrain {
         material: MaterialKey,
     ) -> Result<ShownTerrain, TerrainError> {
         let (field, groups) = (self.field(), self.groups());
-        let place = DAffine3::from_translation(to_world(field.origin()));
-        let root = scene.spawn(None, place)?;
+        let transform = DAffine3::from_translation(to_world(field.origin()));
+        let root = scene.spawn(None, transform)?;
         scene.set_entity_name(root, "terrain")?;
         let normals = normals(self);
         let mut add = |name: String, triangles: &[u32]| {
@@ -79,28 +95,28 @@ impl Terrain {
             scene.set_drawable(entity, Drawable { mesh, material })?;
             Ok::<_, TerrainError>(entity)
         };
-        let mut shown = Vec::new();
+        let mut shown_groups = Vec::new();
         for (number, group) in groups.groups().iter().enumerate() {
             if group.is_leaf() {
                 let entity = add(format!("group {number}"), groups.triangles(group))?;
-                shown.push((entity, number as u32));
+                let group = number as u32;
+                shown_groups.push(ShownGroup { entity, group });
             }
         }
-        let mut rest = Vec::new();
-        for (number, triangles) in always(self).chunks(ALWAYS).enumerate() {
+        let mut shown_ungrouped = Vec::new();
+        for (number, triangles) in ungrouped(self).chunks(UNGROUPED_TRIANGLES).enumerate() {
             let entity = add(format!("always {number}"), triangles)?;
-            rest.push((entity, triangles.to_vec()));
+            let triangles = triangles.to_vec();
+            shown_ungrouped.push(ShownUngrouped { entity, triangles });
         }
         Ok(ShownTerrain {
             root,
-            groups: shown,
-            always: rest,
+            groups: shown_groups,
+            ungrouped: shown_ungrouped,
         })
     }
-}
 
-impl Terrain {
-    /// Puts the terrain into a scene in the colour of grass, with a sun in the south-west.
+    /// Adds the terrain's entities to a scene in the colour of grass, and a sun in the south-west.
     ///
     /// # Errors
     /// As [`Terrain::show`].
@@ -124,7 +140,8 @@ impl Terrain {
     }
 }
 
-/// Unit normals of all vertices, each triangle counting by its area, and those of the margin too: where blocks meet, light goes on.
+/// The unit normals of all vertices, weighted by the areas of the triangles. The margin's triangles count too, so that the shading has no
+/// seam between tiles.
 fn normals(terrain: &Terrain) -> Vec<[f32; 3]> {
     let field = terrain.field();
     let mut sums = vec![DVec3::ZERO; field.points().len()];
@@ -134,14 +151,14 @@ fn normals(terrain: &Terrain) -> Vec<[f32; 3]> {
             sums[corner as usize] += (b - a).cross(c - a);
         }
     }
-    let rings = field.outline().rings.iter().flatten();
+    let rings = field.boundary().rings.iter().flatten();
     let border: HashMap<[u64; 3], u32> = rings
-        .map(|&half| field.start(half))
-        .map(|vertex| (bits(field.point(vertex)), vertex))
+        .map(|&half_edge| field.start(half_edge))
+        .map(|vertex| (position_key(field.point(vertex)), vertex))
         .collect();
     for &[a, b, c] in terrain.margin() {
         for corner in [a, b, c] {
-            if let Some(&vertex) = border.get(&bits(corner)) {
+            if let Some(&vertex) = border.get(&position_key(corner)) {
                 sums[vertex as usize] += (b - a).cross(c - a);
             }
         }
@@ -150,35 +167,47 @@ fn normals(terrain: &Terrain) -> Vec<[f32; 3]> {
     sums.into_iter().map(unit).collect()
 }
 
+/// A mesh of some triangles.
 fn geometry(field: &Field, normals: &[[f32; 3]], triangles: &[u32]) -> Geometry {
-    let (corners, indices) = corners(field, triangles);
+    let IndexedTriangles { vertices, indices } = indexed(field, triangles);
     Geometry {
-        positions: corners.iter().map(|&at| position(field, at)).collect(),
-        normals: corners.iter().map(|&at| normals[at as usize]).collect(),
+        positions: vertices
+            .iter()
+            .map(|&at| mesh_position(field, at))
+            .collect(),
+        normals: vertices.iter().map(|&at| normals[at as usize]).collect(),
         indices,
         ..Geometry::default()
     }
 }
 
-/// The vertices of some triangles in the order in which a mesh has them, and its indices.
-pub(crate) fn corners(field: &Field, triangles: &[u32]) -> (Vec<u32>, Vec<u32>) {
-    let mut names: HashMap<u32, u32> = HashMap::new();
-    let mut corners = Vec::new();
+/// Some triangles of a field as a mesh has them.
+pub(crate) struct IndexedTriangles {
+    /// The field's vertices, in the order in which the triangles use them.
+    pub vertices: Vec<u32>,
+    /// Three for each triangle, into `vertices`.
+    pub indices: Vec<u32>,
+}
+
+/// Indexes some triangles of a field.
+pub(crate) fn indexed(field: &Field, triangles: &[u32]) -> IndexedTriangles {
+    let mut index_of: HashMap<u32, u32> = HashMap::new();
+    let mut vertices = Vec::new();
     let mut indices = Vec::with_capacity(triangles.len() * 3);
     for &triangle in triangles {
         for corner in field.triangles()[triangle as usize] {
-            let name = *names.entry(corner).or_insert_with(|| {
-                corners.push(corner);
-                corners.len() as u32 - 1
+            let index = *index_of.entry(corner).or_insert_with(|| {
+                vertices.push(corner);
+                vertices.len() as u32 - 1
             });
-            indices.push(name);
+            indices.push(index);
         }
     }
-    (corners, indices)
+    IndexedTriangles { vertices, indices }
 }
 
-/// A vertex as a mesh has it.
-pub(crate) fn position(field: &Field, vertex: u32) -> [f32; 3] {
-    let place: Vec3 = to_world(field.point(vertex)).as_vec3();
-    place.to_array()
+/// The position of a vertex in a mesh: in the world's axes, relative to the field's origin.
+pub(crate) fn mesh_position(field: &Field, vertex: u32) -> [f32; 3] {
+    let position: Vec3 = to_world(field.point(vertex)).as_vec3();
+    position.to_array()
 }

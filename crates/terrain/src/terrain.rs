@@ -1,30 +1,31 @@
-//! A field with all that is known of it beforehand: its groups, what hides them, and where its surface is.
+//! A prepared terrain: a field with its groups, its boundary, and an index of its surface.
 
 use glam::{DVec2, DVec3};
 
+use crate::azimuth::AzimuthRange;
+use crate::boundary_tree::BoundaryTree;
 use crate::crystal::GroupOptions;
-use crate::cull::{Arc, Eye};
-use crate::cut::Part;
 use crate::error::TerrainError;
 use crate::field::Field;
 use crate::ground::Ground;
-use crate::groups::Groups;
+use crate::groups::GroupHierarchy;
 use crate::horizon::{Horizons, Method, Scope, Sectors};
-use crate::rim::Rim;
+use crate::observer::Observer;
+use crate::tile::{SplitTile, Tile};
 
 /// How a terrain is prepared.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct TerrainOptions {
-    /// Sectors of directions.
+    /// The sectors of directions.
     pub sectors: Sectors,
     /// How horizons are found.
     pub method: Method,
-    /// How groups are grown; `None` is [`GroupOptions::for_triangles`].
+    /// How groups are made; `None` for [`GroupOptions::for_triangles`].
     pub groups: Option<GroupOptions>,
 }
 
 impl TerrainOptions {
-    /// The same with groups that grow from a seed.
+    /// The same options with another seed of the random numbers that groups are made with.
     #[must_use]
     pub fn seeded(self, seed: u64, field: &Field) -> Self {
         let default = GroupOptions::for_triangles(field.triangles().len());
@@ -40,65 +41,66 @@ impl TerrainOptions {
 #[derive(Debug, Clone)]
 pub struct Terrain {
     field: Field,
-    groups: Groups,
+    groups: GroupHierarchy,
     ground: Ground,
-    rim: Rim,
-    /// Corners of the triangles around it that its horizons rest on, and that are others' own.
+    boundary: BoundaryTree,
+    /// The corners of the neighbours' triangles that its horizons depend on.
     margin: Vec<[DVec3; 3]>,
     method: Method,
 }
 
 impl Terrain {
-    /// Finds the horizons of a field and groups its triangles. `done` is told of every sector finished. The field is rounded to what is drawn.
+    /// Prepares a field: rounds it to what is drawn, finds its horizons and groups its triangles. `done` is called once for each finished
+    /// sector.
     ///
     /// # Errors
-    /// [`TerrainError`]: settings out of their ranges, or a field that rounding spoils.
+    /// [`TerrainError::Setting`] for a setting out of its range, [`TerrainError::NotAHeightField`] for a field that rounding spoils.
     pub fn prepare(
         field: Field,
         options: &TerrainOptions,
         done: &(dyn Fn() + Sync),
     ) -> Result<Self, TerrainError> {
-        Self::prepare_part(Part::whole(field), options, done)
+        Self::prepare_tile(Tile::whole(field), options, done)
     }
 
-    /// The same for a block of a field: horizons are found over it and its margin, groups are of its own triangles. One that has a margin is believed
-    /// only beside the blocks that this belongs to: see [`Blocks`](crate::Blocks).
+    /// Prepares a tile of a field. Horizons are found over the tile and its margin; groups consist of its own triangles. A tile with a
+    /// margin culls only beside the tiles that the margin belongs to: see [`TerrainTiles`](crate::TerrainTiles).
     ///
     /// # Errors
     /// As [`Self::prepare`].
-    pub fn prepare_part(
-        part: Part,
+    pub fn prepare_tile(
+        tile: Tile,
         options: &TerrainOptions,
         done: &(dyn Fn() + Sync),
     ) -> Result<Self, TerrainError> {
-        let own = part.own();
-        let (field, around) = part.rounded()?.split()?;
+        let own = tile.own_triangles();
+        let SplitTile { field, with_margin } = tile.rounded()?.split()?;
         let default = GroupOptions::for_triangles(field.triangles().len());
         let groups = options.groups.unwrap_or(default);
         groups.check()?;
         let TerrainOptions {
             sectors, method, ..
         } = *options;
-        let around = around.as_ref();
-        let over = around.unwrap_or(&field);
-        let horizons = Horizons::find(over, sectors, method, Scope::Surface, done);
-        let horizons = horizons.first(&field);
-        let margin = around.map(|around| {
-            let rest = own as u32..around.triangles().len() as u32;
-            rest.map(|triangle| around.corners(triangle)).collect()
+        let with_margin = with_margin.as_ref();
+        let all = with_margin.unwrap_or(&field);
+        let horizons = Horizons::find(all, sectors, method, Scope::Surface, done);
+        let horizons = horizons.of_first(&field);
+        let margin = with_margin.map(|all| {
+            let rest = own as u32..all.triangles().len() as u32;
+            rest.map(|triangle| all.corners(triangle)).collect()
         });
-        let groups = Groups::make(&field, &horizons, &groups)?;
+        let groups = GroupHierarchy::build(&field, &horizons, &groups)?;
         Ok(Self {
             margin: margin.unwrap_or_default(),
             ..Self::from_parts(field, groups, method)
         })
     }
 
-    /// What was prepared before, and has no margin.
-    pub(crate) fn from_parts(field: Field, groups: Groups, method: Method) -> Self {
+    /// A terrain without a margin, from parts that were prepared before.
+    pub(crate) fn from_parts(field: Field, groups: GroupHierarchy, method: Method) -> Self {
         Self {
             ground: Ground::new(&field),
-            rim: Rim::of(&field),
+            boundary: BoundaryTree::of(&field),
             margin: Vec::new(),
             field,
             groups,
@@ -112,15 +114,15 @@ impl Terrain {
         &self.field
     }
 
-    /// The corners of the triangles around it that its horizons rest on: those of its margin.
+    /// The corners of the triangles of its margin, which its horizons depend on. Metres from the field's origin.
     #[must_use]
     pub fn margin(&self) -> &[[DVec3; 3]] {
         &self.margin
     }
 
-    /// Its groups.
+    /// The groups.
     #[must_use]
-    pub fn groups(&self) -> &Groups {
+    pub fn groups(&self) -> &GroupHierarchy {
         &self.groups
     }
 
@@ -130,62 +132,68 @@ impl Terrain {
         self.method
     }
 
-    /// Whether nobody sees what is said to be hidden from them: [`Method::Sound`] alone promises so.
+    /// Whether culling by its horizons is conservative. Only [`Method::Sound`] guarantees that.
     #[must_use]
     pub fn is_sound(&self) -> bool {
         self.method == Method::Sound
     }
 
-    /// Whether horizons may be believed from a place, metres east, north and up of the field's origin: whether nothing of the surface below
-    /// it, or beside it within `clearance` metres, is as high or within those of it. Whoever stands below the surface sees it from the
-    /// wrong side, and what a near plane cuts away hides nothing. The place may lie outside of the field: see [`Rim`]. Never, if the terrain has a
-    /// margin.
+    /// Whether horizons hold for an observer, metres east, north and up of the field's origin. They do if the surface within `clearance`
+    /// metres in the plan is lower than the observer by more than `clearance`, and the terrain has no margin. An observer below the surface
+    /// sees it from the wrong side, and what the near plane cuts away hides nothing. The observer may lie outside of the field: see
+    /// [`BoundaryTree`].
     #[must_use]
-    pub fn trusts(&self, at: DVec3, clearance: f64) -> bool {
-        self.margin.is_empty() && self.is_below(at, clearance)
+    pub fn is_valid_observer(&self, at: DVec3, clearance: f64) -> bool {
+        self.margin.is_empty() && self.is_lower_than(at, clearance)
     }
 
-    /// Whether a place is above all of the surface that lies within so many metres in the plan, by more than those.
-    pub(crate) fn is_below(&self, at: DVec3, clearance: f64) -> bool {
+    /// Whether all of the surface within `clearance` metres in the plan is lower than a position by more than `clearance`.
+    pub(crate) fn is_lower_than(&self, at: DVec3, clearance: f64) -> bool {
         let near = self.highest_near(at.truncate(), clearance);
         near.is_none_or(|highest| highest + clearance < at.z)
     }
 
-    /// The height of the surface at a place in the plan, metres; `None` outside of the field and in its holes.
+    /// The height of the surface at a position in the plan, metres from the field's origin. `None` outside of the field and in its holes.
     #[must_use]
-    pub fn height(&self, place: DVec2) -> Option<f64> {
-        let below = self.ground.below(&self.field, place);
-        below.map(|(_, height)| height)
+    pub fn height(&self, at: DVec2) -> Option<f64> {
+        let found = self.ground.surface_at(&self.field, at);
+        found.map(|found| found.height)
     }
 
-    /// The highest place of the surface within some metres of a place in the plan: see [`Ground::highest_near`].
+    /// An upper bound of the surface's height near a position in the plan: see [`Ground::highest_near`].
     #[must_use]
-    pub fn highest_near(&self, place: DVec2, reach: f64) -> Option<f64> {
-        self.ground.highest_near(&self.field, place, reach)
+    pub fn highest_near(&self, at: DVec2, reach: f64) -> Option<f64> {
+        self.ground.highest_near(&self.field, at, reach)
     }
 
-    /// Somebody at a place who looks in some directions; `None` where horizons say nothing: see [`Self::trusts`].
+    /// An observer at a position, metres east, north and up of the field's origin, that sees in the directions `azimuths`. `None` where
+    /// horizons do not hold: see [`Self::is_valid_observer`].
     #[must_use]
-    pub fn eye(&self, at: DVec3, sight: Arc, clearance: f64) -> Option<Eye<'_>> {
-        let eye = || {
-            let eye = Eye::new(&self.groups, at, sight);
-            let within = self.rim.is_whole() && self.is_over(at.truncate());
+    pub fn observer(
+        &self,
+        at: DVec3,
+        azimuths: AzimuthRange,
+        clearance: f64,
+    ) -> Option<Observer<'_>> {
+        let observer = || {
+            let observer = Observer::new(&self.groups, at, azimuths);
+            let within = self.boundary.is_convex() && self.is_over(at.truncate());
             if within {
-                eye
+                observer
             } else {
-                eye.past(&self.rim, DVec3::ZERO)
+                observer.with_boundary(&self.boundary, DVec3::ZERO)
             }
         };
-        self.trusts(at, clearance).then(eye)
+        self.is_valid_observer(at, clearance).then(observer)
     }
 
-    /// Whether a place in the plan lies over the field.
-    pub(crate) fn is_over(&self, place: DVec2) -> bool {
-        self.ground.below(&self.field, place).is_some()
+    /// Whether a position in the plan lies over the field.
+    pub(crate) fn is_over(&self, at: DVec2) -> bool {
+        self.ground.surface_at(&self.field, at).is_some()
     }
 
-    /// Whether one of its triangles has just these corners.
-    pub(crate) fn has(&self, corners: &[DVec3; 3]) -> bool {
-        self.ground.has(&self.field, corners)
+    /// Whether one of its triangles has these corners.
+    pub(crate) fn has_triangle(&self, corners: &[DVec3; 3]) -> bool {
+        self.ground.has_triangle(&self.field, corners)
     }
 }

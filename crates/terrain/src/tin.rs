@@ -1,37 +1,38 @@
-//! Fields out of rasters: greedy insertion of whatever post is farthest from the surface so far, until the error or the number of
-//! vertices is what was asked for. Garland, Heckbert, *Fast Polygonal Approximation of Terrains and Height Fields*, 1995 ("Scape"), as
-//! the crate `delatin` has it; the thesis made its fields so. Edge collapse is faster, but turns triangles over in the plan.
+//! Triangulated irregular networks (TINs) from rasters, by greedy insertion: the post farthest from the surface so far is inserted, until
+//! the error or the number of vertices is as asked for. Garland, Heckbert, *Fast Polygonal Approximation of Terrains and Height Fields*,
+//! 1995 ("Scape"), as implemented in the crate `delatin`. Edmondson's thesis makes its fields the same way. Edge collapse is faster, but
+//! flips triangles in the plan.
 
 use antumbra_scene::Raster;
 use glam::{DVec2, DVec3};
 
 use crate::error::TerrainError;
 use crate::field::Field;
-use crate::packed::order;
+use crate::packed_tree::packed_order;
 
-/// How much of a raster a field keeps.
+/// The level of detail of a field made from a raster.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Detail {
+pub enum RasterDetail {
     /// Every post.
     Full,
-    /// About so many vertices, within half a percent where posts allow it.
+    /// About this number of vertices, within half a per cent where the posts allow it.
     Vertices(usize),
-    /// No post farther than so many metres above or below the surface.
+    /// No post farther than this above or below the surface, metres.
     Error(f64),
 }
 
-/// Tries until a number of vertices is met.
+/// The most tries to reach a number of vertices.
 const TRIES: usize = 24;
-/// How far a number of vertices may be missed.
+/// The relative error that is close enough to a number of vertices.
 const CLOSE: f64 = 0.005;
 
 impl Field {
-    /// A field over a raster. Where nodes are unknown it has holes, whose rims keep every post.
+    /// Makes a field from a raster. Where nodes are unknown the field has holes, whose rims keep every post.
     ///
     /// # Errors
     /// [`TerrainError::BadRaster`] for a raster without an area or a known cell, [`TerrainError::Setting`] for fewer than 4 vertices or an
-    /// error that is no length.
-    pub fn over(raster: &Raster, detail: Detail) -> Result<Self, TerrainError> {
+    /// error that is negative or NaN.
+    pub fn from_raster(raster: &Raster, detail: RasterDetail) -> Result<Self, TerrainError> {
         let bad = |problem: String| TerrainError::BadRaster { problem };
         if let Some(problem) = raster.problem() {
             return Err(bad(problem));
@@ -47,27 +48,27 @@ impl Field {
             })
         };
         match detail {
-            Detail::Full => full(raster),
-            Detail::Error(error) if error >= 0.0 => Greedy::new(raster).field(error),
-            Detail::Error(error) => {
+            RasterDetail::Full => full(raster),
+            RasterDetail::Error(error) if error >= 0.0 => Greedy::new(raster).field(error),
+            RasterDetail::Error(error) => {
                 setting("the error", error.to_string(), "give metres, 0 or more")
             }
-            Detail::Vertices(count) if count < 4 => setting(
+            RasterDetail::Vertices(count) if count < 4 => setting(
                 "the number of vertices",
                 count.to_string(),
                 "give 4 or more",
             ),
-            Detail::Vertices(count) if count >= raster.elevation.len() => full(raster),
-            Detail::Vertices(count) => Greedy::new(raster).search(count),
+            RasterDetail::Vertices(count) if count >= raster.elevation.len() => full(raster),
+            RasterDetail::Vertices(count) => Greedy::new(raster).search(count),
         }
     }
 }
 
-/// All posts, cells split along the diagonal that is shorter in space.
+/// A field of all posts. Each cell is split along the diagonal that is shorter in space.
 fn full(raster: &Raster) -> Result<Field, TerrainError> {
     let mut points = Vec::with_capacity(raster.elevation.len());
     for row in 0..raster.rows {
-        points.extend((0..raster.columns).map(|column| place(raster, column, row)));
+        points.extend((0..raster.columns).map(|column| post(raster, column, row)));
     }
     let at = |column: u32, row: u32| row * raster.columns + column;
     let mut triangles = Vec::new();
@@ -88,48 +89,53 @@ fn full(raster: &Raster) -> Result<Field, TerrainError> {
             }
         }
     }
-    known(points, triangles)
+    field_of_known(points, triangles)
 }
 
-/// Metres east, north and up; NaN up where nothing is known.
-fn place(raster: &Raster, column: u32, row: u32) -> DVec3 {
+/// The position of a post, metres east, north and up; its height is NaN where it is unknown.
+fn post(raster: &Raster, column: u32, row: u32) -> DVec3 {
     let height = raster.elevation_at(column, row).map_or(f64::NAN, f64::from);
     raster.plan_position(column, row).extend(height)
 }
 
-/// A field of the triangles whose corners are known.
-fn known(mut points: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Field, TerrainError> {
+/// A field of triangles whose corners are all known. Unknown points have no triangle.
+fn field_of_known(mut points: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Field, TerrainError> {
     if triangles.is_empty() {
         return Err(TerrainError::BadRaster {
             problem: "no three neighbouring nodes are known".to_owned(),
         });
     }
     for point in &mut points {
-        // Of no triangle, and so dropped.
+        // Points without a triangle are dropped, but must be finite.
         if !point.is_finite() {
             *point = DVec3::ZERO;
         }
     }
-    // Greedy insertion numbers triangles as chance has it; neighbours in memory are found sooner.
+    // Greedy insertion numbers triangles in no useful order. Triangles that are near each other in memory are faster to process.
     let middle = |triangle: &[u32; 3]| {
         let corners = triangle.map(|corner| points[corner as usize].truncate());
         corners.into_iter().sum::<DVec2>() / 3.0
     };
     let middles: Vec<DVec2> = triangles.iter().map(middle).collect();
-    let triangles = order(&middles)
+    let triangles = packed_order(&middles)
         .into_iter()
         .map(|at| triangles[at as usize])
         .collect();
     Field::new(points, triangles)
 }
 
-/// Points, unknown ones among them, and triangles of known ones.
-type Corners = (Vec<DVec3>, Vec<[u32; 3]>);
+/// A mesh made by greedy insertion: points, some of them unknown, and triangles of known points.
+#[derive(Default)]
+struct GreedyMesh {
+    points: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+}
 
-/// Greedy insertion with any error.
+/// Greedy insertion over one raster.
 struct Greedy<'a> {
     raster: &'a Raster,
     heights: Vec<f64>,
+    /// The difference between the highest and the lowest post, metres.
     relief: f64,
 }
 
@@ -148,8 +154,8 @@ impl<'a> Greedy<'a> {
             (low.min(height), high.max(height))
         });
         let relief = (high - low).max(f64::MIN_POSITIVE);
-        // Unknown posts beside known ones become spikes, high and low in turn: no surface is close to them before all of them, and so all
-        // of the rim, are its vertices.
+        // Unknown posts beside known ones become spikes, high and low in turn. No surface is close to them until all of them, and so all of
+        // the rim, are its vertices.
         let height = |index: usize| {
             let (column, row) = (index as i64 % size[0], index as i64 / size[0]);
             if let Some(height) = at(column, row) {
@@ -170,15 +176,18 @@ impl<'a> Greedy<'a> {
         }
     }
 
-    fn run(&self, error: f64) -> Result<Corners, TerrainError> {
+    /// Inserts posts until none is farther than `error` metres from the surface.
+    fn run(&self, error: f64) -> Result<GreedyMesh, TerrainError> {
         let size = (self.raster.columns as usize, self.raster.rows as usize);
-        let (places, triangles) = delatin::triangulate(&self.heights, size, delatin::Error(error))
-            .map_err(|error| TerrainError::BadRaster {
-                problem: error.to_string(),
+        let (vertices, triangles) =
+            delatin::triangulate(&self.heights, size, delatin::Error(error)).map_err(|error| {
+                TerrainError::BadRaster {
+                    problem: error.to_string(),
+                }
             })?;
-        let points: Vec<DVec3> = places
+        let points: Vec<DVec3> = vertices
             .into_iter()
-            .map(|(column, row)| place(self.raster, column as u32, row as u32))
+            .map(|(column, row)| post(self.raster, column as u32, row as u32))
             .collect();
         let triangles = triangles.into_iter().map(|(a, b, c)| [a, b, c]);
         let known = |corners: &[usize; 3]| corners.iter().all(|&at| points[at].is_finite());
@@ -186,22 +195,22 @@ impl<'a> Greedy<'a> {
         let triangles = triangles
             .map(|corners| corners.map(|corner| corner as u32))
             .collect();
-        Ok((points, triangles))
+        Ok(GreedyMesh { points, triangles })
     }
 
     fn field(&self, error: f64) -> Result<Field, TerrainError> {
-        let (points, triangles) = self.run(error)?;
-        known(points, triangles)
+        let made = self.run(error)?;
+        field_of_known(made.points, made.triangles)
     }
 
-    /// Finds the error that leaves about so many vertices, by halving its logarithm's range.
+    /// Finds the error that leaves about `wanted` vertices, by bisection of its logarithm.
     fn search(&self, wanted: usize) -> Result<Field, TerrainError> {
         let (mut low, mut high) = (self.relief * 1e-9, self.relief * 2.0);
-        let mut best: Option<(usize, Corners)> = None;
+        let mut best: Option<(usize, GreedyMesh)> = None;
         for _ in 0..TRIES {
             let error = (low * high).sqrt();
             let made = self.run(error)?;
-            let count = made.0.iter().filter(|point| point.is_finite()).count();
+            let count = made.points.iter().filter(|point| point.is_finite()).count();
             if count > wanted {
                 low = error;
             } else {
@@ -215,7 +224,7 @@ impl<'a> Greedy<'a> {
                 break;
             }
         }
-        let (_, (points, triangles)) = best.unwrap_or_default();
-        known(points, triangles)
+        let (_, made) = best.unwrap_or_default();
+        field_of_known(made.points, made.triangles)
     }
 }

@@ -1,13 +1,13 @@
-//! Fields, and what is none.
+//! Fields, and meshes that are not height fields.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod support;
 
-use antumbra_terrain::{Fault, Field, Ground, NONE, TerrainError};
+use antumbra_terrain::{Field, FieldFault, Ground, NONE, TerrainError};
 use glam::DVec3;
 use proptest::prelude::*;
 
-fn faults(points: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<Fault> {
+fn faults(points: &[[f64; 3]], triangles: &[[u32; 3]]) -> Vec<FieldFault> {
     let points = points.iter().map(|&point| DVec3::from(point)).collect();
     match Field::new(points, triangles.to_vec()) {
         Err(TerrainError::NotAHeightField { faults, total }) => {
@@ -32,18 +32,18 @@ fn a_field_knows_its_neighbours_and_its_border() {
     assert_eq!(field.triangles().len(), 128);
     // Euler: vertices - edges + triangles = 1 for a disc.
     assert_eq!(81 + 128 - field.edges().len(), 1);
-    for half in 0..3 * 128 {
-        let across = field.across(half);
-        if across != NONE {
-            assert_eq!(field.across(across), half);
-            assert_eq!(field.start(half), field.end(across));
+    for half_edge in 0..3 * 128 {
+        let opposite = field.opposite(half_edge);
+        if opposite != NONE {
+            assert_eq!(field.opposite(opposite), half_edge);
+            assert_eq!(field.start(half_edge), field.end(opposite));
         }
     }
-    let outline = field.outline();
-    assert_eq!(outline.rings.len(), 1);
-    assert_eq!(outline.rings[0].len(), 32);
-    assert!(outline.whole);
-    for pair in outline.rings[0].windows(2) {
+    let boundary = field.boundary();
+    assert_eq!(boundary.rings.len(), 1);
+    assert_eq!(boundary.rings[0].len(), 32);
+    assert!(boundary.convex);
+    for pair in boundary.rings[0].windows(2) {
         assert_eq!(field.end(pair[0]), field.start(pair[1]));
     }
 }
@@ -82,15 +82,15 @@ fn holes_and_dents_are_seen_in_the_outline() {
             .iter()
             .all(|corner| corner.truncate().length() < 20.0)
     });
-    assert_eq!(hole.outline().rings.len(), 2);
-    assert!(!hole.outline().whole);
+    assert_eq!(hole.boundary().rings.len(), 2);
+    assert!(!hole.boundary().convex);
     let dent = without(&|corners| {
         corners
             .iter()
             .all(|corner| corner.x > 15.0 && corner.y > 15.0)
     });
-    assert_eq!(dent.outline().rings.len(), 1);
-    assert!(!dent.outline().whole);
+    assert_eq!(dent.boundary().rings.len(), 1);
+    assert!(!dent.boundary().convex);
 }
 
 #[test]
@@ -98,13 +98,13 @@ fn every_fault_is_named_with_its_place() {
     let mut wall = SQUARE.to_vec();
     wall[3] = [0.5, 0.0, 7.0];
     let at = DVec3::new(0.5, 0.0, 10.0 / 3.0);
-    let vertical = Fault::Vertical { triangle: 1, at };
+    let vertical = FieldFault::Vertical { triangle: 1, at };
     assert_eq!(faults(&wall, &[[0, 1, 2], [0, 1, 3]]), [vertical]);
 
     let mut cliff = SQUARE.to_vec();
     cliff.push([1.0, 1.0, 30.0]);
     let at = DVec3::new(1.0, 1.0, 3.0);
-    let two = Fault::TwoHeights { at, other: 30.0 };
+    let two = FieldFault::TwoHeights { at, other: 30.0 };
     assert_eq!(faults(&cliff, &[[0, 1, 2], [0, 4, 3]]), [two]);
 
     let mut nowhere = SQUARE.to_vec();
@@ -112,8 +112,8 @@ fn every_fault_is_named_with_its_place() {
     assert!(matches!(
         faults(&nowhere, &[[0, 1, 2], [0, 2, 9]])[..],
         [
-            Fault::Nowhere { corner: 2, .. },
-            Fault::NoSuchCorner {
+            FieldFault::Nowhere { corner: 2, .. },
+            FieldFault::NoSuchCorner {
                 triangle: 1,
                 corner: 9
             }
@@ -121,7 +121,10 @@ fn every_fault_is_named_with_its_place() {
     ));
 
     let flipped = faults(&SQUARE, &[[0, 1, 2], [0, 3, 2], [0, 1, 3]]);
-    assert!(matches!(flipped[..], [Fault::Flipped { triangle: 1, .. }]));
+    assert!(matches!(
+        flipped[..],
+        [FieldFault::Flipped { triangle: 1, .. }]
+    ));
 
     let overhang = [
         [0.0, 0.0, 0.0],
@@ -134,17 +137,17 @@ fn every_fault_is_named_with_its_place() {
     let above = faults(&overhang, &[[0, 1, 2], [3, 4, 5]]);
     assert!(matches!(
         above[..],
-        [Fault::Overhang {
+        [FieldFault::Overhang {
             triangles: [0, 1],
             ..
         }]
     ));
 
     let three = faults(&SQUARE, &[[0, 1, 2], [0, 1, 3]]);
-    assert!(matches!(three[..], [Fault::Fan { triangle: 1, .. }]));
+    assert!(matches!(three[..], [FieldFault::Fan { triangle: 1, .. }]));
 
     let point = faults(&SQUARE, &[[0, 1, 2], [3, 3, 3]]);
-    assert!(matches!(point[..], [Fault::Empty { triangle: 1, .. }]));
+    assert!(matches!(point[..], [FieldFault::Empty { triangle: 1, .. }]));
 
     let none = Field::new(Vec::new(), Vec::new()).unwrap_err();
     assert!(none.to_string().contains("at least one"), "{none}");
@@ -166,19 +169,19 @@ proptest! {
         let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
         for triangle in 0..128 {
             let [a, b, c] = field.corners(triangle);
-            let place = a + (b - a) * u + (c - a) * v;
-            let (_, height) = ground.below(&field, place.truncate()).unwrap();
-            prop_assert!((height - place.z).abs() < 1e-9);
-            let highest = ground.highest_near(&field, place.truncate(), 3.0).unwrap();
+            let point = a + (b - a) * u + (c - a) * v;
+            let surface = ground.surface_at(&field, point.truncate()).unwrap();
+            prop_assert!((surface.height - point.z).abs() < 1e-9);
+            let highest = ground.highest_near(&field, point.truncate(), 3.0).unwrap();
             for corner in field.corners(triangle) {
-                if (corner - place).truncate().abs().max_element() <= 3.0 {
+                if (corner - point).truncate().abs().max_element() <= 3.0 {
                     prop_assert!(highest >= corner.z - 1e-9);
                 }
             }
-            prop_assert!(highest >= place.z - 1e-9);
+            prop_assert!(highest >= point.z - 1e-9);
         }
         let [low, high] = field.plan_bounds();
-        prop_assert!(ground.below(&field, low - 1.0).is_none());
-        prop_assert!(ground.below(&field, high + 1.0).is_none());
+        prop_assert!(ground.surface_at(&field, low - 1.0).is_none());
+        prop_assert!(ground.surface_at(&field, high + 1.0).is_none());
     }
 }

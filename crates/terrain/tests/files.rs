@@ -1,4 +1,4 @@
-//! Prepared terrains as files: what is written is what is read, and no damage to it is more than an error.
+//! Prepared terrains as files: what is written is read back, and damage causes an error at most.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod support;
@@ -10,19 +10,19 @@ use antumbra_formats::{Attachment, LoadOptions, load, save_glb};
 use antumbra_scene::{Drawable, Geometry, Mesh, Scene};
 use antumbra_terrain::file::EXTENSION;
 use antumbra_terrain::{
-    Arc, Field, GroupOptions, Method, NONE, PreparedScene, Sectors, ShownTerrain, Terrain,
-    TerrainError, TerrainOptions,
+    AzimuthRange, Field, GroupOptions, Method, NONE, PreparedScene, Sectors, ShownTerrain, Terrain,
+    TerrainError, TerrainInScene, TerrainOptions,
 };
 use glam::{DAffine3, DVec3};
 use proptest::prelude::*;
 use support::ridged;
 
-/// A small terrain far from zero, with groups in groups and triangles in none.
+/// A small terrain far from zero, with nested groups and ungrouped triangles.
 struct Made {
     terrain: Terrain,
     scene: Scene,
     shown: ShownTerrain,
-    said: Attachment,
+    attachment: Attachment,
 }
 
 static MADE: LazyLock<Made> = LazyLock::new(|| {
@@ -35,24 +35,24 @@ static MADE: LazyLock<Made> = LazyLock::new(|| {
         method: Method::Sound,
         groups: Some(GroupOptions {
             seeds: 24,
-            most: 48,
-            smallest: 6,
+            max_groups: 48,
+            min_triangles: 6,
             ..GroupOptions::for_triangles(0)
         }),
     };
     let terrain = Terrain::prepare(field, &options, &|| ()).unwrap();
     let mut scene = Scene::new();
     let shown = terrain.show_lit(&mut scene).unwrap();
-    let said = terrain.attachment(&shown).unwrap();
+    let attachment = terrain.attachment(&shown).unwrap();
     Made {
         terrain,
         scene,
         shown,
-        said,
+        attachment,
     }
 });
 
-/// Where each row of the bytes begins: the order in which `docs/horizons-extension.md` has them.
+/// The offset of each row of the bytes, in the order of `docs/horizons-extension.md`.
 struct Rows {
     origin: usize,
     circles: usize,
@@ -62,9 +62,9 @@ struct Rows {
     triangles: usize,
     ranges: usize,
     children: usize,
-    tops: usize,
+    roots: usize,
     order: usize,
-    always: usize,
+    ungrouped: usize,
     ends: usize,
 }
 
@@ -85,12 +85,12 @@ fn rows() -> Rows {
         triangles: next(field.triangles().len() * 12),
         ranges: next(count * 8),
         children: next(count * 8),
-        tops: next(groups.tops().len() * 4),
+        roots: next(groups.roots().len() * 4),
         order: next(field.triangles().len() * 4),
-        always: next(groups.always().len() * 4),
-        ends: next(MADE.shown.always.len() * 4),
+        ungrouped: next(groups.ungrouped().len() * 4),
+        ends: next(MADE.shown.ungrouped.len() * 4),
     };
-    assert_eq!(end, MADE.said.bytes.len());
+    assert_eq!(end, MADE.attachment.bytes.len());
     rows
 }
 
@@ -112,21 +112,22 @@ fn a_file_gives_back_the_terrain_and_its_verdicts() {
     let (_folder, file) = written();
     let made = &MADE.terrain;
     let groups = made.groups();
-    assert!(groups.groups().iter().any(|group| !group.is_leaf()) && !groups.always().is_empty());
+    assert!(groups.groups().iter().any(|group| !group.is_leaf()) && !groups.ungrouped().is_empty());
     let again = PreparedScene::load(&file, &LoadOptions::default()).unwrap();
     assert_eq!(again.scene.len(), MADE.scene.len());
     let terrain = &again.terrain;
     assert!(terrain.field() == made.field());
     assert_eq!(terrain.groups(), groups);
     assert_eq!(terrain.method(), Method::Sound);
-    assert!(terrain.attachment(&again.shown).unwrap().bytes == MADE.said.bytes);
+    assert!(terrain.attachment(&again.shown).unwrap().bytes == MADE.attachment.bytes);
     let numbers = |shown: &ShownTerrain| {
-        let groups = shown.groups.iter().map(|(_, group)| *group);
-        let always = shown.always.iter().map(|(_, row)| row.clone());
-        (groups.collect::<Vec<_>>(), always.collect::<Vec<_>>())
+        let groups = shown.groups.iter().map(|shown| shown.group);
+        let ungrouped = shown.ungrouped.iter();
+        let ungrouped = ungrouped.map(|shown| shown.triangles.clone());
+        (groups.collect::<Vec<_>>(), ungrouped.collect::<Vec<_>>())
     };
     assert_eq!(numbers(&again.shown), numbers(&MADE.shown));
-    // And the same is seen from anywhere.
+    // The same groups are visible from everywhere.
     let [low, high] = made.field().plan_bounds();
     let mut hidden = 0;
     for step in 0..60 {
@@ -136,16 +137,19 @@ fn a_file_gives_back_the_terrain_and_its_verdicts() {
             continue;
         };
         let at = plan.extend(top + 2.0);
-        let seen = |terrain: &Terrain| {
-            let mut seen = Vec::new();
-            let eye = terrain.eye(at, Arc::ALL, 0.1).unwrap();
-            eye.each_seen(|group| seen.push(group));
-            seen
+        let visible = |terrain: &Terrain| {
+            let mut visible = Vec::new();
+            let observer = terrain.observer(at, AzimuthRange::ALL, 0.1).unwrap();
+            observer.each_visible(|group| visible.push(group));
+            visible
         };
-        assert_eq!(seen(terrain), seen(made));
-        hidden += usize::from(seen(made).len() < MADE.shown.groups.len());
+        assert_eq!(visible(terrain), visible(made));
+        hidden += usize::from(visible(made).len() < MADE.shown.groups.len());
     }
-    assert!(hidden > 10, "somebody is hidden from {hidden} places of 60");
+    assert!(
+        hidden > 10,
+        "some group is hidden from {hidden} positions of 60"
+    );
 }
 
 #[test]
@@ -169,18 +173,19 @@ fn a_file_of_the_first_version_has_one_reach() {
     let terrain = Terrain::prepare(field, &options, &|| ()).unwrap();
     let mut scene = Scene::new();
     let shown = terrain.show_lit(&mut scene).unwrap();
-    let mut said = terrain.attachment(&shown).unwrap();
-    said.properties.insert("version".to_owned(), 1.into());
-    said.properties.remove("reaches");
-    let (read, _) = Terrain::read(&scene, &said).unwrap();
-    assert!(read.groups() == terrain.groups());
+    let mut attachment = terrain.attachment(&shown).unwrap();
+    let properties = &mut attachment.properties;
+    properties.insert("version".to_owned(), 1.into());
+    properties.remove("reaches");
+    let read = Terrain::read(&scene, &attachment).unwrap();
+    assert!(read.terrain.groups() == terrain.groups());
 }
 
-/// What reading says of a scene and an attachment that were changed.
+/// The error of reading a changed scene and attachment.
 fn refused(change: impl FnOnce(&mut Scene, &mut Attachment)) -> String {
-    let (mut scene, mut said) = (MADE.scene.clone(), MADE.said.clone());
-    change(&mut scene, &mut said);
-    let error = Terrain::read(&scene, &said).unwrap_err();
+    let (mut scene, mut attachment) = (MADE.scene.clone(), MADE.attachment.clone());
+    change(&mut scene, &mut attachment);
+    let error = Terrain::read(&scene, &attachment).unwrap_err();
     error.to_string()
 }
 
@@ -192,10 +197,10 @@ fn refuses(words: &str, change: impl FnOnce(&mut Scene, &mut Attachment)) {
 
 #[test]
 fn facts_that_cannot_be_are_refused() {
-    assert!(Terrain::read(&MADE.scene, &MADE.said).is_ok());
+    assert!(Terrain::read(&MADE.scene, &MADE.attachment).is_ok());
     let set = |name: &'static str, value: serde_json::Value| {
-        move |_: &mut Scene, said: &mut Attachment| {
-            said.properties.insert(name.to_owned(), value);
+        move |_: &mut Scene, attachment: &mut Attachment| {
+            attachment.properties.insert(name.to_owned(), value);
         }
     };
     refuses("version 3", set("version", 3.into()));
@@ -207,11 +212,11 @@ fn facts_that_cannot_be_are_refused() {
     refuses("1 to 1024", set("parts", 0.into()));
     refuses("1 to 8", set("reaches", 0.into()));
     refuses("1 to 8", set("reaches", 9.into()));
-    refuses("counted", set("reaches", u64::MAX.into()));
-    refuses("where it counts", set("reaches", 3.into()));
-    refuses("where it counts", set("version", 1.into()));
-    refuses("no number \"reaches\"", |_, said| {
-        said.properties.remove("reaches");
+    refuses("4294967294", set("reaches", u64::MAX.into()));
+    refuses("its counts need", set("reaches", 3.into()));
+    refuses("its counts need", set("version", 1.into()));
+    refuses("no number \"reaches\"", |_, attachment| {
+        attachment.properties.remove("reaches");
     });
     for name in [
         "vertices",
@@ -221,28 +226,32 @@ fn facts_that_cannot_be_are_refused() {
         "always",
         "alwaysNodes",
     ] {
-        refuses("counted", set(name, u64::MAX.into()));
-        refuses("counted", set(name, u32::MAX.into()));
-        // Would be memory beyond any machine's, if it were believed.
-        refuses("where it counts", set(name, (u32::MAX - 1).into()));
-        refuses("where it counts", set(name, 0.into()));
+        refuses("4294967294", set(name, u64::MAX.into()));
+        refuses("4294967294", set(name, u32::MAX.into()));
+        // More memory than any machine has, if it were allocated.
+        refuses("its counts need", set(name, (u32::MAX - 1).into()));
+        refuses("its counts need", set(name, 0.into()));
         refuses("no number", set(name, (-1).into()));
         refuses("no number", set(name, 1.5.into()));
-        refuses("no number", |_, said| drop(said.properties.remove(name)));
+        refuses("no number", |_, attachment| {
+            attachment.properties.remove(name);
+        });
     }
-    refuses("where it counts", |_, said| said.bytes.truncate(100));
-    refuses("where it counts", |_, said| said.bytes.clear());
-    refuses("where it counts", |_, said| said.bytes.push(0));
-    refuses("nodes", |_, said| said.entities.truncate(3));
-    refuses("nodes", |_, said| said.entities.clear());
+    refuses("its counts need", |_, attachment| {
+        attachment.bytes.truncate(100)
+    });
+    refuses("its counts need", |_, attachment| attachment.bytes.clear());
+    refuses("its counts need", |_, attachment| attachment.bytes.push(0));
+    refuses("nodes", |_, attachment| attachment.entities.truncate(3));
+    refuses("nodes", |_, attachment| attachment.entities.clear());
 }
 
 fn put<const N: usize>(at: usize, number: [u8; N]) -> impl FnOnce(&mut Scene, &mut Attachment) {
-    move |_, said| said.bytes[at..at + N].copy_from_slice(&number)
+    move |_, attachment| attachment.bytes[at..at + N].copy_from_slice(&number)
 }
 
 fn number(at: usize) -> u32 {
-    u32::from_le_bytes(MADE.said.bytes[at..at + 4].try_into().unwrap())
+    u32::from_le_bytes(MADE.attachment.bytes[at..at + 4].try_into().unwrap())
 }
 
 #[test]
@@ -272,7 +281,7 @@ fn rows_that_cannot_be_are_refused() {
     refuses("heights", put(rows.heights + 16 * inner + 8, far));
     refuses("no height field", put(rows.points + 12, nan));
     refuses("no height field", put(rows.points, 1e7_f32.to_le_bytes()));
-    // The heights that the file's own groups have tell; with theirs changed too the meshes would.
+    // The heights of the file's groups reveal it. If those were changed too, the meshes would.
     refuses("heights", put(rows.points + 8, 1e4_f32.to_le_bytes()));
     refuses("region", put(rows.regions, nan));
     refuses(
@@ -301,28 +310,28 @@ fn rows_that_cannot_be_are_refused() {
     );
     let own = inner as u32;
     refuses(
-        "behind the whole",
+        "after its parent",
         put(rows.children + 8 * inner, own.to_le_bytes()),
     );
     refuses(
-        "behind the whole",
+        "after its parent",
         put(rows.children + 8 * inner, 0_u32.to_le_bytes()),
     );
     refuses(
-        "behind the whole",
+        "after its parent",
         put(rows.children + 8 * inner, NONE.to_le_bytes()),
     );
     let count = groups.len() as u32;
     refuses(
-        "behind the whole",
+        "after its parent",
         put(rows.children + 8 * inner, count.to_le_bytes()),
     );
     let other = number(rows.children + 8 * inner + 4);
     refuses(
-        "parts once",
+        "has one parent",
         put(rows.children + 8 * inner, other.to_le_bytes()),
     );
-    refuses("tops", put(rows.tops, 1_u32.to_le_bytes()));
+    refuses("tops", put(rows.roots, 1_u32.to_le_bytes()));
     refuses(
         "order",
         put(rows.order, number(rows.order + 4).to_le_bytes()),
@@ -330,12 +339,12 @@ fn rows_that_cannot_be_are_refused() {
     refuses("order", put(rows.order, u32::MAX.to_le_bytes()));
     refuses(
         "always drawn",
-        put(rows.always, number(rows.order).to_le_bytes()),
+        put(rows.ungrouped, number(rows.order).to_le_bytes()),
     );
     refuses("always drawn", put(rows.ends, 0_u32.to_le_bytes()));
     refuses("always drawn", put(rows.ends, u32::MAX.to_le_bytes()));
-    refuses("not in the order", |_, said| {
-        said.bytes[rows.triangles..rows.triangles + 12].rotate_left(4);
+    refuses("not in the order", |_, attachment| {
+        attachment.bytes[rows.triangles..rows.triangles + 12].rotate_left(4);
     });
 }
 
@@ -344,35 +353,39 @@ fn a_cycle_of_groups_is_refused() {
     let rows = rows();
     let groups = MADE.terrain.groups().groups();
     let inner = |group: u32| !groups[group as usize].is_leaf();
-    let (whole, part) = (0..groups.len() as u32)
+    let (parent, child) = (0..groups.len() as u32)
         .filter(|&group| inner(group))
         .find_map(|group| {
-            let part = groups[group as usize]
+            let child = groups[group as usize]
                 .children
                 .into_iter()
                 .find(|&c| inner(c));
-            part.map(|part| (group, part))
+            child.map(|child| (group, child))
         })
         .unwrap();
-    let at = rows.children + 8 * part as usize;
-    refuses("behind the whole", put(at, whole.to_le_bytes()));
+    let at = rows.children + 8 * child as usize;
+    refuses("after its parent", put(at, parent.to_le_bytes()));
 }
 
 #[test]
 fn a_scene_that_shows_something_else_is_refused() {
-    let [first, second] = [0, 1].map(|at| MADE.shown.groups[at].0);
-    let always = MADE.shown.always[0].0;
-    refuses("two parts", |_, said| said.entities[2] = said.entities[1]);
-    refuses("other triangles", |_, said| said.entities.swap(1, 2));
+    let [first, second] = [0, 1].map(|at| MADE.shown.groups[at].entity);
+    let ungrouped = MADE.shown.ungrouped[0].entity;
+    refuses("two parts", |_, attachment| {
+        attachment.entities[2] = attachment.entities[1]
+    });
+    refuses("other triangles", |_, attachment| {
+        attachment.entities.swap(1, 2)
+    });
     refuses("moved", |scene, _| {
         let up = DAffine3::from_translation(DVec3::Y * 1e-9);
-        scene.set_local(always, up).unwrap();
+        scene.set_local(ungrouped, up).unwrap();
     });
     refuses("does not stand where", |scene, _| {
         let up = DAffine3::from_translation(DVec3::Y);
         scene.set_local(MADE.shown.root, up).unwrap();
     });
-    refuses("hung elsewhere", |scene, _| {
+    refuses("another parent", |scene, _| {
         scene.set_parent(first, Some(second)).unwrap();
     });
     refuses("no mesh", |scene, _| {
@@ -408,7 +421,7 @@ fn a_scene_that_shows_something_else_is_refused() {
         "coarser",
         change(|mesh| mesh.levels.push(mesh.levels[0].clone())),
     );
-    // And is not written either.
+    // Such a scene is not written either.
     let mut scene = MADE.scene.clone();
     scene
         .set_local(first, DAffine3::from_scale(DVec3::splat(2.0)))
@@ -432,29 +445,29 @@ fn a_scene_without_horizons_says_so() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
-    /// Wherever bytes are changed, the answer is an error or the same surface with other regions: nothing else is believed.
+    /// Changed bytes cause an error, or give the same surface with other regions: only regions are not checked.
     #[test]
     fn changed_bytes_are_an_error_or_regions(
         flips in prop::collection::vec((any::<prop::sample::Index>(), 1_u8..), 1..4),
     ) {
-        let mut said = MADE.said.clone();
+        let mut attachment = MADE.attachment.clone();
         for (at, flip) in flips {
-            let at = at.index(said.bytes.len());
-            said.bytes[at] ^= flip;
+            let at = at.index(attachment.bytes.len());
+            attachment.bytes[at] ^= flip;
         }
-        match Terrain::read(&MADE.scene, &said) {
+        match Terrain::read(&MADE.scene, &attachment) {
             Err(error) => prop_assert!(error.to_string().len() > 20),
-            Ok((terrain, shown)) => {
+            Ok(TerrainInScene { terrain, shown }) => {
                 prop_assert!(terrain.field() == MADE.terrain.field());
                 prop_assert_eq!(terrain.groups().order(), MADE.terrain.groups().order());
                 prop_assert_eq!(shown, MADE.shown.clone());
-                let eye = terrain.eye(DVec3::new(1.0, 2.0, 200.0), Arc::ALL, 0.1);
-                eye.unwrap().each_seen(|group| assert!(terrain.groups().groups()[group as usize].is_leaf()));
+                let observer = terrain.observer(DVec3::new(1.0, 2.0, 200.0), AzimuthRange::ALL, 0.1);
+                observer.unwrap().each_visible(|group| assert!(terrain.groups().groups()[group as usize].is_leaf()));
             }
         }
     }
 
-    /// The whole file, wherever it is cut or changed: a scene, with a terrain or what is wrong with it, or an error.
+    /// A file that is cut or changed anywhere gives an error, or a scene with a terrain or with an error about its terrain.
     #[test]
     fn a_damaged_file_is_an_error_or_a_scene(
         at in any::<prop::sample::Index>(), flip in 1_u8.., cut in any::<bool>(),
@@ -474,16 +487,16 @@ proptest! {
         for found in loaded.map(|loaded| (loaded.scene, loaded.attachments)).into_iter() {
             let (scene, attachments) = found;
             for attachment in attachments.into_iter().flatten() {
-                if let Ok((terrain, _)) = Terrain::read(&scene, &attachment) {
-                    prop_assert!(terrain.field() == MADE.terrain.field());
+                if let Ok(read) = Terrain::read(&scene, &attachment) {
+                    prop_assert!(read.terrain.field() == MADE.terrain.field());
                 }
             }
         }
     }
 }
 
-/// A scene of one mesh of a field, Y up, as somebody else would write it.
-fn mesh_of(field: &Field, place: DAffine3) -> Scene {
+/// A scene of one mesh of a field, Y up, as another program would write it.
+fn mesh_of(field: &Field, transform: DAffine3) -> Scene {
     let position = |point: &DVec3| DVec3::new(point.x, point.z, -point.y).as_vec3().to_array();
     let geometry = Geometry {
         positions: field.points().iter().map(position).collect(),
@@ -493,7 +506,7 @@ fn mesh_of(field: &Field, place: DAffine3) -> Scene {
     let mut scene = Scene::new();
     let mesh = scene.add_mesh(Mesh::new("field", geometry)).unwrap();
     let material = scene.add_material(Default::default());
-    let entity = scene.spawn(None, place).unwrap();
+    let entity = scene.spawn(None, transform).unwrap();
     scene
         .set_drawable(entity, Drawable { mesh, material })
         .unwrap();
@@ -515,14 +528,14 @@ fn fields_out_of_files_equal_those_they_were_written_from() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);
     save_glb(&mesh_of(&field, DAffine3::IDENTITY), &at("field.glb")).unwrap();
-    let places = || {
+    let positions = || {
         field
             .points()
             .iter()
             .map(|point| [point.x, point.z, -point.y])
     };
     let mut obj = String::new();
-    places().for_each(|[x, y, z]| obj += &format!("v {x} {y} {z}\n"));
+    positions().for_each(|[x, y, z]| obj += &format!("v {x} {y} {z}\n"));
     for corners in field.triangles() {
         let [a, b, c] = corners.map(|corner| corner + 1);
         obj += &format!("f {a} {b} {c}\n");
@@ -533,21 +546,21 @@ fn fields_out_of_files_equal_those_they_were_written_from() {
         field.points().len(),
         field.triangles().len()
     );
-    places().for_each(|[x, y, z]| ply += &format!("{x} {y} {z}\n"));
+    positions().for_each(|[x, y, z]| ply += &format!("{x} {y} {z}\n"));
     for [a, b, c] in field.triangles() {
         ply += &format!("3 {a} {b} {c}\n");
     }
     std::fs::write(at("field.ply"), ply).unwrap();
     for name in ["field.glb", "field.obj", "field.ply"] {
         let scene = load(&at(name), &LoadOptions::default()).unwrap();
-        let read = Field::of_scene(&scene).unwrap();
+        let read = Field::from_scene(&scene).unwrap();
         assert!(read == field, "{name}");
     }
 }
 
 #[test]
 fn a_prepared_terrain_is_a_mesh_like_any_other() {
-    let places = |field: &Field| {
+    let triangles = |field: &Field| {
         let corners = |triangle: u32| {
             let mut corners = field
                 .corners(triangle)
@@ -559,23 +572,23 @@ fn a_prepared_terrain_is_a_mesh_like_any_other() {
         all.sort_unstable();
         all
     };
-    let field = Field::of_scene(&MADE.scene).unwrap();
+    let field = Field::from_scene(&MADE.scene).unwrap();
     assert_eq!(field.points().len(), MADE.terrain.field().points().len());
-    assert_eq!(places(&field), places(MADE.terrain.field()));
-    assert!(field.outline().whole);
+    assert_eq!(triangles(&field), triangles(MADE.terrain.field()));
+    assert!(field.boundary().convex);
 }
 
 #[test]
 fn entities_stand_where_their_transforms_put_them_mirrored_or_not() {
     let field = rounded();
-    let move_it = DAffine3::from_translation(DVec3::new(1024.0, 16.0, -512.0));
-    let moved = Field::of_scene(&mesh_of(&field, move_it)).unwrap();
+    let translation = DAffine3::from_translation(DVec3::new(1024.0, 16.0, -512.0));
+    let moved = Field::from_scene(&mesh_of(&field, translation)).unwrap();
     assert_eq!(
         moved.origin() - field.origin(),
         DVec3::new(1024.0, 512.0, 16.0)
     );
     assert!(moved.points() == field.points());
-    // Two halves, one of them the other in a mirror: were its triangles not turned round they would lie upside down.
+    // A field and its mirror image: if its triangles were not reversed they would lie upside down.
     let mut scene = mesh_of(&field, DAffine3::IDENTITY);
     let (_, drawable) = scene.drawables().next().unwrap();
     let [low, high] = field.plan_bounds();
@@ -587,11 +600,11 @@ fn entities_stand_where_their_transforms_put_them_mirrored_or_not() {
     let parent = scene.spawn(None, mirror).unwrap();
     let entity = scene.spawn(Some(parent), DAffine3::IDENTITY).unwrap();
     scene.set_drawable(entity, drawable).unwrap();
-    let both = Field::of_scene(&scene).unwrap();
+    let both = Field::from_scene(&scene).unwrap();
     assert_eq!(both.triangles().len(), 2 * field.triangles().len());
     let [west, east] = both.plan_bounds();
     assert_eq!(east.x - west.x, 2.0 * (high.x - low.x));
-    assert_eq!(both.outline().rings.len(), 1);
+    assert_eq!(both.boundary().rings.len(), 1);
 }
 
 #[test]
@@ -619,8 +632,8 @@ fn what_overhangs_is_refused_with_its_place() {
     let above = DAffine3::from_translation(DVec3::new(0.5, 100.0, 0.25));
     let entity = scene.spawn(None, above).unwrap();
     scene.set_drawable(entity, drawable).unwrap();
-    let error = Field::of_scene(&scene).unwrap_err().to_string();
+    let error = Field::from_scene(&scene).unwrap_err().to_string();
     assert!(error.contains("lie one above the other at ("), "{error}");
-    let nothing = Field::of_scene(&Scene::new()).unwrap_err().to_string();
+    let nothing = Field::from_scene(&Scene::new()).unwrap_err().to_string();
     assert!(nothing.contains("at least one"), "{nothing}");
 }

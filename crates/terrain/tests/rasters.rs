@@ -1,9 +1,9 @@
-//! Fields over rasters, and the landscape out of nothing.
+//! Fields from rasters, and the fractal landscape.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use antumbra_demo_scenes::terrain::FractalOptions;
 use antumbra_scene::Raster;
-use antumbra_terrain::{Detail, Field, Ground};
+use antumbra_terrain::{Field, Ground, RasterDetail};
 use glam::DVec2;
 
 fn landscape(order: u32, seed: u64) -> Raster {
@@ -25,7 +25,7 @@ fn a_landscape_follows_its_seed_and_keeps_its_relief() {
     let low = raster.elevation.iter().copied().fold(f32::MAX, f32::min);
     let high = raster.elevation.iter().copied().fold(f32::MIN, f32::max);
     assert!(low == 0.0 && (high - 1500.0).abs() < 0.01);
-    // Hills of every width: posts side by side differ by less than posts far apart, and all differ.
+    // Hills of every width: adjacent posts differ by less than posts far apart, and all differ.
     let apart = |step: usize| {
         let pairs = raster.elevation.iter().zip(&raster.elevation[step..]);
         pairs.map(|(a, b)| (a - b).abs()).sum::<f32>() / (1089 - step) as f32
@@ -60,22 +60,22 @@ fn a_landscape_follows_its_seed_and_keeps_its_relief() {
 #[test]
 fn all_posts_are_vertices_of_the_whole_field() {
     let raster = landscape(4, 3);
-    let field = Field::over(&raster, Detail::Full).unwrap();
+    let field = Field::from_raster(&raster, RasterDetail::Full).unwrap();
     assert_eq!(field.points().len(), 17 * 17);
     assert_eq!(field.triangles().len(), 16 * 16 * 2);
-    assert!(field.outline().whole);
+    assert!(field.boundary().convex);
 }
 
 #[test]
 fn no_post_is_farther_away_than_asked_for() {
     let raster = landscape(6, 4);
     for error in [5.0, 40.0] {
-        let field = Field::over(&raster, Detail::Error(error)).unwrap();
+        let field = Field::from_raster(&raster, RasterDetail::Error(error)).unwrap();
         let ground = Ground::new(&field);
         for row in 0..raster.rows {
             for column in 0..raster.columns {
-                let place = raster.plan_position(column, row) - field.origin().truncate();
-                let (_, height) = ground.below(&field, place).unwrap();
+                let at = raster.plan_position(column, row) - field.origin().truncate();
+                let height = ground.surface_at(&field, at).unwrap().height;
                 let post = f64::from(raster.elevation_at(column, row).unwrap()) - field.origin().z;
                 assert!((height - post).abs() <= error + 1e-3);
             }
@@ -87,13 +87,13 @@ fn no_post_is_farther_away_than_asked_for() {
 fn a_number_of_vertices_is_met() {
     let raster = landscape(7, 5);
     for wanted in [200, 1000, 5000] {
-        let field = Field::over(&raster, Detail::Vertices(wanted)).unwrap();
+        let field = Field::from_raster(&raster, RasterDetail::Vertices(wanted)).unwrap();
         let missed = field.points().len().abs_diff(wanted);
         assert!(missed * 50 <= wanted, "{wanted}: {}", field.points().len());
-        assert!(field.outline().whole);
+        assert!(field.boundary().convex);
     }
-    assert!(Field::over(&raster, Detail::Vertices(3)).is_err());
-    assert!(Field::over(&raster, Detail::Error(f64::NAN)).is_err());
+    assert!(Field::from_raster(&raster, RasterDetail::Vertices(3)).is_err());
+    assert!(Field::from_raster(&raster, RasterDetail::Error(f64::NAN)).is_err());
 }
 
 #[test]
@@ -105,14 +105,18 @@ fn unknown_posts_are_holes_with_their_whole_rim() {
         }
     }
     raster.elevation[0] = f32::INFINITY;
-    for detail in [Detail::Full, Detail::Error(60.0), Detail::Vertices(400)] {
-        let field = Field::over(&raster, detail).unwrap();
-        assert_eq!(field.outline().rings.len(), 2, "{detail:?}");
+    for detail in [
+        RasterDetail::Full,
+        RasterDetail::Error(60.0),
+        RasterDetail::Vertices(400),
+    ] {
+        let field = Field::from_raster(&raster, detail).unwrap();
+        assert_eq!(field.boundary().rings.len(), 2, "{detail:?}");
         let ground = Ground::new(&field);
         for row in 0..33 {
             for column in 0..33 {
-                let place = raster.plan_position(column, row) - field.origin().truncate();
-                let below = ground.below(&field, place);
+                let at = raster.plan_position(column, row) - field.origin().truncate();
+                let below = ground.surface_at(&field, at);
                 assert_eq!(
                     below.is_some(),
                     raster.elevation_at(column, row).is_some(),
@@ -127,8 +131,12 @@ fn unknown_posts_are_holes_with_their_whole_rim() {
 fn rasters_without_a_surface_are_refused() {
     let mut raster = landscape(2, 7);
     let refused = |raster: &Raster, word: &str| {
-        for detail in [Detail::Full, Detail::Error(1.0), Detail::Vertices(9)] {
-            let error = Field::over(raster, detail).unwrap_err().to_string();
+        for detail in [
+            RasterDetail::Full,
+            RasterDetail::Error(1.0),
+            RasterDetail::Vertices(9),
+        ] {
+            let error = Field::from_raster(raster, detail).unwrap_err().to_string();
             assert!(error.contains(word), "{error}");
         }
     };
@@ -141,14 +149,17 @@ fn rasters_without_a_surface_are_refused() {
     let mut flat = landscape(3, 8);
     flat.elevation.fill(7.0);
     assert_eq!(
-        Field::over(&flat, Detail::Error(0.5))
+        Field::from_raster(&flat, RasterDetail::Error(0.5))
             .unwrap()
             .triangles()
             .len(),
         2
     );
     assert_eq!(
-        Field::over(&flat, Detail::Full).unwrap().triangles().len(),
+        Field::from_raster(&flat, RasterDetail::Full)
+            .unwrap()
+            .triangles()
+            .len(),
         128
     );
 }

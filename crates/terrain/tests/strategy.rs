@@ -1,4 +1,4 @@
-//! What stands on a terrain under the strategy: prepared, moved, prepared anew, and what is never culled.
+//! Entities that stand on a terrain, under the strategy: prepared, moved and prepared again, and those that are never culled.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod support;
@@ -18,7 +18,7 @@ use antumbra_terrain::{
 use antumbra_testing::{add, drawable, look_at, perspective, stage_with, views, vulkan};
 use glam::{DAffine3, DVec3};
 
-/// A ridge from south to north, 60 metres high, across the middle of a plain.
+/// A ridge from south to north, 60 metres high, along the middle of a plain.
 fn ridge() -> Terrain {
     let mut heights = vec![vec![0.0; 33]; 33];
     for line in &mut heights {
@@ -30,7 +30,7 @@ fn ridge() -> Terrain {
         sectors: Sectors::new(32, 4).unwrap(),
         groups: Some(GroupOptions {
             seeds: 4,
-            most: 8,
+            max_groups: 8,
             ..GroupOptions::for_triangles(0)
         }),
         ..TerrainOptions::default()
@@ -46,7 +46,7 @@ struct Play {
     shown: ShownTerrain,
     horizon: HorizonStrategy,
     house: Drawable,
-    /// The middle of the field on the plain's height, in the world.
+    /// The middle of the field, at the height of the plain, in the world.
     middle: DVec3,
 }
 
@@ -81,13 +81,13 @@ impl Play {
         add(&mut self.scene, DAffine3::from_translation(place), what)
     }
 
-    /// Prepares what is new; how many those were.
-    fn stand(&mut self) -> usize {
+    /// Prepares the entities. Returns how many were new or had moved.
+    fn prepare(&mut self) -> usize {
         self.gpu_scene.sync(&mut self.scene).unwrap();
-        self.horizon.stand(&self.scene, &|| ())
+        self.horizon.prepare_entities(&self.scene, &|| ())
     }
 
-    /// The verdicts of somebody in the west who looks east over the ridge.
+    /// The verdicts for a camera in the west that looks east over the ridge.
     fn look(&mut self, entities: &[EntityKey]) -> Vec<Verdict> {
         let from = DVec3::new(-400.0, 5.0, 0.0);
         self.look_from(from, perspective(0.9, 0.5), entities)
@@ -124,22 +124,22 @@ fn who_is_new_or_moves_is_drawn_until_prepared_anew() {
     );
     let both = [behind, before];
     assert_eq!(play.look(&both), [Untested, Untested]);
-    assert_eq!(play.stand(), 2);
+    assert_eq!(play.prepare(), 2);
     assert_eq!(play.look(&both), [Occluded, Untested]);
-    // Up on a tower, where it can be seen, and back to where nobody has prepared it.
+    // Up to where it is visible, and back to a position where it is not prepared.
     for (up, anew) in [(95.0, Untested), (3.0, Occluded)] {
         let place = play.middle + DVec3::new(200.0, up, 0.0);
         let local = DAffine3::from_translation(place);
         play.scene.set_local(behind, local).unwrap();
         assert_eq!(play.look(&both), [Untested, Untested], "{up}");
-        assert_eq!(play.stand(), 1);
+        assert_eq!(play.prepare(), 1);
         assert_eq!(play.look(&both), [anew, Untested], "{up}");
-        assert_eq!(play.stand(), 0);
+        assert_eq!(play.prepare(), 0);
     }
     let another = play.build(play.house, 260.0, 0.0);
     assert_eq!(play.look(&[behind, another]), [Occluded, Untested]);
     play.scene.despawn(behind);
-    assert_eq!(play.stand(), 1);
+    assert_eq!(play.prepare(), 1);
     assert_eq!(play.look(&[another]), [Occluded]);
 }
 
@@ -161,10 +161,10 @@ fn nobody_is_culled_who_must_be_drawn() {
     let slice = play.build(play.house, 200.0, 0.0);
     play.scene.set_tested(slice, false).unwrap();
     let house = play.build(play.house, 200.0, 0.0);
-    assert_eq!(play.stand(), 1);
+    assert_eq!(play.prepare(), 1);
     let all = [wire, slice, house];
     assert_eq!(play.look(&all), [Untested, Untested, Occluded]);
-    // From below the ground, and from everywhere at once.
+    // With parallel lines of sight, and from below the ground.
     let orthographic = Projection::Orthographic {
         height: 400.0,
         near: 0.5,
@@ -177,7 +177,7 @@ fn nobody_is_culled_who_must_be_drawn() {
         play.look_from(below, perspective(0.9, 0.5), &all),
         [Untested; 3]
     );
-    // Where it stands it becomes untested, then a wire; and then its ridge goes away.
+    // In its place the house becomes untested, then a wire. Then the ridge is moved.
     assert_eq!(play.look(&[house]), [Occluded]);
     play.scene.set_tested(house, false).unwrap();
     assert_eq!(play.look(&[house]), [Untested]);
@@ -194,9 +194,9 @@ fn nobody_is_culled_who_must_be_drawn() {
 
 #[test]
 fn what_follows_from_the_other_strategy_is_said() {
-    let mut horizon = HorizonStrategy::default().before(Arc::new(registry()));
+    let mut horizon = HorizonStrategy::default().with_registry(Arc::new(registry()));
     assert!(horizon.conservative() && horizon.latency().is_none());
-    assert_eq!(horizon.stand(&Scene::new(), &|| ()), 0);
+    assert_eq!(horizon.prepare_entities(&Scene::new(), &|| ()), 0);
     horizon.set_text("then", "three-pass").unwrap();
     assert!(!horizon.conservative() && horizon.latency().is_some());
     horizon.set_text("then", "ideal").unwrap();

@@ -1,24 +1,24 @@
-//! Draws a field from above or aslant, lit from the north-west, each triangle in a colour of its own.
+//! Draws a field from above or at an angle, lit from the north-west, each triangle in a colour of its own.
 
 use antumbra_terrain::Field;
 use glam::{DVec2, DVec3};
 use image::{Rgb, RgbImage};
 
-/// From where a field is looked at, from far away.
+/// The direction that a field is drawn from, with a parallel projection.
 #[derive(Clone, Copy)]
 pub enum View {
     /// From above, north up.
     Plan,
-    /// From the south, 35 degrees above the ground; heights are doubled.
-    Aslant,
+    /// From the south, 35 degrees above the horizon, with heights doubled.
+    Oblique,
 }
 
 impl View {
-    /// To the right, up and towards who looks, metres.
-    fn turn(self, at: DVec3) -> DVec3 {
+    /// A position to the right, up and towards the camera, metres.
+    fn rotate(self, at: DVec3) -> DVec3 {
         match self {
             Self::Plan => at,
-            Self::Aslant => {
+            Self::Oblique => {
                 let (sine, cosine) = 35_f64.to_radians().sin_cos();
                 let up = 2.0 * at.z;
                 DVec3::new(at.x, at.y * sine + up * cosine, up * sine - at.y * cosine)
@@ -27,10 +27,10 @@ impl View {
     }
 }
 
-/// A picture of so many pixels across.
+/// A picture that is `across` pixels wide.
 pub fn draw(field: &Field, view: View, across: u32, colour: impl Fn(u32) -> [u8; 3]) -> RgbImage {
-    let turned: Vec<DVec3> = field.points().iter().map(|&at| view.turn(at)).collect();
-    let (low, high) = turned
+    let rotated: Vec<DVec3> = field.points().iter().map(|&at| view.rotate(at)).collect();
+    let (low, high) = rotated
         .iter()
         .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), at| {
             (low.min(*at), high.max(*at))
@@ -45,11 +45,11 @@ pub fn draw(field: &Field, view: View, across: u32, colour: impl Fn(u32) -> [u8;
         let [a, b, c] = field.corners(number as u32);
         let shade = 0.35 + 0.65 * (b - a).cross(c - a).normalize().dot(light).max(0.0);
         let colour = colour(number as u32).map(|part| (f64::from(part) * shade) as u8);
-        let place = |corner: u32| {
-            let at = turned[corner as usize] - low;
+        let project = |corner: u32| {
+            let at = rotated[corner as usize] - low;
             DVec3::new(at.x * scale, (size.y - at.y) * scale, at.z)
         };
-        fill(corners.map(place), [across, down], |[x, y], depth| {
+        fill(corners.map(project), [across, down], |[x, y], depth| {
             let known = &mut depths[(y * across + x) as usize];
             if depth > *known {
                 *known = depth;
@@ -60,14 +60,14 @@ pub fn draw(field: &Field, view: View, across: u32, colour: impl Fn(u32) -> [u8;
     picture
 }
 
-/// Where a place of the field is in a picture from above.
+/// The pixel of a position in the plan, in a picture from above.
 pub fn plan(field: &Field, across: u32, at: DVec2) -> [i64; 2] {
     let [low, high] = field.plan_bounds();
     let scale = f64::from(across) / (high.x - low.x);
     [(at.x - low.x) * scale, (high.y - at.y) * scale].map(|number| number as i64)
 }
 
-/// A red cross with a white rim.
+/// Draws a red cross with a white outline.
 pub fn mark(picture: &mut RgbImage, [x, y]: [i64; 2]) {
     for (half, colour) in [(2, [255, 255, 255]), (1, [220, 0, 0])] {
         for along in -10..=10_i64 {
@@ -86,7 +86,7 @@ pub fn mark(picture: &mut RgbImage, [x, y]: [i64; 2]) {
     }
 }
 
-/// Pictures in rows, with a little white between.
+/// Joins pictures in rows, with white gaps between them.
 pub fn tile(rows: &[Vec<RgbImage>]) -> RgbImage {
     const GAP: u32 = 6;
     let wide = |row: &Vec<RgbImage>| row.iter().map(|picture| picture.width() + GAP).sum::<u32>();
@@ -106,7 +106,7 @@ pub fn tile(rows: &[Vec<RgbImage>]) -> RgbImage {
     all
 }
 
-/// Calls for every pixel whose middle lies in a triangle, and its depth there.
+/// Calls `pixel` for every pixel whose middle lies in a triangle, with the depth there.
 fn fill([a, b, c]: [DVec3; 3], [across, down]: [u32; 2], mut pixel: impl FnMut([u32; 2], f64)) {
     let [p, q, r] = [a, b, c].map(DVec3::truncate);
     let (low, high) = (p.min(q).min(r).floor(), p.max(q).max(r).ceil());

@@ -1,35 +1,35 @@
-//! Time by the wall and time of all processors, which other programs do not add to.
+//! Wall-clock time, and the processor time of this process, which other programs do not add to.
 
 use std::time::Instant;
 
-/// When something began.
+/// The start of a measurement.
 pub struct Clock {
     wall: Instant,
-    work: f64,
+    processor: f64,
 }
 
 impl Clock {
     pub fn start() -> Self {
         Self {
             wall: Instant::now(),
-            work: work(),
+            processor: processor_seconds(),
         }
     }
 
-    /// Seconds by the wall.
+    /// Seconds of wall-clock time.
     pub fn wall(&self) -> f64 {
         self.wall.elapsed().as_secs_f64()
     }
 
-    /// Seconds of processors; those by the wall where the system does not tell.
-    pub fn work(&self) -> f64 {
-        let spent = work() - self.work;
+    /// Seconds of processor time; of wall-clock time where the system does not report it.
+    pub fn processor(&self) -> f64 {
+        let spent = processor_seconds() - self.processor;
         if spent > 0.0 { spent } else { self.wall() }
     }
 }
 
-/// Seconds of processors this process has used, in hundredths.
-fn work() -> f64 {
+/// The processor time that this process has used, seconds, in steps of a hundredth.
+fn processor_seconds() -> f64 {
     let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
     let fields = stat.rsplit(')').next().unwrap_or_default().split(' ');
     let ticks = fields

@@ -1,13 +1,14 @@
-//! Pictures like the thesis's figures 16, 17, 19, 20 and 21.
+//! Pictures like figures 16, 17, 19, 20 and 21 of Edmondson's thesis.
 
 use std::error::Error;
 use std::path::Path;
 
-use antumbra_terrain::{Crystals, Field, Groups, Horizons, Method, NONE, Scope, Sectors};
+use antumbra_terrain::{Crystals, Field, GroupHierarchy, Horizons, Method, NONE, Scope, Sectors};
 use glam::DVec3;
 use image::RgbImage;
 
 use crate::canvas::{self, View};
+use crate::views::Viewpoints;
 use crate::{tables, views};
 
 const GROUND: [u8; 3] = [150, 160, 140];
@@ -18,7 +19,11 @@ const PALE: [u8; 3] = [225, 232, 240];
 
 pub fn draw(field: &Field, folder: &Path) -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(folder)?;
-    let [(_, valley), (_, slope), (_, peak)] = views::places(field);
+    let Viewpoints {
+        valley,
+        slope,
+        peak,
+    } = views::viewpoints(field);
     let seen = |eye| views::seen(field, eye);
     let slope_seen = seen(slope);
     for (name, settings) in [
@@ -54,11 +59,11 @@ pub fn draw(field: &Field, folder: &Path) -> Result<(), Box<dyn Error>> {
         );
         let crystals = Crystals::grow(field, &horizons, &options)?;
         row.push(canvas::draw(field, View::Plan, 360, |triangle| {
-            of_group(crystals.of[triangle as usize])
+            of_group(crystals.group_of[triangle as usize])
         }));
         if [count, parts] == [16, 4] {
-            canvas::draw(field, View::Aslant, 1200, |triangle| {
-                of_group(crystals.of[triangle as usize])
+            canvas::draw(field, View::Oblique, 1200, |triangle| {
+                of_group(crystals.group_of[triangle as usize])
             })
             .save(folder.join("groups-aslant.png"))?;
         }
@@ -72,7 +77,7 @@ pub fn draw(field: &Field, folder: &Path) -> Result<(), Box<dyn Error>> {
         &|| (),
     );
     let small = antumbra_terrain::GroupOptions::of_seeds(field.triangles().len() as u32 / 50);
-    let groups = Groups::make(field, &horizons, &small)?;
+    let groups = GroupHierarchy::build(field, &horizons, &small)?;
     let mut row = Vec::new();
     for eye in [valley, slope, peak] {
         let (drawn, seen) = (views::drawn(&groups, eye), seen(eye));
@@ -92,13 +97,13 @@ pub fn draw(field: &Field, folder: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What is seen, what is drawn without being seen, and what is seen and not drawn, were each triangle judged by itself.
+/// The triangles that are visible, that are drawn but not visible, and that are visible but not drawn, with each triangle tested by itself.
 fn viewshed(field: &Field, horizons: &Horizons, eye: DVec3, seen: &[bool]) -> RgbImage {
     let colour = |triangle: u32| {
         let corners = field.triangles()[triangle as usize];
         let hidden = corners
             .into_iter()
-            .all(|corner| horizons.hides(field, corner, eye));
+            .all(|corner| horizons.hides_vertex(field, corner, eye));
         match (hidden, seen[triangle as usize]) {
             (false, true) => SEEN,
             (false, false) => DRAWN,
@@ -115,7 +120,7 @@ fn marked(field: &Field, eye: DVec3, mut picture: RgbImage) -> RgbImage {
     picture
 }
 
-/// A colour by a group's number; black for no group.
+/// A colour for a group's number; black for no group.
 fn of_group(group: u32) -> [u8; 3] {
     if group == NONE {
         return [0; 3];

@@ -1,4 +1,4 @@
-//! Processor time a vertex and direction, method by method, with one thread and with two.
+//! Processor time for each vertex and direction, by method, with one thread and with two.
 
 use std::error::Error;
 
@@ -9,12 +9,12 @@ use crate::tables::REACHES;
 
 pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
     println!(
-        "| method | µs of processor a vertex and direction (of a large field with two threads) | one thread, s | two threads, s | times as fast |\n|---|---|---|---|---|"
+        "| method | µs of processor time a vertex and direction (with two threads for a large field) | one thread, s | two threads, s | times as fast |\n|---|---|---|---|---|"
     );
-    // A large field takes long enough once, with two threads, and without edges.
+    // A large field is measured with two threads only, and without edges.
     let large = field.points().len() > 200_000;
     let sectors = Sectors::new(16, 4)?;
-    let questions = field.points().len() as f64 * f64::from(sectors.count() * sectors.parts());
+    let queries = field.points().len() as f64 * f64::from(sectors.count() * sectors.parts());
     for (method, scope, reaches) in [
         (Method::Thesis, Scope::Vertices, 1),
         (Method::Rays, Scope::Vertices, 1),
@@ -38,7 +38,7 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
             pool.install(|| Horizons::find(field, sectors, method, scope, &|| ()));
             *wall = clock.wall();
             if threads == 1 || large {
-                each = clock.work() / questions * 1e6;
+                each = clock.processor() / queries * 1e6;
             }
         }
         let [one, two] = walls;

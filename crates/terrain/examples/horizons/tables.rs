@@ -1,4 +1,4 @@
-//! The thesis's tables 2 and 3: how long its seven sector settings take, and what groups come of them.
+//! Tables 2 and 3 of Edmondson's thesis: how long its seven sector settings take, and the groups that result.
 
 use std::error::Error;
 
@@ -6,10 +6,10 @@ use antumbra_terrain::{Crystals, Field, GroupOptions, Horizons, Method, Scope, S
 
 use crate::clock::Clock;
 
-/// Sectors and sub-sectors of each.
+/// The sectors and sub-sectors of each setting.
 pub const SETTINGS: [[u32; 2]; 7] = [[8, 1], [8, 2], [8, 4], [8, 8], [16, 4], [32, 2], [64, 1]];
 
-/// How many reaches the other tables have besides one.
+/// The number of reaches that the other tables compare with one reach.
 pub const REACHES: u32 = 5;
 
 /// The methods in the order of the columns.
@@ -20,7 +20,7 @@ const METHODS: [(Method, Scope); 4] = [
     (Method::Sound, Scope::Surface),
 ];
 
-/// The thesis's grouping: seeds by the size of its two terrains, twice as many groups at most.
+/// The thesis's grouping: seeds by the size of its two terrains, and at most twice as many groups.
 pub fn groups(field: &Field) -> GroupOptions {
     let seeds = if field.points().len() < 50_000 {
         100
@@ -29,7 +29,7 @@ pub fn groups(field: &Field) -> GroupOptions {
     };
     GroupOptions {
         seeds,
-        most: seeds * 2,
+        max_groups: seeds * 2,
         ..GroupOptions::for_triangles(field.triangles().len())
     }
 }
@@ -46,12 +46,12 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
         for (method, scope) in METHODS {
             let clock = Clock::start();
             row.push(Horizons::find(field, sectors, method, scope, &|| ()));
-            print!(" {:.3} ({:.2}) |", clock.wall(), clock.work());
+            print!(" {:.3} ({:.2}) |", clock.wall(), clock.processor());
         }
         println!();
         found.push(row);
     }
-    println!("\nSeconds by the wall (of processors).\n");
+    println!("\nSeconds of wall-clock time (of processor time).\n");
     println!(
         "| sectors / sub-sectors | by | orphan passes | final orphans | final groups | over 130 triangles | seconds |\n|---|---|---|---|---|---|---|"
     );

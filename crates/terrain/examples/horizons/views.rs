@@ -1,35 +1,50 @@
-//! What groups hide from a valley, a slope and a peak, against what is hidden there, and how long it takes to tell.
+//! What is culled from a valley, a slope and a peak, compared with what is hidden there, and how long a traversal takes.
 
 use std::error::Error;
 use std::time::Instant;
 
 use antumbra_terrain::{
-    Arc, Eye, Field, GroupOptions, Groups, Horizons, Method, Scope, Sectors, Sights,
+    AzimuthRange, Field, GroupHierarchy, GroupOptions, Horizons, LineOfSight, Method, Observer,
+    Scope, Sectors,
 };
 use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::tables::{self, REACHES};
 
-/// Metres that somebody's eyes are above the ground.
+/// The height of viewpoints above the ground, metres.
 const EYES: f64 = 2.0;
 
-/// Somebody in a deep place, half-way up, and on the highest peak, none of them at the border.
-pub fn places(field: &Field) -> [(&'static str, DVec3); 3] {
+/// Three viewpoints, none of them near the boundary.
+pub struct Viewpoints {
+    /// In a valley.
+    pub valley: DVec3,
+    /// Half-way up.
+    pub slope: DVec3,
+    /// On the highest peak.
+    pub peak: DVec3,
+}
+
+/// Chooses the viewpoints of a field, 2 metres above the ground.
+pub fn viewpoints(field: &Field) -> Viewpoints {
     let [low, high] = field.plan_bounds();
     let (middle, half) = ((low + high) / 2.0, (high - low) / 2.0);
     let inner = |point: &&DVec3| ((point.truncate() - middle) / half).abs().max_element() < 0.6;
     let mut inside: Vec<DVec3> = field.points().iter().filter(inner).copied().collect();
     inside.sort_by(|a, b| a.z.total_cmp(&b.z));
     let at = |share: f64| {
-        let place = inside.get((share * (inside.len() - 1) as f64) as usize);
-        place.copied().unwrap_or_default() + DVec3::Z * EYES
+        let point = inside.get((share * (inside.len() - 1) as f64) as usize);
+        point.copied().unwrap_or_default() + DVec3::Z * EYES
     };
-    [("valley", at(0.02)), ("slope", at(0.5)), ("peak", at(1.0))]
+    Viewpoints {
+        valley: at(0.02),
+        slope: at(0.5),
+        peak: at(1.0),
+    }
 }
 
-/// Which triangles are drawn for somebody who looks around.
-pub fn drawn(groups: &Groups, eye: DVec3) -> Vec<bool> {
+/// Which triangles are drawn for an observer that sees in all directions.
+pub fn drawn(groups: &GroupHierarchy, eye: DVec3) -> Vec<bool> {
     let mut drawn = vec![false; groups.order().len()];
     let mut draw = |range: std::ops::Range<u32>| {
         let row = groups.order().get(range.start as usize..range.end as usize);
@@ -37,20 +52,20 @@ pub fn drawn(groups: &Groups, eye: DVec3) -> Vec<bool> {
             .iter()
             .for_each(|triangle| drawn[*triangle as usize] = true);
     };
-    draw(groups.always());
-    Eye::new(groups, eye, Arc::ALL)
-        .each_seen(|group| draw(groups.groups()[group as usize].triangles.clone()));
+    draw(groups.ungrouped());
+    Observer::new(groups, eye, AzimuthRange::ALL)
+        .each_visible(|group| draw(groups.groups()[group as usize].triangles.clone()));
     drawn
 }
 
-/// Which triangles are seen: of any of their corners, middles of sides and their own middle.
+/// Which triangles are visible: at a corner, at the middle of a side, or at the centroid.
 pub fn seen(field: &Field, eye: DVec3) -> Vec<bool> {
-    let sights = Sights::new(field);
+    let line_of_sight = LineOfSight::new(field);
     (0..field.triangles().len() as u32)
         .into_par_iter()
         .map(|triangle| {
             let [a, b, c] = field.corners(triangle);
-            let places = [
+            let points = [
                 a,
                 b,
                 c,
@@ -59,21 +74,23 @@ pub fn seen(field: &Field, eye: DVec3) -> Vec<bool> {
                 (c + a) / 2.0,
                 (a + b + c) / 3.0,
             ];
-            // Turned away, nothing of it is seen.
+            // A triangle that faces away is not visible.
             let faces = (b - a).cross(c - a).dot(eye - a) > 0.0;
             faces
-                && places
+                && points
                     .into_iter()
-                    .any(|place| !sights.is_blocked(eye, place))
+                    .any(|point| !line_of_sight.is_blocked(eye, point))
         })
         .collect()
 }
 
 pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
-    let views: Vec<_> = places(field)
-        .into_iter()
-        .map(|(name, eye)| (name, eye, seen(field, eye)))
-        .collect();
+    let Viewpoints {
+        valley,
+        slope,
+        peak,
+    } = viewpoints(field);
+    let views = [valley, slope, peak].map(|eye| (eye, seen(field, eye)));
     println!(
         "| sectors / sub-sectors | reaches | seeds | groups | triangles a group, median | over 130 | always drawn | hidden of valley, slope, peak | of those culled | seen and culled | µs a frame |\n|---|---|---|---|---|---|---|---|---|---|---|"
     );
@@ -90,17 +107,17 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
         for options in [
             thesis,
             GroupOptions {
-                smallest: 130,
+                min_triangles: 130,
                 ..thesis
             },
             own,
             GroupOptions::of_seeds(own.seeds * 4),
             GroupOptions {
-                smallest: 8,
+                min_triangles: 8,
                 ..GroupOptions::of_seeds(own.seeds * 16)
             },
         ] {
-            let groups = Groups::make(field, &horizons, &options)?;
+            let groups = GroupHierarchy::build(field, &horizons, &options)?;
             let mut sizes: Vec<usize> = groups
                 .groups()
                 .iter()
@@ -111,7 +128,7 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
             let large = sizes.iter().filter(|size| **size > 130).count();
             let mut cells = [String::new(), String::new(), String::new()];
             let mut times = String::new();
-            for (_, eye, seen) in &views {
+            for (eye, seen) in &views {
                 let drawn = drawn(&groups, *eye);
                 let all = seen.len() as f64;
                 let hidden = seen.iter().filter(|seen| !**seen).count();
@@ -131,7 +148,8 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
                 let (start, runs) = (Instant::now(), 200);
                 let mut last = 0;
                 for _ in 0..runs {
-                    Eye::new(&groups, *eye, Arc::ALL).each_seen(|group| last = group);
+                    Observer::new(&groups, *eye, AzimuthRange::ALL)
+                        .each_visible(|group| last = group);
                 }
                 std::hint::black_box(last);
                 times += &format!(
@@ -145,7 +163,7 @@ pub fn print(field: &Field) -> Result<(), Box<dyn Error>> {
                 sizes.len(),
                 sizes.get(sizes.len() / 2).copied().unwrap_or_default(),
                 100.0 * large as f64 / sizes.len().max(1) as f64,
-                100.0 * groups.always().len() as f64 / field.triangles().len() as f64,
+                100.0 * groups.ungrouped().len() as f64 / field.triangles().len() as f64,
                 cells[0],
                 cells[1],
                 cells[2],

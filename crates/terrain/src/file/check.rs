@@ -1,88 +1,93 @@
-//! Whether groups out of a file can be any: a hierarchy over a row of all triangles, with circles and heights that hold what they are said to.
+//! Checks the groups of a file: that they are a hierarchy over a list of all triangles, and that their circles and heights hold what they
+//! should.
 
 use rayon::prelude::*;
 
-use super::bad;
+use super::problem::bad;
 use crate::error::TerrainError;
 use crate::field::{Field, NONE};
-use crate::groups::{Group, Groups};
+use crate::groups::{Group, GroupHierarchy};
 
-/// The deepest hierarchy; every vertex is held against the circles of all groups that it is in.
+/// The deepest hierarchy. Every vertex is tested against the circles of all groups that it is in.
 const DEEPEST: u32 = 1024;
-/// How far beyond its circle rounding may put a vertex, for each metre of the circle's distance and radius.
+/// How far beyond its circle rounding may move a vertex, for each metre of the circle's distance and radius.
 const ROUNDING: f64 = 1e-12;
 
-/// Everything about groups but the regions that hide them.
-pub(super) fn groups(field: &Field, groups: &Groups) -> Result<(), TerrainError> {
+/// Checks everything about groups except their regions.
+pub(super) fn check_groups(field: &Field, groups: &GroupHierarchy) -> Result<(), TerrainError> {
     let all = groups.groups();
     let triangles = field.triangles().len();
     if !is_each_once(groups.order(), triangles) {
         return Err(bad("its order does not have every triangle once"));
     }
-    tree(all, groups.tops())?;
+    check_tree(all, groups.roots())?;
     let mut end = 0;
     for (number, group) in all.iter().enumerate() {
         let range = &group.triangles;
-        let fits = match parts(all, group) {
+        let fits = match children(all, group) {
             None => {
                 let begin = std::mem::replace(&mut end, range.end);
                 range.start == begin && range.start < range.end
             }
             Some([a, b]) => {
-                let [a, b] = [a, b].map(|part| &part.triangles);
+                let [a, b] = [a, b].map(|child| &child.triangles);
                 range.start == a.start && a.end == b.start && b.end == range.end
             }
         };
         if !fits {
             return Err(bad(format!(
-                "group {number} has the triangles {range:?}, which are not those after the group before it, or not those of its parts"
+                "group {number} has the triangles {range:?}, which do not follow those of the group before it, or are not those of its children"
             )));
         }
     }
-    if end != groups.always().start || groups.always().end as usize != triangles {
+    if end != groups.ungrouped().start || groups.ungrouped().end as usize != triangles {
         return Err(bad(format!(
-            "its groups have {end} triangles of {triangles}, and {} are in none",
-            groups.always().len()
+            "its groups have {end} of {triangles} triangles, and {} are in no group",
+            groups.ungrouped().len()
         )));
     }
     let wrong = all.par_iter().position_first(|group| {
-        !circle_holds(field, group, groups.triangles(group)) || !heights_hold(field, groups, group)
+        !is_in_circle(field, group, groups.triangles(group)) || !has_heights(field, groups, group)
     });
     wrong.map_or(Ok(()), |number| {
         Err(bad(format!(
-            "group {number} reaches beyond the circle or the heights it is said to have"
+            "group {number} extends beyond its circle or its heights"
         )))
     })
 }
 
-/// The triangles that each node shows of those in no group.
-pub(super) fn always(
-    groups: &Groups,
+/// Checks the ungrouped triangles of all nodes and divides them: `ends` has the end of each node's triangles in `row`.
+pub(super) fn check_ungrouped(
+    groups: &GroupHierarchy,
     row: &[u32],
     ends: &[u32],
 ) -> Result<Vec<Vec<u32>>, TerrainError> {
-    let range = groups.always();
-    let rest = groups.order().get(range.start as usize..range.end as usize);
-    let [mut there, mut said] = [rest.unwrap_or_default(), row].map(<[u32]>::to_vec);
-    there.sort_unstable();
-    said.sort_unstable();
-    if there != said {
-        return Err(bad("what is always drawn is not what is in no group"));
+    let [mut expected, mut found] = [groups.ungrouped_triangles(), row].map(<[u32]>::to_vec);
+    expected.sort_unstable();
+    found.sort_unstable();
+    if expected != found {
+        return Err(bad(
+            "the triangles that are always drawn are not those of no group",
+        ));
     }
     let mut begin = 0;
     let mut shown = Vec::with_capacity(ends.len());
     for &end in ends {
         let part = row.get(begin..end as usize).filter(|part| !part.is_empty());
-        let part = part.ok_or_else(|| bad("a node shows none of what is always drawn"))?;
+        let part =
+            part.ok_or_else(|| bad("a node shows none of the triangles that are always drawn"))?;
         shown.push(part.to_vec());
         begin = end as usize;
     }
     if begin != row.len() {
-        return Err(bad("no node shows some of what is always drawn"));
+        return Err(bad(
+            "no node shows some of the triangles that are always drawn",
+        ));
     }
     Ok(shown)
 }
 
+/// Whether a row has each of the numbers below `count` once.
 fn is_each_once(row: &[u32], count: usize) -> bool {
     let mut seen = vec![false; count];
     row.len() == count
@@ -92,16 +97,16 @@ fn is_each_once(row: &[u32], count: usize) -> bool {
         })
 }
 
-/// The two that a group is made of; `None` for a crystal.
-fn parts<'a>(all: &'a [Group], group: &Group) -> Option<[&'a Group; 2]> {
+/// The children of a group; `None` for a leaf.
+fn children<'a>(all: &'a [Group], group: &Group) -> Option<[&'a Group; 2]> {
     let [a, b] = group.children;
     all.get(a as usize)
         .zip(all.get(b as usize))
         .map(<[_; 2]>::from)
 }
 
-/// Every group behind the one that it is part of, and part of one at most; those of none are the tops.
-fn tree(all: &[Group], tops: &[u32]) -> Result<(), TerrainError> {
+/// Checks that every group comes after its parent and has one parent at most, and that those without a parent are the roots.
+fn check_tree(all: &[Group], roots: &[u32]) -> Result<(), TerrainError> {
     let mut depths = vec![0_u32; all.len()];
     for (number, group) in all.iter().enumerate() {
         if group.is_leaf() {
@@ -109,28 +114,31 @@ fn tree(all: &[Group], tops: &[u32]) -> Result<(), TerrainError> {
         }
         let depth = depths.get(number).copied().unwrap_or_default() + 1;
         if depth > DEEPEST {
-            return Err(bad(format!("its groups are more than {DEEPEST} deep")));
+            return Err(bad(format!(
+                "its groups are nested more than {DEEPEST} deep"
+            )));
         }
         for child in group.children {
-            let behind = child as usize > number && child != NONE;
+            let after = child as usize > number && child != NONE;
             let own = depths.get_mut(child as usize);
-            let own = own.filter(|own| behind && **own == 0);
+            let own = own.filter(|own| after && **own == 0);
             let own = own.ok_or_else(|| {
                 bad(format!(
-                    "group {number} cannot be made of group {child}: parts come behind the whole, and are parts once"
+                    "group {number} cannot have the child {child}: a child comes after its parent, and has one parent"
                 ))
             })?;
             *own = depth;
         }
     }
-    let free = (0..all.len() as u32).filter(|&group| depths.get(group as usize) == Some(&0));
-    if !free.eq(tops.iter().copied()) {
-        return Err(bad("its tops are not the groups that are part of no other"));
+    let parentless = (0..all.len() as u32).filter(|&group| depths.get(group as usize) == Some(&0));
+    if !parentless.eq(roots.iter().copied()) {
+        return Err(bad("its tops are not the groups without a parent"));
     }
     Ok(())
 }
 
-fn circle_holds(field: &Field, group: &Group, triangles: &[u32]) -> bool {
+/// Whether all triangles of a group lie in its circle.
+fn is_in_circle(field: &Field, group: &Group, triangles: &[u32]) -> bool {
     let circle = group.circle;
     let slack = (circle.middle.abs().max_element() + circle.radius) * ROUNDING;
     let reach = circle.radius + slack;
@@ -138,19 +146,20 @@ fn circle_holds(field: &Field, group: &Group, triangles: &[u32]) -> bool {
         && reach.is_finite()
         && triangles.iter().all(|&triangle| {
             let corners = field.corners(triangle);
-            let mut far = corners
+            let mut distances = corners
                 .iter()
                 .map(|at| at.truncate().distance(circle.middle));
-            far.all(|far| far <= reach)
+            distances.all(|distance| distance <= reach)
         })
 }
 
-/// Whether the heights are those of the triangles, or of the parts, which are held against theirs.
-fn heights_hold(field: &Field, groups: &Groups, group: &Group) -> bool {
+/// Whether the heights of a leaf are those of its triangles, and the heights of another group those of its children.
+fn has_heights(field: &Field, groups: &GroupHierarchy, group: &Group) -> bool {
     let empty = [f64::INFINITY, f64::NEG_INFINITY];
-    let join =
-        |[low, high]: [f64; 2], [lower, higher]: [f64; 2]| [low.min(lower), high.max(higher)];
-    let heights = match parts(groups.groups(), group) {
+    let join = |[low, high]: [f64; 2], [other_low, other_high]: [f64; 2]| {
+        [low.min(other_low), high.max(other_high)]
+    };
+    let heights = match children(groups.groups(), group) {
         Some([a, b]) => join(a.heights, b.heights),
         None => {
             let corners = groups.triangles(group).iter();

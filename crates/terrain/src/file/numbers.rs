@@ -1,11 +1,11 @@
-//! Rows of numbers as bytes, little-endian.
+//! Rows of numbers as little-endian bytes.
 
-use super::bad;
+use super::problem::bad;
 use crate::error::TerrainError;
 
-/// A number of a file.
+/// A number in a file.
 pub(super) trait Number: Copy + Default {
-    /// How many bytes it takes.
+    /// Its size in bytes.
     const BYTES: usize;
 
     fn from_bytes(bytes: &[u8]) -> Option<Self>;
@@ -31,7 +31,7 @@ macro_rules! number {
 
 number!(f64, f32, u32);
 
-/// Bytes that grow.
+/// Writes rows of numbers.
 #[derive(Default)]
 pub(super) struct Writer {
     pub(super) bytes: Vec<u8>,
@@ -45,7 +45,7 @@ impl Writer {
     }
 }
 
-/// Bytes that are not read yet.
+/// Reads rows of numbers from the bytes that have not been read yet.
 pub(super) struct Reader<'a>(&'a [u8]);
 
 impl<'a> Reader<'a> {
@@ -53,7 +53,7 @@ impl<'a> Reader<'a> {
         Self(bytes)
     }
 
-    /// The next so many; memory is taken only for what is there.
+    /// Reads the next `count` items of `N` numbers. Memory is allocated only for bytes that exist.
     pub(super) fn row<T: Number, const N: usize>(
         &mut self,
         count: usize,

@@ -1,52 +1,57 @@
-//! Where a line in the plan crosses an edge of the field: found with 32 bits, told with 64.
+//! Where a line in the plan crosses an edge of the field. The edge is searched in f32; the crossing is computed in f64.
 
 use glam::{DVec2, DVec3};
 
-use crate::field::around;
-use crate::field::{Field, NONE};
+use crate::field::{Field, NONE, next};
 
-/// A place on an edge.
+/// A point on an edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Crossing {
-    /// The edge.
-    pub half: u32,
-    /// The place.
+    /// The edge, as a half-edge.
+    pub half_edge: u32,
+    /// The point.
     pub at: DVec3,
 }
 
-/// Where the line from a place in a direction crosses an edge; `None` where it does not, or behind it.
-fn cross(field: &Field, from: DVec3, way: DVec2, half: u32) -> Option<Crossing> {
-    let [a, b] = field.ends(half);
-    let [left, right] = [a, b].map(|end| way.perp_dot((end - from).truncate()));
+/// Where the ray from a position along a direction crosses an edge. `None` if it does not.
+fn cross(field: &Field, from: DVec3, direction: DVec2, half_edge: u32) -> Option<Crossing> {
+    let [a, b] = field.ends(half_edge);
+    let [left, right] = [a, b].map(|end| direction.perp_dot((end - from).truncate()));
     if left * right > 0.0 || left == right {
         return None;
     }
     let at = a.lerp(b, left / (left - right));
-    let ahead = way.dot((at - from).truncate()) > 0.0;
-    ahead.then_some(Crossing { half, at })
+    let ahead = direction.dot((at - from).truncate()) > 0.0;
+    ahead.then_some(Crossing { half_edge, at })
 }
 
-/// The same for the edge that a search with fewer bits chose: where the line passes just beside it, the next edge around its nearer end.
-pub(super) fn resolve(field: &Field, from: DVec3, way: DVec2, half: u32) -> Option<Crossing> {
-    if half == NONE {
+/// As [`cross`], for an edge that a search in f32 found. If the ray passes just beside it, the crossing is on another edge around its
+/// nearer end.
+pub(super) fn resolve(
+    field: &Field,
+    from: DVec3,
+    direction: DVec2,
+    half_edge: u32,
+) -> Option<Crossing> {
+    if half_edge == NONE {
         return None;
     }
-    cross(field, from, way, half).or_else(|| {
-        let [a, b] = field.ends(half);
-        let [left, right] = [a, b].map(|end| way.perp_dot((end - from).truncate()).abs());
-        let out = if left <= right {
-            half
+    cross(field, from, direction, half_edge).or_else(|| {
+        let [a, b] = field.ends(half_edge);
+        let [left, right] = [a, b].map(|end| direction.perp_dot((end - from).truncate()).abs());
+        let start = if left <= right {
+            half_edge
         } else {
-            crate::field::next(half)
+            next(half_edge)
         };
-        let spokes = around(field, out);
-        spokes
+        let edges = field.edges_around_start(start);
+        edges
             .into_iter()
-            .find_map(|spoke| cross(field, from, way, spoke))
+            .find_map(|edge| cross(field, from, direction, edge))
     })
 }
 
-/// How steeply the line from one place to another rises.
+/// The slope of the line from one position to another: metres up for each metre in the plan.
 pub(super) fn slope(from: DVec3, to: DVec3) -> f64 {
     (to.z - from.z) / (to - from).truncate().length()
 }

@@ -1,4 +1,4 @@
-//! Sectors of directions, the sub-sectors that they are found by, and the reaches within which they are looked for.
+//! Sectors of directions, their sub-sectors, and the reaches of their horizons.
 
 use std::f64::consts::TAU;
 
@@ -6,14 +6,15 @@ use glam::DVec2;
 
 use crate::error::TerrainError;
 
-/// How many times nearer each reach is than the one before it: what found most with three to six of them.
-const NEARER: f64 = 2.25;
+/// The ratio of each reach to the next nearer one. Of the ratios tried with three to six reaches, this one found most.
+const REACH_RATIO: f64 = 2.25;
 
-/// Directions in the plan divided into equal sectors, each of equal sub-sectors. Sector 0 begins in the east; they follow each other
-/// counter-clockwise, towards the north.
+/// The division of the directions in the plan into equal sectors, and of each sector into equal sub-sectors. Sector 0 begins in the east.
+/// Sectors follow each other counter-clockwise, towards the north.
 ///
-/// In each sector a horizon is found for one or several *reaches*: for the first out of all there is, for the others out of what lies nearer.
-/// The highest ridge is often a far one, and says nothing of whoever is nearer than that; the highest of the near ones does.
+/// In each sector a horizon is found for one or several *reaches*: for the first from all terrain, for the others from the terrain within
+/// a distance. The highest ridge is often far away, and its horizon says nothing about viewpoints nearer than that ridge. The horizon of a
+/// nearer reach does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Sectors {
     count: u32,
@@ -35,10 +36,10 @@ impl Sectors {
     /// The most reaches.
     pub const MOST_REACHES: u32 = 8;
 
-    /// So many sectors of so many sub-sectors each, with one reach.
+    /// `count` sectors of `parts` sub-sectors each, with one reach.
     ///
     /// # Errors
-    /// [`TerrainError::Setting`] for fewer than 4 sectors or more than 1024, no sub-sector or more than 1024 of them.
+    /// [`TerrainError::Setting`] if `count` is not 4 to 1024, or `parts` is not 1 to 1024.
     pub fn new(count: u32, parts: u32) -> Result<Self, TerrainError> {
         if !(4..=1024).contains(&count) {
             return refuse("the number of sectors", count, "give 4 to 1024");
@@ -53,10 +54,10 @@ impl Sectors {
         })
     }
 
-    /// The same with so many reaches.
+    /// The same sectors with another number of reaches.
     ///
     /// # Errors
-    /// [`TerrainError::Setting`] for none, or more than [`Self::MOST_REACHES`].
+    /// [`TerrainError::Setting`] if `reaches` is not 1 to [`Self::MOST_REACHES`].
     pub fn with_reaches(self, reaches: u32) -> Result<Self, TerrainError> {
         if !(1..=Self::MOST_REACHES).contains(&reaches) {
             return refuse("the number of reaches", reaches, "give 1 to 8");
@@ -64,98 +65,99 @@ impl Sectors {
         Ok(Self { reaches, ..self })
     }
 
-    /// How many sectors there are.
+    /// The number of sectors.
     #[must_use]
     pub fn count(&self) -> u32 {
         self.count
     }
 
-    /// How many sub-sectors a sector has.
+    /// The number of sub-sectors of each sector.
     #[must_use]
     pub fn parts(&self) -> u32 {
         self.parts
     }
 
-    /// The same with the first reach alone.
-    pub(crate) fn far(self) -> Self {
+    /// The same sectors with the first reach alone.
+    pub(crate) fn first_reach(self) -> Self {
         Self { reaches: 1, ..self }
     }
 
-    /// How many reaches there are.
+    /// The number of reaches.
     #[must_use]
     pub fn reaches(&self) -> u32 {
         self.reaches
     }
 
-    /// How far a reach goes, metres, in a field that is `across` metres from corner to corner: the first, 0, goes everywhere, the next as far as
-    /// four ninths of that, and so on.
+    /// The distance of a reach, metres, in a field whose plan bounds have a diagonal of `diagonal` metres: infinite for the first, 0; four
+    /// ninths of the diagonal for the second; four ninths of that for the third; and so on.
     #[must_use]
-    pub fn reach(&self, reach: u32, across: f64) -> f64 {
+    pub fn reach_distance(&self, reach: u32, diagonal: f64) -> f64 {
         match reach {
             0 => f64::INFINITY,
-            _ => across / NEARER.powi(reach as i32),
+            _ => diagonal / REACH_RATIO.powi(reach as i32),
         }
     }
 
-    /// How many rows a table has that has one for each reach of each sector.
+    /// The number of rows of a table with one row for each reach of each sector.
     pub(crate) fn rows(&self) -> usize {
         self.count as usize * self.reaches as usize
     }
 
-    /// Half a sector, radians.
+    /// Half the angle of a sector, radians.
     #[must_use]
-    pub fn half(&self) -> f64 {
+    pub fn half_angle(&self) -> f64 {
         TAU / f64::from(self.count) / 2.0
     }
 
-    /// Where a sub-sector of a sector begins; one beyond the last is where the next sector does.
+    /// The unit direction that a sub-sector starts at. The one after the last starts where the next sector does.
     #[must_use]
-    pub fn ray(&self, sector: u32, part: u32) -> DVec2 {
+    pub fn sub_sector_start(&self, sector: u32, part: u32) -> DVec2 {
         let all = self.count * self.parts;
-        // The same end has the same direction, to the last bit, whichever sector it is asked for.
-        self.way(2 * ((sector * self.parts + part) % all))
+        // A direction that two sectors share is the same for both, to the last bit.
+        self.direction(2 * ((sector * self.parts + part) % all))
     }
 
-    /// The middle of a sub-sector.
+    /// The unit direction of the middle of a sub-sector.
     #[must_use]
-    pub fn middle(&self, sector: u32, part: u32) -> DVec2 {
-        self.way(2 * (sector * self.parts + part) + 1)
+    pub fn sub_sector_middle(&self, sector: u32, part: u32) -> DVec2 {
+        self.direction(2 * (sector * self.parts + part) + 1)
     }
 
-    /// The middle of a sector.
+    /// The unit direction of the middle of a sector.
     #[must_use]
-    pub fn central(&self, sector: u32) -> DVec2 {
-        self.way((2 * sector + 1) * self.parts)
+    pub fn sector_middle(&self, sector: u32) -> DVec2 {
+        self.direction((2 * sector + 1) * self.parts)
     }
 
-    /// The direction of so many half sub-sectors.
-    fn way(&self, halves: u32) -> DVec2 {
+    /// The unit direction that lies `halves` half sub-sectors from the east.
+    fn direction(&self, halves: u32) -> DVec2 {
         let turn = f64::from(halves) / f64::from(2 * self.count * self.parts);
         DVec2::from_angle(turn * TAU)
     }
 
-    /// The sector that a direction lies in; at an end one of the two, give or take what rounding does to an angle.
-    fn about(&self, way: DVec2) -> u32 {
-        let turn = way.to_angle().rem_euclid(TAU) / TAU;
+    /// The sector that a direction lies in, up to the rounding of its angle.
+    fn approximate(&self, direction: DVec2) -> u32 {
+        let turn = direction.to_angle().rem_euclid(TAU) / TAU;
         (turn * f64::from(self.count)) as u32 % self.count
     }
 
-    /// The sector that a direction lies in, its ends included; `None` for no direction.
+    /// The sector that a direction of any length lies in. A direction that two sectors share lies in one of them. `None` for zero, NaN and
+    /// infinity.
     #[must_use]
-    pub fn containing(&self, way: DVec2) -> Option<u32> {
-        if way == DVec2::ZERO || !way.is_finite() {
+    pub fn containing(&self, direction: DVec2) -> Option<u32> {
+        if direction == DVec2::ZERO || !direction.is_finite() {
             return None;
         }
-        let guess = self.about(way);
-        // The angle is rounded; what counts is on which side of a sector's ends a direction lies.
-        let holds = |sector: &u32| {
-            let [first, last] = [0, self.parts].map(|part| self.ray(*sector, part));
-            first.perp_dot(way) >= 0.0 && last.perp_dot(way) <= 0.0
+        let guess = self.approximate(direction);
+        // The angle is rounded. The side of the sector's ends that the direction lies on decides.
+        let contains = |sector: &u32| {
+            let [first, last] = [0, self.parts].map(|part| self.sub_sector_start(*sector, part));
+            first.perp_dot(direction) >= 0.0 && last.perp_dot(direction) <= 0.0
         };
         [guess, guess + 1, guess + self.count - 1]
             .map(|sector| sector % self.count)
             .into_iter()
-            .find(holds)
+            .find(contains)
     }
 }
 
@@ -177,18 +179,19 @@ mod tests {
             let sectors = Sectors::new(count, parts).unwrap();
             for sector in 0..count {
                 assert_eq!(
-                    sectors.containing(sectors.central(sector) * 3e4),
+                    sectors.containing(sectors.sector_middle(sector) * 3e4),
                     Some(sector)
                 );
                 for part in 0..parts {
-                    let middle = sectors.containing(sectors.middle(sector, part));
+                    let middle = sectors.containing(sectors.sub_sector_middle(sector, part));
                     assert_eq!(middle, Some(sector));
-                    let end = sectors.containing(sectors.ray(sector, part) * 1e3).unwrap();
+                    let start = sectors.sub_sector_start(sector, part) * 1e3;
+                    let found = sectors.containing(start).unwrap();
                     let before = (sector + count - 1) % count;
-                    assert!(end == sector || (part == 0 && end == before));
+                    assert!(found == sector || (part == 0 && found == before));
                 }
-                let next = sectors.ray((sector + 1) % count, 0);
-                assert_eq!(sectors.ray(sector, parts), next);
+                let next = sectors.sub_sector_start((sector + 1) % count, 0);
+                assert_eq!(sectors.sub_sector_start(sector, parts), next);
             }
             assert_eq!(sectors.containing(DVec2::ZERO), None);
             assert_eq!(sectors.containing(DVec2::new(f64::NAN, 1.0)), None);

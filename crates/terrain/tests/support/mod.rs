@@ -1,37 +1,37 @@
 //! Fields for tests.
 #![allow(dead_code)]
 
-pub mod truth;
+pub mod brute_force;
 
 use antumbra_demo_scenes::terrain::FractalOptions;
-use antumbra_terrain::{Eye, Field, Terrain};
+use antumbra_terrain::{Field, Observer, Terrain};
 use glam::DVec3;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
-/// A number between 0 and 1.
-pub fn number(chance: &mut Pcg32) -> f64 {
-    f64::from(chance.next_u32()) / f64::from(u32::MAX)
+/// A random number from 0 to 1.
+pub fn number(rng: &mut Pcg32) -> f64 {
+    f64::from(rng.next_u32()) / f64::from(u32::MAX)
 }
 
-/// Corners, middles of sides, and chance places of a triangle.
-pub fn places(field: &Field, triangle: u32, chance: &mut Pcg32) -> Vec<DVec3> {
+/// The corners, the middles of the sides, and three random points of a triangle.
+pub fn points(field: &Field, triangle: u32, rng: &mut Pcg32) -> Vec<DVec3> {
     let [a, b, c] = field.corners(triangle);
-    let mut places = vec![a, b, c, (a + b) / 2.0, (b + c) / 2.0, (c + a) / 2.0];
+    let mut points = vec![a, b, c, (a + b) / 2.0, (b + c) / 2.0, (c + a) / 2.0];
     for _ in 0..3 {
-        let [u, v] = [number(chance), number(chance)];
+        let [u, v] = [number(rng), number(rng)];
         let (u, v) = if u + v > 1.0 {
             (1.0 - u, 1.0 - v)
         } else {
             (u, v)
         };
-        places.push(a + (b - a) * u + (c - a) * v);
+        points.push(a + (b - a) * u + (c - a) * v);
     }
-    places
+    points
 }
 
-/// The triangles that are not drawn.
-pub fn culled(terrain: &Terrain, eye: &Eye<'_>) -> Vec<u32> {
+/// The triangles that are not drawn for an observer.
+pub fn culled(terrain: &Terrain, observer: &Observer<'_>) -> Vec<u32> {
     let groups = terrain.groups();
     let mut drawn = vec![false; groups.order().len()];
     let mut draw = |range: std::ops::Range<u32>| {
@@ -39,14 +39,14 @@ pub fn culled(terrain: &Terrain, eye: &Eye<'_>) -> Vec<u32> {
             drawn[groups.order()[at as usize] as usize] = true;
         }
     };
-    eye.each_seen(|group| draw(groups.groups()[group as usize].triangles.clone()));
-    draw(groups.always());
+    observer.each_visible(|group| draw(groups.groups()[group as usize].triangles.clone()));
+    draw(groups.ungrouped());
     (0..drawn.len() as u32)
         .filter(|&triangle| !drawn[triangle as usize])
         .collect()
 }
 
-/// Heights of a fractal landscape, from 0 to 1, `2^order + 1` posts along a side.
+/// Heights of a fractal landscape, from 0 to 1, with `2^order + 1` posts on a side.
 pub fn fractal(order: u32, roughness: f64, seed: u64) -> Vec<Vec<f64>> {
     let options = FractalOptions {
         order,
@@ -61,7 +61,7 @@ pub fn fractal(order: u32, roughness: f64, seed: u64) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// A field over a regular grid of heights.
+/// A field over a regular grid of heights, `cell` metres apart and `scale` metres high.
 pub fn grid(heights: &[Vec<f64>], cell: f64, scale: f64) -> Field {
     let (rows, columns) = (heights.len(), heights[0].len());
     let points = (0..rows * columns).map(|i| {
@@ -92,17 +92,17 @@ pub fn grid(heights: &[Vec<f64>], cell: f64, scale: f64) -> Field {
     Field::new(points.collect(), triangles).unwrap()
 }
 
-/// A fractal landscape with its vertices moved about in the plan, so that nothing is regular.
+/// A fractal landscape with vertices displaced in the plan, so that nothing is regular.
 pub fn shaken(order: u32, cell: f64, scale: f64, seed: u64) -> Field {
-    shake(&fractal(order, 0.55, seed), cell, scale, seed)
+    displaced(&fractal(order, 0.55, seed), cell, scale, seed)
 }
 
-/// The same with ridges across it, behind which much is hidden.
+/// The same with ridges across it, which hide much.
 pub fn ridged(order: u32, cell: f64, scale: f64, seed: u64) -> Field {
-    shake(&ridges(order, seed), cell, scale, seed)
+    displaced(&ridges(order, seed), cell, scale, seed)
 }
 
-/// The same with a shore: it falls to nothing at its border.
+/// The same with a shore: its height falls to 0 at the boundary.
 pub fn island(order: u32, cell: f64, scale: f64, seed: u64) -> Field {
     let mut heights = ridges(order, seed);
     let last = heights.len() - 1;
@@ -112,10 +112,10 @@ pub fn island(order: u32, cell: f64, scale: f64, seed: u64) -> Field {
             *height *= (inland as f64 / 5.0).min(1.0);
         }
     }
-    shake(&heights, cell, scale, seed)
+    displaced(&heights, cell, scale, seed)
 }
 
-/// Heights of ridges from west to east.
+/// Heights of ridges that run from west to east.
 pub fn ridges(order: u32, seed: u64) -> Vec<Vec<f64>> {
     let mut heights = fractal(order, 0.55, seed);
     for (row, line) in heights.iter_mut().enumerate() {
@@ -126,14 +126,13 @@ pub fn ridges(order: u32, seed: u64) -> Vec<Vec<f64>> {
     heights
 }
 
-/// A field over a grid of heights with its inner vertices moved about in the plan.
-fn shake(heights: &[Vec<f64>], cell: f64, scale: f64, seed: u64) -> Field {
+/// A field over a grid of heights with its inner vertices displaced in the plan.
+fn displaced(heights: &[Vec<f64>], cell: f64, scale: f64, seed: u64) -> Field {
     let regular = grid(heights, cell, scale);
-    let mut chance = Pcg32::seed_from_u64(seed + 1);
+    let mut rng = Pcg32::seed_from_u64(seed + 1);
     let [low, high] = regular.plan_bounds();
     let points = regular.points().iter().map(|&point| {
-        let shift =
-            DVec3::new(number(&mut chance) - 0.5, number(&mut chance) - 0.5, 0.0) * cell * 0.5;
+        let shift = DVec3::new(number(&mut rng) - 0.5, number(&mut rng) - 0.5, 0.0) * cell * 0.5;
         let inner = point.truncate().cmpgt(low).all() && point.truncate().cmplt(high).all();
         if inner { point + shift } else { point }
     });

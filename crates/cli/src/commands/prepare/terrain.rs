@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use antumbra::demo_scenes::terrain::TerrainSceneOptions;
-use antumbra::terrain::{Detail, GroupOptions, PreparedScene, Sectors, Terrain, TerrainOptions};
+use antumbra::terrain::{
+    GroupOptions, PreparedScene, RasterDetail, Sectors, Terrain, TerrainOptions,
+};
 
 use crate::args::{PrepareArgs, TerrainArgs};
 use crate::failure::Failure;
@@ -27,7 +29,7 @@ pub fn scene(args: &PrepareArgs) -> Result<(), Failure> {
     let mut made = if is_built_in(input) {
         built_in(&input.to_string_lossy(), args)?
     } else if landscape::is_raster(input) || landscape::is_mesh(input) {
-        PreparedScene::of(out_of(input, args)?, "terrain")?
+        PreparedScene::from_terrain(out_of(input, args)?, "terrain")?
     } else {
         return Err(Failure::Usage(format!(
             "'{}' is neither a raster (.npz, .asc, .tif) nor a mesh (.glb, .gltf, .obj, .ply, .stl) by its ending",
@@ -55,12 +57,12 @@ fn say(args: &PrepareArgs, terrain: &Terrain) {
         field.points().len(),
         field.triangles().len(),
         crystals.count(),
-        groups.always().len(),
+        groups.ungrouped().len(),
         groups.sectors().count(),
         groups.sectors().parts(),
         terrain.method(),
     );
-    if !field.outline().whole {
+    if !field.boundary().convex {
         println!("it has holes or dents: horizon culls what is seen over their rims alone");
     }
 }
@@ -69,8 +71,8 @@ fn out_of(input: &Path, args: &PrepareArgs) -> Result<Terrain, Failure> {
     let TerrainArgs {
         vertices, error, ..
     } = args.terrain;
-    let vertices = vertices.map(Detail::Vertices);
-    let detail = vertices.or(error.map(Detail::Error));
+    let vertices = vertices.map(RasterDetail::Vertices);
+    let detail = vertices.or(error.map(RasterDetail::Error));
     let sectors = sectors(&args.terrain, Sectors::default())?;
     let field = landscape::field(input, detail)?;
     let options = TerrainOptions {

@@ -1,6 +1,8 @@
-//! Boxes in the plan, packed four by four into a tree without pointers: the items are put into an order in which every run of 4, of 16,
-//! of 64 and so on lies close together, and a node is the number of its run. Packing by halves along the longer side: Leutenegger,
-//! Lopez, Edgington, "STR: A Simple and Efficient Algorithm for R-Tree Packing", 1997, in spirit.
+//! A packed R-tree: bounding boxes in the plan, four to a node, in a tree without pointers.
+//!
+//! The items are sorted so that every run of 4, of 16, of 64 and so on lies close together. A node is then just the number of its run. Runs
+//! are made by halving along the longer side, in the spirit of Leutenegger, Lopez, Edgington, "STR: A Simple and Efficient Algorithm for
+//! R-Tree Packing", 1997.
 
 use glam::DVec2;
 
@@ -17,15 +19,15 @@ pub struct Extent {
 }
 
 impl Extent {
-    /// Touches nothing.
+    /// The empty box, which touches no box.
     pub const EMPTY: Self = Self {
         low: DVec2::INFINITY,
         high: DVec2::NEG_INFINITY,
     };
 
-    /// The smallest box around some places.
-    pub fn around(places: impl IntoIterator<Item = DVec2>) -> Self {
-        places.into_iter().fold(Self::EMPTY, |extent, at| Self {
+    /// The smallest box around some points.
+    pub fn around(points: impl IntoIterator<Item = DVec2>) -> Self {
+        points.into_iter().fold(Self::EMPTY, |extent, at| Self {
             low: extent.low.min(at),
             high: extent.high.max(at),
         })
@@ -39,7 +41,7 @@ impl Extent {
         }
     }
 
-    /// Whether they have a place in common, be it on their borders.
+    /// Whether the boxes have a point in common. Their borders belong to them.
     pub fn touches(&self, other: &Self) -> bool {
         self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
     }
@@ -49,8 +51,8 @@ impl Extent {
     }
 }
 
-/// The numbers of items in packed order, by where their middles are.
-pub fn order(middles: &[DVec2]) -> Vec<u32> {
+/// The indices of items in packed order, sorted by the items' middles.
+pub fn packed_order(middles: &[DVec2]) -> Vec<u32> {
     let mut order: Vec<u32> = (0..middles.len() as u32).collect();
     let mut run = WIDTH;
     while run < order.len() {
@@ -71,11 +73,11 @@ fn halve(items: &mut [u32], mut run: usize, middles: &[DVec2]) {
     let runs = items.len().div_ceil(run);
     let extent = Extent::around(items.iter().map(|&item| middles[item as usize]));
     let size = extent.high - extent.low;
-    let along = usize::from(size.y > size.x);
+    let axis = usize::from(size.y > size.x);
     let middle = runs.div_ceil(2) * run;
     items.select_nth_unstable_by(middle, |&a, &b| {
         let (a, b) = (middles[a as usize], middles[b as usize]);
-        a[along].total_cmp(&b[along])
+        a[axis].total_cmp(&b[axis])
     });
     let (low, high) = items.split_at_mut(middle);
     for half in [low, high] {
@@ -85,17 +87,17 @@ fn halve(items: &mut [u32], mut run: usize, middles: &[DVec2]) {
 
 /// A tree of boxes in the plan.
 #[derive(Debug, Clone)]
-pub struct Boxes {
+pub struct PackedTree {
     order: Vec<u32>,
-    /// The items' own boxes in packed order first, then one for each run of them, and so on up to one.
+    /// The items' boxes in packed order, then a box around each run of them, and so on up to one box.
     levels: Vec<Vec<Extent>>,
 }
 
-impl Boxes {
+impl PackedTree {
     /// A tree over these boxes.
-    pub fn new(extents: Vec<Extent>) -> Self {
+    pub fn new(extents: &[Extent]) -> Self {
         let middles: Vec<DVec2> = extents.iter().map(Extent::middle).collect();
-        let order = order(&middles);
+        let order = packed_order(&middles);
         let mut level: Vec<Extent> = order.iter().map(|&item| extents[item as usize]).collect();
         let mut levels = Vec::new();
         while level.len() > 1 {
@@ -110,21 +112,20 @@ impl Boxes {
         Self { order, levels }
     }
 
-    /// Calls for every item whose box touches this one.
-    pub fn each_touching(&self, extent: &Extent, found: impl FnMut(u32)) {
-        self.each(|own| own.touches(extent), found);
+    /// Calls `found` for every item whose box touches `extent`.
+    pub fn each_touching(&self, extent: &Extent, mut found: impl FnMut(u32)) {
+        self.each_while(
+            |own| own.touches(extent),
+            |item| {
+                found(item);
+                true
+            },
+        );
     }
 
-    /// Calls for every item whose own box, and every box around it, is wanted.
-    pub fn each(&self, wanted: impl Fn(&Extent) -> bool, mut found: impl FnMut(u32)) {
-        self.all(wanted, |item| {
-            found(item);
-            true
-        });
-    }
-
-    /// The same until the call says no; whether it never did.
-    pub fn all(
+    /// Calls `found` for every item whose box is `wanted`, as are all boxes around it, until `found` returns `false`. Returns whether it
+    /// never did.
+    pub fn each_while(
         &self,
         wanted: impl Fn(&Extent) -> bool,
         mut found: impl FnMut(u32) -> bool,
@@ -152,8 +153,8 @@ mod tests {
 
     #[test]
     fn every_box_that_touches_is_found_once() {
-        let mut chance = Pcg32::seed_from_u64(7);
-        let mut number = || f64::from(chance.next_u32()) / f64::from(u32::MAX);
+        let mut rng = Pcg32::seed_from_u64(7);
+        let mut number = || f64::from(rng.next_u32()) / f64::from(u32::MAX);
         for count in [0, 1, 2, 4, 5, 17, 64, 300] {
             let extents: Vec<Extent> = (0..count)
                 .map(|_| {
@@ -162,12 +163,12 @@ mod tests {
                     Extent { low, high }
                 })
                 .collect();
-            let boxes = Boxes::new(extents.clone());
-            for asked in &extents {
+            let tree = PackedTree::new(&extents);
+            for query in &extents {
                 let mut found = Vec::new();
-                boxes.each_touching(asked, |item| found.push(item));
+                tree.each_touching(query, |item| found.push(item));
                 found.sort_unstable();
-                let touching = (0..count).filter(|&i| extents[i as usize].touches(asked));
+                let touching = (0..count).filter(|&i| extents[i as usize].touches(query));
                 assert_eq!(found, touching.collect::<Vec<u32>>());
             }
         }
@@ -175,13 +176,13 @@ mod tests {
 
     #[test]
     fn runs_lie_close_together() {
-        let places: Vec<DVec2> = (0..4096)
+        let points: Vec<DVec2> = (0..4096)
             .map(|i| DVec2::new(f64::from(i % 64), f64::from(i / 64)))
             .collect();
-        let order = order(&places);
+        let order = packed_order(&points);
         for (run, side) in [(4, 1.0), (16, 3.0), (64, 7.0), (256, 15.0), (1024, 31.0)] {
             for items in order.chunks(run) {
-                let extent = Extent::around(items.iter().map(|&item| places[item as usize]));
+                let extent = Extent::around(items.iter().map(|&item| points[item as usize]));
                 let size = extent.high - extent.low;
                 assert_eq!(size.max_element(), side, "a run of {run}");
             }

@@ -1,126 +1,127 @@
-//! What keeps a mesh from being a height field, and where.
+//! The faults that keep a mesh from being a height field.
 
 use std::fmt;
 
 use glam::DVec3;
 
-/// A place where a mesh is no height field. Places are metres east, north and up, as they were given; numbers count from 0.
+/// A fault that keeps a mesh from being a height field. Positions are metres east, north and up, as they were given. Indices count from 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub enum Fault {
-    /// A corner that is nowhere: NaN, infinite, or farther from zero than metres can be counted.
+pub enum FieldFault {
+    /// A corner with a coordinate that is NaN, infinite, or farther from zero than 1e9 metres.
     Nowhere {
         /// The corner.
         corner: usize,
-        /// Where it is said to be.
+        /// Its position.
         at: DVec3,
     },
-    /// A triangle with a corner that there is not.
+    /// A triangle with a corner that does not exist.
     NoSuchCorner {
         /// The triangle.
         triangle: usize,
         /// The corner.
         corner: u32,
     },
-    /// A triangle that turns the other way than most: it lies upside down.
+    /// A triangle whose winding differs from that of most triangles: it lies upside down.
     Flipped {
         /// The triangle.
         triangle: usize,
-        /// Its middle.
+        /// Its centroid.
         at: DVec3,
     },
     /// A triangle that has an area in space and none in the plan: a vertical wall.
     Vertical {
         /// The triangle.
         triangle: usize,
-        /// Its middle.
+        /// Its centroid.
         at: DVec3,
     },
     /// A triangle without an area.
     Empty {
         /// The triangle.
         triangle: usize,
-        /// Its middle.
+        /// Its centroid.
         at: DVec3,
     },
-    /// Two heights at one place.
+    /// Two corners at one position in the plan, with different heights.
     TwoHeights {
-        /// One of them.
+        /// One of the two corners.
         at: DVec3,
-        /// The height of the other.
+        /// The height of the other, metres.
         other: f64,
     },
     /// An edge with more than two triangles.
     Fan {
         /// A triangle at the edge.
         triangle: usize,
-        /// The edge's middle.
+        /// The middle of the edge.
         at: DVec3,
     },
-    /// Two triangles, one above the other.
+    /// Two triangles that overlap in the plan.
     Overhang {
-        /// The two.
+        /// The two triangles.
         triangles: [usize; 2],
-        /// The middle of the first.
+        /// The centroid of the first.
         at: DVec3,
     },
 }
 
-impl fmt::Display for Fault {
+impl fmt::Display for FieldFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Nowhere { corner, at } => write!(
                 f,
-                "corner {corner} is at {}, which is no place; give finite metres within 1e9 of zero",
-                Place(*at)
+                "corner {corner} has the position {}; give finite metres within 1e9 of zero",
+                Position(*at)
             ),
             Self::NoSuchCorner { triangle, corner } => {
                 write!(
                     f,
-                    "triangle {triangle} has a corner {corner} that there is not"
+                    "triangle {triangle} uses corner {corner}, which does not exist"
                 )
             }
             Self::Flipped { triangle, at } => write!(
                 f,
-                "triangle {triangle} at {} lies upside down; turn its corners round",
-                Place(*at)
+                "triangle {triangle} at {} lies upside down; reverse the order of its corners",
+                Position(*at)
             ),
             Self::Vertical { triangle, at } => write!(
                 f,
                 "triangle {triangle} at {} is a vertical wall; move its upper corners back",
-                Place(*at)
+                Position(*at)
             ),
             Self::Empty { triangle, at } => {
                 write!(
                     f,
                     "triangle {triangle} at {} has no area; leave it out",
-                    Place(*at)
+                    Position(*at)
                 )
             }
             Self::TwoHeights { at, other } => write!(
                 f,
-                "at {} there is another corner {other} m high; keep one of them",
-                Place(*at)
+                "at {} there is a second corner with the height {other} m; keep one of them",
+                Position(*at)
             ),
             Self::Fan { triangle, at } => write!(
                 f,
-                "triangle {triangle} shares its edge at {} with two others or more; keep two",
-                Place(*at)
+                "triangle {triangle} shares its edge at {} with two or more other triangles; keep two in all",
+                Position(*at)
             ),
             Self::Overhang { triangles, at } => write!(
                 f,
                 "triangles {} and {} lie one above the other at {}; keep one",
                 triangles[0],
                 triangles[1],
-                Place(*at)
+                Position(*at)
             ),
         }
     }
 }
 
-struct Place(DVec3);
+/// A position as it is written in messages: "(x, y, z)".
+struct Position(DVec3);
 
-impl fmt::Display for Place {
+impl fmt::Display for Position {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "({}, {}, {})", self.0.x, self.0.y, self.0.z)
     }

@@ -1,14 +1,14 @@
-//! Who sees what, triangle by triangle: nothing is taken for granted about surfaces, borders or where somebody stands.
+//! Visibility by brute force, triangle by triangle: it assumes nothing about surfaces, boundaries or the position of the viewpoint.
 
 use antumbra_terrain::Field;
 use glam::{DVec2, DVec3};
 
-/// Triangles of one or several fields, in the frame of the first.
-pub struct Truth {
+/// Triangles of one or several fields, in the coordinates of the first.
+pub struct BruteForce {
     triangles: Vec<[DVec3; 3]>,
 }
 
-impl Truth {
+impl BruteForce {
     pub fn of<'a>(fields: impl IntoIterator<Item = &'a Field>) -> Self {
         let mut triangles = Vec::new();
         let mut first = None;
@@ -20,11 +20,11 @@ impl Truth {
         Self { triangles }
     }
 
-    /// Whether a triangle that is seen from above, and lies farther away than `near`, hides a place. What is seen from below hides
-    /// nothing: it may not be drawn.
-    pub fn hides(&self, eye: DVec3, place: DVec3, near: f64) -> bool {
-        let way = place - eye;
-        let [low, high] = [eye.truncate(), place.truncate()];
+    /// Whether a triangle that is seen from above, and is farther from the viewpoint than `near` metres, hides a point. A triangle seen from
+    /// below hides nothing: it may not be drawn.
+    pub fn hides(&self, eye: DVec3, point: DVec3, near: f64) -> bool {
+        let way = point - eye;
+        let [low, high] = [eye.truncate(), point.truncate()];
         let [low, high] = [low.min(high), low.max(high)];
         let nearest = (near / way.length()).max(1e-9);
         self.triangles.iter().any(|&[a, b, c]| {
