@@ -1,39 +1,40 @@
-//! A city of streets, blocks and houses, with rooms and furniture behind the windows and vehicles in the streets.
+//! The scene `city`: streets, blocks and houses, with rooms and furniture behind the windows and vehicles in the
+//! streets.
 //!
-//! It stands in for the artificial city of Staneker, Bartz, Straßer, *Efficient multiple occlusion queries for scene graph
-//! systems*, 2004: as many triangles, a high depth complexity, and racing cars among the houses. At its default size it is
-//! 666 m wide and long around the origin; the roads lie at y = 0.
+//! It resembles the artificial city of Staneker, Bartz, Straßer, *Efficient multiple occlusion queries for scene
+//! graph systems*, 2004: the same number of triangles, a high depth complexity, and racing cars among the houses. At
+//! its default size it is 666 m wide and long around the origin; the roads lie at y = 0.
 
 mod block;
+mod city_builder;
 mod facade;
-mod form;
 mod furnish;
-mod green;
+mod furniture;
 mod house;
-mod kit;
-mod look;
-mod outdoor;
-mod piece;
+mod materials;
 mod plan;
 mod roof;
+mod shapes;
 mod storey;
 mod street;
+mod street_furniture;
+mod vegetation;
 mod vehicle;
 mod window;
 
-use super::DemoSceneError;
-use super::chance::{Chance, For};
+use crate::error::DemoSceneError;
+use crate::random::{Random, Stream};
 use antumbra_scene::Scene;
-use kit::Kit;
+use city_builder::CityBuilder;
 use plan::{Plan, SIZES};
 
-/// How large the city is and how its chance falls.
+/// Size and seed of the city.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CityOptions {
     /// Blocks along an edge, 1 to 16. The default, 7, has 64.9 million triangles.
     pub size: u32,
-    /// Seed of everything that differs from house to house and from street to street; the same seed gives the same scene. Triangles
-    /// differ by less than 1 % from seed to seed.
+    /// Seed of all differences between houses and between streets; one seed gives one scene. The number of triangles
+    /// differs by less than 1 % between seeds.
     pub seed: u64,
 }
 
@@ -43,9 +44,10 @@ impl Default for CityOptions {
     }
 }
 
-/// A city as an architect's file has it: quarters, blocks, lots, houses, storeys, rooms and what stands in them; streets, vehicles, their
-/// assemblies and parts. Inner nodes are entities without a drawable, and every leaf but the sun is drawable. What repeats shares its mesh;
-/// triangles are counted as they are placed. One directional light, fifteen opaque materials.
+/// Builds a city with the hierarchy of an architect's model: quarters, blocks, lots, houses, storeys, rooms,
+/// furniture; streets, vehicles, their assemblies and parts. Inner nodes are entities without a drawable; every leaf
+/// except the sun is drawable. Repeated parts share their mesh; triangle counts are those of all placed parts. The
+/// scene has one directional light and fifteen opaque materials.
 ///
 /// # Errors
 /// [`DemoSceneError::NoSuchSize`] for a size other than 1 to 16.
@@ -58,21 +60,25 @@ pub fn city(options: CityOptions) -> Result<Scene, DemoSceneError> {
         });
     }
     let plan = Plan::new(options.size as usize);
-    let chance = |what| Chance::new(options.seed, what);
-    let mut kit = Kit::new("city")?;
-    let mut lots = block::Lots::dealt(&plan, &mut chance(For::Blocks), &mut chance(For::Houses));
-    let mut rooms = chance(For::Rooms);
-    let mut gardens = chance(For::Gardens);
-    let mut streets = street::Traffic::dealt(&plan, chance(For::Streets));
+    let random = |what| Random::new(options.seed, what);
+    let mut city = CityBuilder::new("city")?;
+    let mut lots = block::Lots::new(
+        &plan,
+        &mut random(Stream::Blocks),
+        &mut random(Stream::Houses),
+    );
+    let mut rooms = random(Stream::Rooms);
+    let mut gardens = random(Stream::Gardens);
+    let mut streets = street::Traffic::new(&plan, random(Stream::Streets));
     for quarter in plan.quarters() {
         let name = format!("quarter {}", quarter.number);
-        let node = kit.node(kit.city(), &name, plan.quarter_place(&quarter))?;
+        let node = city.node(city.city(), &name, plan.quarter_place(&quarter))?;
         for place in plan.blocks(&quarter) {
-            block::add(&mut kit, node, &place, &mut lots, &mut rooms, &mut gardens)?;
+            block::add(&mut city, node, &place, &mut lots, &mut rooms, &mut gardens)?;
         }
         for street in plan.streets(&quarter) {
-            street::add(&mut kit, node, &street, &mut streets)?;
+            street::add(&mut city, node, &street, &mut streets)?;
         }
     }
-    Ok(kit.finish())
+    Ok(city.finish())
 }

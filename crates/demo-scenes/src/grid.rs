@@ -1,17 +1,17 @@
-//! A cube of spheres: many small, equal entities.
+//! The scene `grid`: a cube of many small, equal spheres.
 
-use super::DemoSceneError;
+use crate::error::DemoSceneError;
 use antumbra_scene::{Drawable, Material, Mesh, Scene, icosphere};
 use glam::{DAffine3, DVec3};
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
-/// How large the grid is and how its jitter falls.
+/// Size of the grid and seed of its jitter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GridOptions {
     /// Spheres along an edge of the cube.
     pub per_side: u32,
-    /// Seed of the jitter; the same seed gives the same scene everywhere.
+    /// Seed of the jitter. One seed gives the same scene on every platform.
     pub seed: u64,
 }
 
@@ -24,25 +24,26 @@ impl Default for GridOptions {
     }
 }
 
-/// The most entities a built-in scene may have.
+/// Maximum number of entities of a built-in scene.
 const MAX_ENTITIES: u64 = 100_000_000;
 /// Radius of the grid's spheres in metres.
 const RADIUS: f32 = 0.45;
-/// Greatest shift of a sphere in each axis, in metres.
+/// Maximum offset of a sphere along each axis, in metres.
 const JITTER: f64 = 0.1;
 
-/// `per_side`³ icospheres of 320 triangles and 0.45 m radius, 1 m apart around the origin and each shifted by up to 0.1 m in
-/// each axis; one mesh, one material, one directional light. With the default 26 a side that is 17,576 drawable entities.
+/// Builds `per_side`³ icospheres of 320 triangles and 0.45 m radius, 1 m apart around the origin, each moved by up to
+/// 0.1 m along each axis. They share one mesh and one material; the scene has one directional light. The default, 26
+/// along an edge, gives 17,576 drawable entities.
 ///
 /// # Errors
-/// [`DemoSceneError::TooLarge`] beyond a hundred million spheres.
+/// [`DemoSceneError::TooLarge`] for more than a hundred million spheres.
 pub fn grid(options: GridOptions) -> Result<Scene, DemoSceneError> {
     let side = u64::from(options.per_side);
     if side.saturating_pow(3) > MAX_ENTITIES {
         return Err(DemoSceneError::TooLarge {
             name: "grid",
             size: options.per_side,
-            most: MAX_ENTITIES,
+            max_entities: MAX_ENTITIES,
         });
     }
     let mut scene = Scene::new();

@@ -1,25 +1,27 @@
-//! A single layer of boxes that hide nothing: what a culling strategy costs where there is nothing to cull.
+//! The scene `layer`: one layer of boxes that do not hide each other. It measures the cost of a culling strategy
+//! where nothing can be culled.
 
-use super::DemoSceneError;
+use crate::error::DemoSceneError;
 use antumbra_scene::{Aabb, Drawable, Geometry, Material, Mesh, Scene};
 use glam::{DAffine3, DVec3};
 
-/// The most boxes along an edge.
-const MOST: u32 = 10_000;
+/// Maximum number of boxes along an edge.
+const MAX_SIDE: u32 = 10_000;
 /// Edge of a box in metres.
 const EDGE: f64 = 0.8;
 
-/// `side` x `side` boxes of 0.8 m, 1 m apart around the origin in the plane z = 0, one mesh and one material; a directional light. No hierarchy, and
-/// from before or behind none of them is hidden: 12 triangles each.
+/// Builds `side` x `side` boxes of 0.8 m and 12 triangles each, 1 m apart around the origin in the plane z = 0. They
+/// share one mesh and one material; the scene has one directional light and no hierarchy. Seen along Z, no box hides
+/// another.
 ///
 /// # Errors
-/// [`DemoSceneError::TooLarge`] beyond a hundred million boxes.
+/// [`DemoSceneError::TooLarge`] for more than a hundred million boxes.
 pub fn layer(side: u32) -> Result<Scene, DemoSceneError> {
-    if side > MOST {
+    if side > MAX_SIDE {
         return Err(DemoSceneError::TooLarge {
             name: "layer",
             size: side,
-            most: u64::from(MOST) * u64::from(MOST),
+            max_entities: u64::from(MAX_SIDE) * u64::from(MAX_SIDE),
         });
     }
     let mut scene = Scene::new();

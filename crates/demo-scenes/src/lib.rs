@@ -1,9 +1,51 @@
-//! Scenes that need no file.
+//! Built-in scenes that need no file, for tests, examples and measurements.
+//!
+//! | Scene | Built by | Meaning of `size` | Range, default |
+//! |---|---|---|---|
+//! | `grid` | [`grid`] | spheres along an edge of a cube | up to 464, 26 |
+//! | `layer` | [`layer`] | boxes along an edge of a plane | up to 10,000, 100 |
+//! | `turbine` | [`turbine`] | which of the two aero engines | 1 to 2, 1 |
+//! | `city` | [`city`] | blocks along an edge | 1 to 16, 7 |
+//! | `subsurface` | [`subsurface::SubsurfaceScene::new`] | nodes along a side of a horizon | 2 to 4,096, 432 |
+//! | `terrain` | [`terrain::TerrainSceneOptions::scene`] | vertices of the field | 100,000 |
+//!
+//! [`by_name`] builds the first four, which have no other options than a size and a seed. All scenes are deterministic:
+//! one seed gives one scene.
+//!
+//! ```
+//! use antumbra_demo_scenes::subsurface::{SubsurfaceScene, SubsurfaceSceneOptions};
+//! use antumbra_demo_scenes::terrain::TerrainSceneOptions;
+//! use antumbra_demo_scenes::{CityOptions, TurbineOptions, by_name, city, turbine};
+//!
+//! let spheres = by_name("grid", Some(5))?;
+//! assert_eq!(spheres.drawable_count(), 125);
+//! let boxes = by_name("layer", Some(10))?;
+//! assert_eq!(boxes.drawable_count(), 100);
+//! let engine = turbine(TurbineOptions { size: 1, seed: 3 })?;
+//! assert_eq!(engine.drawable_count(), 2_000);
+//! let town = city(CityOptions { size: 1, seed: 3 })?;
+//! assert!(town.drawable_count() > 1_000);
+//!
+//! let mut options = SubsurfaceSceneOptions::default();
+//! options.set("size", "40")?;
+//! let subsurface = SubsurfaceScene::new(&options, &|_done, _total| ())?;
+//! assert_eq!(subsurface.surfaces.len(), 11 + 16);
+//!
+//! let mut options = TerrainSceneOptions::default();
+//! options.set("order", "5")?;
+//! options.set("size", "500")?;
+//! let terrain = options.scene(&|| ())?;
+//! assert!(terrain.scene.drawable_count() > 0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
-mod chance;
 mod city;
+mod error;
 mod grid;
+mod lathe;
 mod layer;
+mod names;
+mod random;
 mod shell;
 mod solid;
 pub mod subsurface;
@@ -11,63 +53,27 @@ mod sun;
 pub mod terrain;
 mod tube;
 mod turbine;
-mod turned;
 
 pub use city::{CityOptions, city};
+pub use error::DemoSceneError;
 pub use grid::{GridOptions, grid};
 pub use layer::layer;
 pub use turbine::{TurbineOptions, turbine};
 
-use antumbra_scene::{Scene, SceneError};
-use std::ops::RangeInclusive;
-use thiserror::Error;
+use antumbra_scene::Scene;
+use names::NAMES;
 
-/// Why there is no such built-in scene.
-#[derive(Clone, Debug, Error, PartialEq)]
-#[non_exhaustive]
-pub enum DemoSceneError {
-    /// A name that no built-in scene has.
-    #[error("there is no built-in scene \"{name}\"; there are: {}", names().join(", "))]
-    UnknownName {
-        /// The name asked for.
-        name: String,
-    },
-    /// A size that no scene can be built in.
-    #[error("a {name} of size {size} has more entities than {most}; ask for a smaller one")]
-    TooLarge {
-        /// The scene.
-        name: &'static str,
-        /// The size asked for.
-        size: u32,
-        /// The most entities.
-        most: u64,
-    },
-    /// A size that this scene does not come in.
-    #[error("there is no {name} of size {size}; its sizes are {} to {}", sizes.start(), sizes.end())]
-    NoSuchSize {
-        /// The scene.
-        name: &'static str,
-        /// The size asked for.
-        size: u32,
-        /// The sizes there are.
-        sizes: RangeInclusive<u32>,
-    },
-    /// The scene itself refused something.
-    #[error(transparent)]
-    Scene(#[from] SceneError),
-}
-
-/// The built-in scenes' names.
+/// The names of the scenes that [`by_name`] builds.
 #[must_use]
 pub fn names() -> &'static [&'static str] {
-    &["grid", "layer", "turbine", "city"]
+    &NAMES
 }
 
-/// The built-in scene of this name. `size` means for a grid how many spheres an edge has, for a layer how many boxes, for a turbine which of
-/// the two engines it is, for a city how many blocks an edge has; `None` is the scene's own default.
+/// Builds a scene of [`names`]. The table of the [crate] says what `size` means; `None` is the default of the scene.
 ///
 /// # Errors
-/// [`DemoSceneError::UnknownName`], which lists the names; [`DemoSceneError::TooLarge`]; [`DemoSceneError::NoSuchSize`].
+/// [`DemoSceneError::UnknownName`], whose message lists the names; [`DemoSceneError::TooLarge`];
+/// [`DemoSceneError::NoSuchSize`].
 pub fn by_name(name: &str, size: Option<u32>) -> Result<Scene, DemoSceneError> {
     match name {
         "grid" => {

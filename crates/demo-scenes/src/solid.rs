@@ -1,24 +1,24 @@
-//! Solids under construction: closed shells made of sheets. A sheet is a grid of corners with normals of its own, so that what is
-//! round looks round and the edges between sheets stay sharp.
+//! Closed meshes made of sheets. A sheet is a grid of vertices with smooth normals; edges between sheets stay sharp.
 
 use antumbra_scene::{Geometry, Mesh};
 use glam::{DAffine3, DVec3, Vec3};
 
-/// A place given along the axis X (an engine's, rearwards), outwards and around, in metres and radians: at angle 0 outwards is +Y,
-/// and angles grow towards +Z. The three directions are right-handed in this order.
+/// Position from cylindrical coordinates: along the axis X (rearwards in an engine), distance from the axis, and
+/// angle, in metres and radians. Angle 0 is +Y; angles grow towards +Z. The three directions are right-handed in this
+/// order.
 pub(super) fn polar(x: f64, radius: f64, angle: f64) -> DVec3 {
     let (sin, cos) = angle.sin_cos();
     DVec3::new(x, radius * cos, radius * sin)
 }
 
-/// How many corners a sheet has down its rows and along its columns, and which of the two meet themselves again. Its front is where
-/// the way down the rows, crossed with the way along the columns, points.
+/// The grid of a sheet. `rows_wrap` joins the last row to the first, `columns_wrap` the last column to the first. The
+/// front of a sheet points along (direction of increasing row) x (direction of increasing column).
 #[derive(Clone, Copy)]
 pub(super) struct Sheet {
     pub rows: usize,
     pub columns: usize,
-    pub rows_meet: bool,
-    pub columns_meet: bool,
+    pub rows_wrap: bool,
+    pub columns_wrap: bool,
 }
 
 impl Sheet {
@@ -27,21 +27,21 @@ impl Sheet {
         Self {
             rows,
             columns,
-            rows_meet: false,
-            columns_meet: false,
+            rows_wrap: false,
+            columns_wrap: false,
         }
     }
 
-    /// A sheet whose last column meets its first.
+    /// A sheet whose last column joins its first.
     pub fn round(rows: usize, columns: usize) -> Self {
         Self {
-            columns_meet: true,
+            columns_wrap: true,
             ..Self::open(rows, columns)
         }
     }
 }
 
-/// Triangles, counter-clockwise from outside, with normals.
+/// A triangle mesh with normals; triangles are counter-clockwise seen from outside.
 #[derive(Clone, Default)]
 pub(super) struct Solid {
     positions: Vec<[f32; 3]>,
@@ -51,9 +51,9 @@ pub(super) struct Solid {
 
 struct Corner {
     at: Vec3,
-    /// Sum of the normals around it, weighted by area.
+    /// Sum of the normals of its triangles, weighted by area.
     normal: DVec3,
-    /// Its vertex, once a triangle asked for one.
+    /// Index of its vertex, if a triangle uses it.
     vertex: Option<u32>,
 }
 
@@ -68,12 +68,13 @@ impl From<Geometry> for Solid {
 }
 
 impl Solid {
-    /// Adds a sheet with corners where `at(row, column)` says.
+    /// Adds a sheet; `at(row, column)` gives the position of a vertex.
     pub fn sheet(&mut self, sheet: Sheet, at: impl Fn(usize, usize) -> DVec3) {
         self.sheet_where(sheet, at, |_, _| true);
     }
 
-    /// The same without the cells for which `keep` is false; a cell is named by its corner of the lowest row and column.
+    /// Adds a sheet without the cells for which `keep(row, column)` is false; a cell is named by its lowest row and
+    /// column.
     pub fn sheet_where(
         &mut self,
         sheet: Sheet,
@@ -89,8 +90,8 @@ impl Solid {
                 vertex: None,
             }));
         }
-        for row in 0..rows - usize::from(!sheet.rows_meet) {
-            for column in 0..columns - usize::from(!sheet.columns_meet) {
+        for row in 0..rows - usize::from(!sheet.rows_wrap) {
+            for column in 0..columns - usize::from(!sheet.columns_wrap) {
                 if !keep(row, column) {
                     continue;
                 }
@@ -134,7 +135,7 @@ impl Solid {
         }
     }
 
-    /// Adds the flat polygon around the middle of these corners, which lie counter-clockwise seen from its front.
+    /// Adds a flat polygon as a fan around its centre; its corners run counter-clockwise seen from the front.
     pub fn fan(&mut self, corners: &[DVec3]) {
         let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
         self.sheet(Sheet::round(2, corners.len()), |row, column| {
@@ -142,7 +143,8 @@ impl Solid {
         });
     }
 
-    /// Adds the unit cube bent into shape: `at(u, v, w)` keeps its handedness, and `steps` says how many cells there are each way.
+    /// Adds a deformed unit cube. `at(u, v, w)` maps the cube to positions and keeps its handedness; `steps` is the
+    /// number of cells along each axis.
     pub fn block(&mut self, steps: [usize; 3], at: impl Fn(f64, f64, f64) -> DVec3) {
         let [u, v, w] = steps;
         let cells = |a: usize, b: usize| Sheet::open(a + 1, b + 1);
@@ -155,13 +157,13 @@ impl Solid {
         self.sheet(cells(u, w), |i, j| at(part(i, u), 0.0, part(j, w)));
     }
 
-    /// Adds the box between two corners, the first the lower one in each axis.
+    /// Adds an axis-aligned box between its minimum and its maximum.
     pub fn cuboid(&mut self, low: [f64; 3], high: [f64; 3]) {
         let (low, high) = (DVec3::from(low), DVec3::from(high));
         self.block([1; 3], |u, v, w| low + (high - low) * DVec3::new(u, v, w));
     }
 
-    /// Adds triangles between corners that are given with their normals.
+    /// Adds triangles between corners, each given as [position, normal].
     pub fn patch(&mut self, corners: &[[DVec3; 2]], triangles: &[[u32; 3]]) {
         let first = self.positions.len() as u32;
         for [place, normal] in corners {
@@ -172,7 +174,7 @@ impl Solid {
         self.indices.extend(indices.map(|index| first + index));
     }
 
-    /// Adds another solid, moved and turned but not scaled.
+    /// Adds another solid under a rigid transform.
     pub fn add(&mut self, other: &Solid, at: DAffine3) {
         let first = self.positions.len() as u32;
         let moved = |p: &[f32; 3]| at.transform_point3(Vec3::from(*p).as_dvec3());
@@ -186,7 +188,7 @@ impl Solid {
             .extend(other.indices.iter().map(|index| first + index));
     }
 
-    /// The mesh of it.
+    /// Converts the solid to a mesh.
     pub fn mesh(self, name: &str) -> Mesh {
         let geometry = Geometry {
             positions: self.positions,

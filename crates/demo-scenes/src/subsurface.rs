@@ -1,4 +1,5 @@
-//! The built-in scene `subsurface`: the model out of a seed, cut into tiles, with wells, three slices and a lens, under two lamps.
+//! The scene `subsurface`: horizons, faults and wells of a seeded model, three slices and a lens of its seismic
+//! volume, and two point lights.
 
 use std::sync::Arc;
 
@@ -6,114 +7,38 @@ use antumbra_scene::{Drawable, EntityKey, Material, Mesh, Scene};
 use glam::DAffine3;
 
 use antumbra_subsurface::{
-    Axis, BrickSource, PrepareOptions, SampleBox, SectionPositions, SlicePosition, SubsurfaceError,
-    Surface, SurfaceEntities, SurfaceKind, VolumeLayout, VolumeSections, prepare_surfaces,
-    surface_material,
+    Axis, BrickSource, SampleBox, SectionPositions, SlicePosition, SubsurfaceError, Surface,
+    SurfaceEntities, SurfaceKind, VolumeLayout, VolumeSections, prepare_surfaces, surface_material,
 };
 
 mod model;
+mod options;
 
 pub use model::{
     FlightPoint, Model, ModelFault, ModelLight, ModelOptions, ModelVolume, Viewpoint, Well,
 };
+pub use options::SubsurfaceSceneOptions;
 
-/// What the built-in scene is made from.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SubsurfaceSceneOptions {
-    /// The model.
-    pub model: ModelOptions,
-    /// How its surfaces are cut and simplified.
-    pub prepare: PrepareOptions,
-    /// Whether three slices through the seismic volume are shown.
-    pub slices: bool,
-    /// Whether a lens is.
-    pub lens: bool,
-    /// Bytes of the volume that are kept in memory.
-    pub budget: usize,
-}
-
-impl Default for SubsurfaceSceneOptions {
-    fn default() -> Self {
-        Self {
-            model: ModelOptions::default(),
-            prepare: PrepareOptions::default(),
-            slices: true,
-            lens: true,
-            budget: 64 << 20,
-        }
-    }
-}
-
-impl SubsurfaceSceneOptions {
-    /// The settings by name, for messages: what [`Self::set`] knows.
-    pub const KEYS: [&str; 8] = [
-        "size",
-        "seed",
-        "tiles",
-        "decimation",
-        "thinning",
-        "levels",
-        "slices",
-        "lens",
-    ];
-
-    /// Sets one by name. `size` is the number of nodes along a side of a horizon.
-    ///
-    /// # Errors
-    /// [`SubsurfaceError::Setting`] for a name that is none, or a value that cannot be read. Ranges are checked when the scene is built.
-    pub fn set(&mut self, key: &str, value: &str) -> Result<(), SubsurfaceError> {
-        match key {
-            "size" => self.model.nodes_per_side = read("size", value)?,
-            "seed" => self.model.seed = read("seed", value)?,
-            "tiles" => self.prepare.tiles = read("tiles", value)?,
-            "decimation" => self.prepare.decimation = read("decimation", value)?,
-            "thinning" => self.prepare.thinning = read("thinning", value)?,
-            "levels" => self.prepare.levels = read("levels", value)?,
-            "slices" => self.slices = read("slices", value)?,
-            "lens" => self.lens = read("lens", value)?,
-            _ => {
-                return Err(SubsurfaceError::Setting {
-                    what: "a setting of the scene subsurface",
-                    value: format!("`{key}`"),
-                    problem: format!("there are: {}", Self::KEYS.join(", ")),
-                });
-            }
-        }
-        Ok(())
-    }
-}
-
-fn read<T: std::str::FromStr>(what: &'static str, value: &str) -> Result<T, SubsurfaceError> {
-    value.parse().map_err(|_| SubsurfaceError::Setting {
-        what,
-        value: format!("`{value}`"),
-        problem: match std::any::type_name::<T>() {
-            "bool" => "write true or false".to_owned(),
-            _ => "write a number".to_owned(),
-        },
-    })
-}
-
-/// The built-in scene and what its parts are.
+/// The scene `subsurface` and the entities of its parts.
 pub struct SubsurfaceScene {
     /// The scene.
     pub scene: Scene,
-    /// What it shows.
+    /// The model that the scene shows.
     pub model: Model,
-    /// Horizons from the top down, then faults.
+    /// The surfaces: horizons from the top down, then faults.
     pub surfaces: Vec<SurfaceEntities>,
-    /// The wells' entities.
+    /// The entities of the wells.
     pub wells: Vec<EntityKey>,
-    /// Inline, crossline and time slice, and the lens; empty until they are paged.
+    /// Inline slice, crossline slice, time slice and lens. They draw nothing until they are paged.
     pub sections: VolumeSections,
 }
 
 impl SubsurfaceScene {
-    /// Builds the scene. `progress` is told how many of its surfaces are done, and of how many; it is called from several threads.
+    /// Builds the scene. `progress(done, total)` is called after each surface, from several threads.
     ///
     /// # Errors
-    /// [`SubsurfaceError::Setting`] for an option out of range, and for a model so coarse that nothing is left of a surface
-    /// [`SubsurfaceError::BadSurface`].
+    /// [`SubsurfaceError::Setting`] for an option out of range; [`SubsurfaceError::BadSurface`] if the model is so
+    /// coarse that a surface has no cell left.
     pub fn new(
         options: &SubsurfaceSceneOptions,
         progress: &(dyn Fn(usize, usize) + Sync),
@@ -132,20 +57,20 @@ impl SubsurfaceScene {
         let mut numbers = [0, 0];
         for surface in prepared {
             let number = &mut numbers[usize::from(surface.kind == SurfaceKind::Fault)];
-            let look = surface_material(&surface.name, surface.kind, *number);
+            let material = surface_material(&surface.name, surface.kind, *number);
             *number += 1;
-            let material = scene.add_material(look);
+            let material = scene.add_material(material);
             surfaces.push(surface.spawn(&mut scene, None, material)?);
         }
-        let wells = show_wells(&model, &mut scene)?;
+        let wells = spawn_wells(&model, &mut scene)?;
         for ModelLight { position, light } in model.lights() {
             let lamp = scene.spawn(None, DAffine3::from_translation(position))?;
             scene.set_entity_name(lamp, "lamp")?;
             scene.set_light(lamp, light)?;
         }
         let volume = Arc::new(model.volume());
-        let places = places(volume.layout(), options);
-        let sections = VolumeSections::spawn(&mut scene, volume, &places, options.budget)?;
+        let positions = section_positions(volume.layout(), options);
+        let sections = VolumeSections::spawn(&mut scene, volume, &positions, options.budget)?;
         Ok(Self {
             scene,
             model,
@@ -168,7 +93,7 @@ fn surfaces(model: &Model) -> Result<Vec<Surface>, SubsurfaceError> {
         .collect()
 }
 
-fn show_wells(model: &Model, scene: &mut Scene) -> Result<Vec<EntityKey>, SubsurfaceError> {
+fn spawn_wells(model: &Model, scene: &mut Scene) -> Result<Vec<EntityKey>, SubsurfaceError> {
     let material = scene.add_material(Material {
         name: "well".to_owned(),
         base_colour: [0.9, 0.9, 0.92, 1.0],
@@ -184,8 +109,9 @@ fn show_wells(model: &Model, scene: &mut Scene) -> Result<Vec<EntityKey>, Subsur
     wells.collect()
 }
 
-/// Slices behind the middle as the views see it, so that they hide without hiding all; a lens in the open corner, where layers are cut away.
-fn places(layout: &VolumeLayout, options: &SubsurfaceSceneOptions) -> SectionPositions {
+/// Positions of the slices and the lens. The slices lie behind the centre as the viewpoints see it, so that they hide
+/// a part of the model. The lens lies in the open corner, where the layers are cut away.
+fn section_positions(layout: &VolumeLayout, options: &SubsurfaceSceneOptions) -> SectionPositions {
     let at = |axis: Axis, share: f64| {
         let last = f64::from(axis.of(layout.size).saturating_sub(1));
         (last * share).round() as u32

@@ -1,9 +1,10 @@
-//! The one light of scenes that need no more.
+//! A directional light for simple scenes.
 
 use antumbra_scene::{Light, Scene, SceneError};
 use glam::{DAffine3, DQuat};
 
-/// Adds a white sun named "sun" that shines along -Z turned by `yaw` about Y and then by `pitch` about X, in radians.
+/// Adds a white directional light named "sun". It shines along -Z, rotated by `pitch` about X and then by `yaw` about
+/// Y, in radians.
 pub(super) fn add(scene: &mut Scene, yaw: f64, pitch: f64) -> Result<(), SceneError> {
     let slanting = DQuat::from_euler(glam::EulerRot::YXZ, yaw, pitch, 0.0);
     let sun = scene.spawn(None, DAffine3::from_quat(slanting))?;

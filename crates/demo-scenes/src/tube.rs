@@ -1,18 +1,22 @@
-//! Tubes: a circle swept along a way.
+//! Tubes: a circle swept along a path.
 
 use super::solid::{Sheet, Solid};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
 impl Solid {
-    /// Adds a tube along `way` (at least two places), closed at both ends. Its section is carried on without twist.
+    /// Adds a tube along `way` (at least two points), closed at both ends. Its section is transported without twist.
     pub fn tube(&mut self, way: &[DVec3], radius: f64, sides: usize) {
         let frames = frames(way);
         let on = |row: usize, side: usize| {
-            let (middle, normal, beside) = frames[row];
-            // Backwards around the way, so that the outside is in front.
+            let Frame {
+                centre,
+                normal,
+                binormal,
+            } = frames[row];
+            // Clockwise around the path, so that the front faces outwards.
             let (sin, cos) = (-TAU * side as f64 / sides as f64).sin_cos();
-            middle + (normal * cos + beside * sin) * radius
+            centre + (normal * cos + binormal * sin) * radius
         };
         self.sheet(Sheet::round(frames.len(), sides), on);
         let last = frames.len() - 1;
@@ -23,35 +27,47 @@ impl Solid {
     }
 }
 
-/// Along the way, the directions of its rear neighbour and its fore neighbour evened out.
+/// Direction of the path at a point: from its predecessor to its successor.
 pub(super) fn direction(way: &[DVec3], at: usize) -> DVec3 {
     let before = way[at.saturating_sub(1)];
     let after = way[(at + 1).min(way.len() - 1)];
     (after - before).normalize_or(DVec3::X)
 }
 
-/// Places with two directions across the way, which with the way are right-handed.
-fn frames(way: &[DVec3]) -> Vec<(DVec3, DVec3, DVec3)> {
+/// A point of a path with two directions across it.
+struct Frame {
+    centre: DVec3,
+    normal: DVec3,
+    binormal: DVec3,
+}
+
+/// The frames of a path. Path direction, normal and binormal are right-handed.
+fn frames(way: &[DVec3]) -> Vec<Frame> {
     let mut normal = direction(way, 0).any_orthonormal_vector();
     (0..way.len())
         .map(|at| {
             let along = direction(way, at);
             normal = normal.reject_from_normalized(along).normalize_or(normal);
-            (way[at], normal, along.cross(normal))
+            Frame {
+                centre: way[at],
+                normal,
+                binormal: along.cross(normal),
+            }
         })
         .collect()
 }
 
-/// Places along a bend.
+/// Points of a bend.
 const BEND_PLACES: usize = 7;
 
-/// The way along straight runs between `corners`, its bends of at most `bend` metres: `count` places, as many in each bend as in the
-/// next, the rest spread over the runs.
-pub(super) fn rounded(corners: &[DVec3], bend: f64, count: usize) -> Vec<DVec3> {
+/// A path of `count` points with straight runs between `corners`. Each corner is replaced by a bend that starts at
+/// most `bend` metres before it. All bends have the same number of points; the rest is distributed over the runs by
+/// length.
+pub(super) fn rounded_path(corners: &[DVec3], bend: f64, count: usize) -> Vec<DVec3> {
     let bends: Vec<[DVec3; 3]> = corners
         .windows(3)
         .map(|three| {
-            // A little of each run stays straight, so that no two bends meet.
+            // A part of each run stays straight, so that bends do not touch.
             let towards = |other: DVec3| {
                 let run = other - three[1];
                 three[1] + run.normalize_or_zero() * bend.min(run.length() * 0.45)
@@ -81,7 +97,7 @@ pub(super) fn rounded(corners: &[DVec3], bend: f64, count: usize) -> Vec<DVec3> 
         way.extend((1..=inner).map(|k| from.lerp(*to, k as f64 / (inner + 1) as f64)));
         given = until;
         match bends.get(i) {
-            // A parabola that touches both runs.
+            // A parabola tangential to both runs.
             Some([before, corner, after]) => way.extend((0..BEND_PLACES).map(|k| {
                 let t = k as f64 / (BEND_PLACES - 1) as f64;
                 before.lerp(*corner, t).lerp(corner.lerp(*after, t), t)

@@ -1,8 +1,10 @@
-//! An aero engine, cut open: fan, compressor, combustor and turbine inside casings with openings, pipes and brackets around them.
+//! The scene `turbine`: an aero engine, cut open. Fan, compressor, combustor and turbine lie inside casings with
+//! openings; pipes and brackets lie around them.
 //!
-//! Its two sizes have as many triangles as the engines of Mansa, Amundarain, Garcia-Alonso, Matey, *Occlusion culling for stereoscopic
-//! display of complex mechanical sets*, 2007: sets that are seen whole from outside and are not densely occluded. The engine is
-//! about 4 m long and 3 m wide, its axis lies along X with the inlet at -X, and its middle is the origin.
+//! Its two sizes have the triangle counts of the engines in Mansa, Amundarain, Garcia-Alonso, Matey, *Occlusion
+//! culling for stereoscopic display of complex mechanical sets*, 2007: models that are seen whole from outside and
+//! are not densely occluded. The engine is about 4 m long and 3 m wide. Its axis is X with the inlet at -X; its
+//! centre is the origin.
 
 mod accessory;
 mod airfoil;
@@ -10,31 +12,31 @@ mod assembly;
 mod blade;
 mod bracket;
 mod casing;
+mod casing_surface;
 mod combustor;
 mod disc;
+mod environment;
 mod fastener;
 mod liner;
-mod look;
+mod materials;
 mod pipe;
 mod plan;
 mod shaft;
-mod skin;
 mod spinner;
 mod vane;
-mod workshop;
 
-use super::DemoSceneError;
+use crate::error::DemoSceneError;
 use antumbra_scene::Scene;
 use assembly::Assembly;
 use plan::PLANS;
 
-/// How large the engine is and how its chance falls.
+/// Size of the engine and seed of its pipes and brackets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TurbineOptions {
-    /// 1: 2,000 drawable entities of 1.6 million triangles together. 2: 4,000 of 2.9 million.
+    /// 1: 2,000 drawable entities with 1.6 million triangles in all. 2: 4,000 with 2.9 million.
     pub size: u32,
-    /// Seed of the pipes' ways and the brackets' places; the same seed gives the same scene, and on other platforms one that differs at
-    /// most in the last bits, as their sines do.
+    /// Seed of the routes of the pipes and the places of the brackets. One seed gives the same scene; between
+    /// platforms coordinates may differ in the last bits, because sine functions do.
     pub seed: u64,
 }
 
@@ -44,8 +46,9 @@ impl Default for TurbineOptions {
     }
 }
 
-/// An aero engine of thousands of parts, four positional lights and a workshop around it that its metal reflects. Parts that repeat share their mesh; triangles are counted
-/// as they are placed. Every part is a closed solid of its own, or several in one.
+/// Builds an aero engine of thousands of parts, with four point lights and a workshop as its environment map.
+/// Repeated parts share their mesh; triangle counts are those of all placed parts. Every part is one closed solid or
+/// several.
 ///
 /// # Errors
 /// [`DemoSceneError::NoSuchSize`] for a size other than 1 and 2.

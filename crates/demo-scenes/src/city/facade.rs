@@ -1,20 +1,20 @@
-//! The outer walls of a storey, and a house's door.
+//! Outer walls of a storey, and house doors.
 
-use super::form::Opening;
-use super::kit::quarter_turn;
-use super::plan::{FLOOR, INSIDE, LOT, PARTY, ROOM, STOREY};
+use super::city_builder::quarter_rotation;
+use super::plan::{FLOOR, INSIDE, LOT, LotPosition, PARTY, ROOM, STOREY};
+use super::shapes::Opening;
 use super::window::{DOOR, Style};
 use crate::solid::Solid;
 use glam::{DAffine3, DVec3};
 
-/// What a wall with windows has in its middle, and whether it lies before or beside the rooms.
+/// Kind of an outer wall with windows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Face {
-    /// A door between two rooms.
+    /// Front wall of the ground floor: a door between two rooms.
     Door,
-    /// The hall's window between two rooms.
+    /// Front or rear wall: the hall's window between two rooms.
     Hall,
-    /// Only the rooms' windows, of a wall that stands across to the two others.
+    /// Side wall: windows of rooms only.
     Side,
 }
 
@@ -27,7 +27,7 @@ impl Face {
         }
     }
 
-    /// Its windows.
+    /// The windows of the wall.
     pub fn windows(self, style: Style) -> Vec<Opening> {
         let middle = if self == Self::Side { ROOM[1] } else { ROOM[0] };
         let mut windows = Vec::new();
@@ -44,16 +44,16 @@ impl Face {
     }
 }
 
-/// The wall before a storey, towards +Z. A door's opening reaches down to the floor.
+/// The wall of a storey towards +Z. The opening of a door reaches the floor.
 pub(super) fn wall(face: Face, style: Style) -> Solid {
     let mut openings = face.windows(style);
     if face == Face::Door {
         openings.push(DOOR);
     }
     let mut solid = Solid::default();
-    // A side wall ends at the front wall, which is at its left.
+    // A side wall ends at the front wall on its left.
     let left = if face == Face::Side { INSIDE } else { LOT };
-    solid.pierced([-left, LOT], HEIGHT, [INSIDE, LOT], &openings);
+    solid.wall_with_openings([-left, LOT], HEIGHT, [INSIDE, LOT], &openings);
     // A band between the storeys.
     let z = [LOT - 0.05, LOT + 0.05];
     solid.cuboid(
@@ -63,21 +63,22 @@ pub(super) fn wall(face: Face, style: Style) -> Solid {
     solid
 }
 
-/// From the underside of its floor to that of the next.
+/// From the underside of the floor to that of the next floor.
 const HEIGHT: [f64; 2] = [-FLOOR, STOREY - FLOOR];
 
-/// The walls to the neighbours: towards -X, and towards +X or, of a house at a corner, towards -Z.
-pub(super) fn party_walls(corner: bool) -> Solid {
+/// Walls to the neighbours: towards -X, and towards +X or, on a corner, towards -Z.
+pub(super) fn party_walls(position: LotPosition) -> Solid {
     let mut solid = Solid::default();
-    // A centimetre short of the lot's end, where the neighbour's begins; their ends are within other walls.
+    // One centimetre before the end of the lot, where the neighbour's wall begins. The ends of the walls lie inside
+    // other walls.
     let thick = [PARTY, LOT - 0.01];
     let inner = INSIDE + 0.05;
     let mut wall = |x: [f64; 2], quarters: i32| {
         let mut wall = Solid::default();
-        wall.pierced(x, HEIGHT, thick, &[]);
-        solid.add(&wall, quarter_turn(quarters));
+        wall.wall_with_openings(x, HEIGHT, thick, &[]);
+        solid.add(&wall, quarter_rotation(quarters));
     };
-    if corner {
+    if position == LotPosition::Corner {
         wall([0.015 - LOT, inner], -1);
         wall([-inner, LOT - 0.1], 2);
     } else {
@@ -87,7 +88,7 @@ pub(super) fn party_walls(corner: bool) -> Solid {
     solid
 }
 
-/// The leaf of a house's door in its frame, opened inwards by degrees.
+/// A house door in its frame, opened inwards by an angle in degrees.
 pub(super) fn door(opened: f64) -> Solid {
     let mut solid = Solid::default();
     let frame = Opening {
@@ -99,20 +100,20 @@ pub(super) fn door(opened: f64) -> Solid {
     let turn =
         DAffine3::from_translation(hinge.into()) * DAffine3::from_rotation_y(-opened.to_radians());
     solid.add(&leaf(1.09, [0.02, 2.14]), turn);
-    // A canopy, and a step before the door.
-    solid.rounded([-0.95, 2.42, LOT - 0.02], [0.95, 2.5, LOT + 0.7], 0.02, 1);
+    // A canopy in front of the door.
+    solid.rounded_box([-0.95, 2.42, LOT - 0.02], [0.95, 2.5, LOT + 0.7], 0.02, 1);
     for x in [-0.8, 0.8] {
         solid.bar([x, 2.1, LOT - 0.01], [x, 2.43, LOT + 0.5], 0.02, 8);
     }
     solid
 }
 
-/// A door's leaf with a panel and a handle on either side, its hinges on the vertical at x = 0; it reaches towards -X.
+/// The leaf of a door with a panel and a handle on each side. Its hinges are at x = 0; it extends towards -X.
 pub(super) fn leaf(wide: f64, y: [f64; 2]) -> Solid {
     let mut solid = Solid::default();
     solid.cuboid([-wide, y[0], -0.02], [0.0, y[1], 0.02]);
     for z in [[-0.03, -0.015], [0.015, 0.03]] {
-        solid.rounded(
+        solid.rounded_box(
             [-wide + 0.12, y[0] + 0.15, z[0]],
             [-0.12, y[1] - 0.12, z[1]],
             0.007,

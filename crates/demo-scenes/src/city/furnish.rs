@@ -1,14 +1,14 @@
-//! Rooms: what stands where in each kind.
+//! Furniture of the rooms, by the use of the room.
 
-use super::kit::{Kit, Piece, turned};
-use super::look::Look;
-use super::piece::{bath, bed, fitting, kitchen, lamp, seat, shelf, table};
+use super::city_builder::{CityBuilder, Prefab, rotated_at};
+use super::furniture::{bath, bed, fitting, kitchen, lamp, seat, shelf, table};
+use super::materials::MaterialKind;
 use super::plan::{FLOOR, ROOM_HALF, STOREY};
 use super::window::{Hanging, Style, hangings};
-use crate::chance::Chance;
+use crate::random::Random;
 use antumbra_scene::{EntityKey, SceneError};
 
-/// What a room is for.
+/// The use of a room.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Use {
     Living,
@@ -30,37 +30,49 @@ impl Use {
     }
 }
 
-/// A room to be furnished. Its node stands on its floor's middle, the windows' wall towards +Z.
+/// A room. Its node is at the centre of its floor; the wall with windows is towards +Z.
 pub(super) struct Room {
     pub node: EntityKey,
     pub what: Use,
-    /// Where the hall lies: 1 towards +X, -1 towards -X.
+    /// Direction of the hall: 1 is +X, -1 is -X.
     pub hall: f64,
     pub style: Style,
-    /// Whether there are windows before it, and in the wall opposite the hall's.
-    pub windows: [bool; 2],
+    pub windows: RoomWindows,
 }
 
-/// Half a room's width and depth.
+/// The outer walls of a room that have windows.
+#[derive(Clone, Copy)]
+pub(super) struct RoomWindows {
+    /// The wall towards +Z.
+    pub front: bool,
+    /// The wall opposite the hall.
+    pub side: bool,
+}
+
+/// Half the width and half the depth of a room.
 const X: f64 = ROOM_HALF[0];
 const Z: f64 = ROOM_HALF[1];
 const CEILING: f64 = STOREY - FLOOR;
 
-/// Puts everything in.
-pub(super) fn furnish(kit: &mut Kit, room: &Room, chance: &mut Chance) -> Result<(), SceneError> {
-    let mut set = Set { kit, room };
-    if room.windows[0] {
+/// Furnishes a room.
+pub(super) fn furnish(
+    city: &mut CityBuilder,
+    room: &Room,
+    random: &mut Random,
+) -> Result<(), SceneError> {
+    let mut set = Set { city, room };
+    if room.windows.front {
         set.put(&fitting::RADIATOR, [0.0, 0.0, Z], 180.0)?;
     }
     match room.what {
-        Use::Living => living(&mut set, chance)?,
-        Use::Kitchen => cooking(&mut set, chance)?,
-        Use::Bedroom => sleeping(&mut set, chance)?,
+        Use::Living => living(&mut set, random)?,
+        Use::Kitchen => cooking(&mut set, random)?,
+        Use::Bedroom => sleeping(&mut set, random)?,
         Use::Bath => bathing(&mut set)?,
-        Use::Study => working(&mut set, chance)?,
+        Use::Study => working(&mut set, random)?,
     }
     let Room { windows, style, .. } = *room;
-    let hanging = match chance.pick(10) {
+    let hanging = match random.pick(10) {
         0..=2 => Some(Hanging::Closed),
         3 | 4 => Some(Hanging::Blinds),
         5 | 6 => Some(Hanging::Aside),
@@ -69,83 +81,96 @@ pub(super) fn furnish(kit: &mut Kit, room: &Room, chance: &mut Chance) -> Result
     let Some(hanging) = hanging else {
         return Ok(());
     };
-    let look = match (hanging, chance.pick(3)) {
-        (Hanging::Blinds, _) => Look::White,
-        (_, 0) => Look::Red,
-        (_, 1) => Look::Blue,
-        _ => Look::Cream,
+    let material = match (hanging, random.pick(3)) {
+        (Hanging::Blinds, _) => MaterialKind::White,
+        (_, 0) => MaterialKind::Red,
+        (_, 1) => MaterialKind::Blue,
+        _ => MaterialKind::Cream,
     };
     let name = format!("{hanging:?}, {}", style.name());
-    let [before, beside] = windows;
     let places = [
-        (before, turned(0.0, 0.0, Z, 0.0)),
-        (beside, turned(-room.hall * X, 0.0, 0.0, -90.0 * room.hall)),
+        (windows.front, rotated_at(0.0, 0.0, Z, 0.0)),
+        (
+            windows.side,
+            rotated_at(-room.hall * X, 0.0, 0.0, -90.0 * room.hall),
+        ),
     ];
     for (there, place) in places {
         if there {
             let make = || hangings(style, hanging);
-            set.kit.make(room.node, &name, look, place, make)?;
+            set.city.make(room.node, &name, material, place, make)?;
         }
     }
     Ok(())
 }
 
-/// Places things in a room as if its hall were towards +X.
+/// Places prefabs in a room as if its hall were towards +X.
 struct Set<'a> {
-    kit: &'a mut Kit,
+    city: &'a mut CityBuilder,
     room: &'a Room,
 }
 
 impl Set<'_> {
-    fn put(&mut self, piece: &Piece, place: [f64; 3], degrees: f64) -> Result<(), SceneError> {
-        self.put_as(piece, piece.look, place, degrees)
+    fn put(&mut self, prefab: &Prefab, place: [f64; 3], degrees: f64) -> Result<(), SceneError> {
+        self.place_with_material(prefab, prefab.material, place, degrees)
     }
 
-    fn put_as(
+    fn place_with_material(
         &mut self,
-        piece: &Piece,
-        look: Look,
+        prefab: &Prefab,
+        material: MaterialKind,
         [x, y, z]: [f64; 3],
         degrees: f64,
     ) -> Result<(), SceneError> {
         let side = self.room.hall;
-        let place = turned(side * x, y, z, side * degrees);
-        self.kit.put_as(self.room.node, piece, look, place)
+        let place = rotated_at(side * x, y, z, side * degrees);
+        self.city
+            .place_with_material(self.room.node, prefab, material, place)
     }
 
-    /// A bookcase full of books with its back to the wall opposite the windows.
-    fn bookcase(&mut self, x: f64, chance: &mut Chance) -> Result<(), SceneError> {
+    /// A bookcase full of books, its back to the wall opposite the windows.
+    fn bookcase(&mut self, x: f64, random: &mut Random) -> Result<(), SceneError> {
         let place = [x, 0.0, -Z + 0.02];
-        let books = [&shelf::BOOKS, &shelf::OTHER_BOOKS][chance.pick(2)];
-        let look = [Look::Red, Look::Blue, Look::Ochre, Look::Cream][chance.pick(4)];
+        let books = [&shelf::BOOKS, &shelf::OTHER_BOOKS][random.pick(2)];
+        let material = [
+            MaterialKind::Red,
+            MaterialKind::Blue,
+            MaterialKind::Ochre,
+            MaterialKind::Cream,
+        ][random.pick(4)];
         self.put(&shelf::BOOKCASE, place, 0.0)?;
-        self.put_as(books, look, place, 0.0)
+        self.place_with_material(books, material, place, 0.0)
     }
 }
 
-/// A cloth's colour.
-fn cloth(chance: &mut Chance) -> Look {
-    [Look::Red, Look::Blue, Look::Cream, Look::Green][chance.pick(4)]
+/// A random colour of cloth.
+fn cloth(random: &mut Random) -> MaterialKind {
+    [
+        MaterialKind::Red,
+        MaterialKind::Blue,
+        MaterialKind::Cream,
+        MaterialKind::Green,
+    ][random.pick(4)]
 }
 
-fn living(set: &mut Set, chance: &mut Chance) -> Result<(), SceneError> {
-    let look = cloth(chance);
-    set.put_as(&fitting::CARPET, cloth(chance), [-0.6, 0.0, -0.3], 90.0)?;
-    set.put_as(&seat::SOFA, look, [-X + 0.5, 0.0, -0.3], 90.0)?;
+fn living(set: &mut Set, random: &mut Random) -> Result<(), SceneError> {
+    let material = cloth(random);
+    set.place_with_material(&fitting::CARPET, cloth(random), [-0.6, 0.0, -0.3], 90.0)?;
+    set.place_with_material(&seat::SOFA, material, [-X + 0.5, 0.0, -0.3], 90.0)?;
     set.put(&table::COFFEE_TABLE, [-0.9, 0.0, -0.3], 90.0)?;
-    let turn = chance.between(150.0, 200.0);
-    set.put_as(&seat::ARMCHAIR, look, [-0.9, 0.0, 1.3], turn)?;
+    let turn = random.between(150.0, 200.0);
+    set.place_with_material(&seat::ARMCHAIR, material, [-0.9, 0.0, 1.3], turn)?;
     set.put(&fitting::TELEVISION, [X - 0.25, 0.0, -0.3], -90.0)?;
-    set.bookcase(-0.9, chance)?;
+    set.bookcase(-0.9, random)?;
     set.put(&lamp::FLOOR_LAMP, [-X + 0.4, 0.0, 1.3], 0.0)?;
     set.put(
         &fitting::POT_PLANT,
         [X - 0.45, 0.0, -Z + 0.5],
-        chance.between(0.0, 360.0),
+        random.between(0.0, 360.0),
     )
 }
 
-fn cooking(set: &mut Set, chance: &mut Chance) -> Result<(), SceneError> {
+fn cooking(set: &mut Set, random: &mut Random) -> Result<(), SceneError> {
     set.put(&kitchen::COUNTER, [-X, 0.0, -0.9], 90.0)?;
     set.put(&kitchen::STOVE, [-X, 0.0, 0.62], 90.0)?;
     set.put(&kitchen::POTS, [-X, 0.0, 0.62], 90.0)?;
@@ -153,7 +178,7 @@ fn cooking(set: &mut Set, chance: &mut Chance) -> Result<(), SceneError> {
     let [x, z] = [0.9, -0.4];
     set.put(&table::DINING_TABLE, [x, 0.0, z], 90.0)?;
     let mut chair = |dx: f64, dz: f64, degrees: f64| {
-        let (shift, turn) = (chance.between(-0.05, 0.05), chance.between(-12.0, 12.0));
+        let (shift, turn) = (random.between(-0.05, 0.05), random.between(-12.0, 12.0));
         set.put(
             &seat::CHAIR,
             [x + dx + shift, 0.0, z + dz - shift],
@@ -166,17 +191,17 @@ fn cooking(set: &mut Set, chance: &mut Chance) -> Result<(), SceneError> {
     set.put(&lamp::PENDANT, [x, CEILING, z], 0.0)
 }
 
-fn sleeping(set: &mut Set, chance: &mut Chance) -> Result<(), SceneError> {
+fn sleeping(set: &mut Set, random: &mut Random) -> Result<(), SceneError> {
     let head = [-X + 0.02, 0.0, -0.6];
     set.put(&bed::DOUBLE_BED, head, 90.0)?;
-    set.put_as(&bed::DOUBLE_BEDDING, sheet(chance), head, 90.0)?;
+    set.place_with_material(&bed::DOUBLE_BEDDING, sheet(random), head, 90.0)?;
     set.put(&bed::NIGHTSTAND, [-X + 0.02, 0.0, 0.55], 90.0)?;
     set.put(&bed::WARDROBE, [0.3, 0.0, -Z + 0.02], 0.0)?;
     set.put(&bed::DRESSER, [X - 0.02, 0.0, -0.6], -90.0)
 }
 
-fn sheet(chance: &mut Chance) -> Look {
-    [Look::White, Look::Blue, Look::Cream][chance.pick(3)]
+fn sheet(random: &mut Random) -> MaterialKind {
+    [MaterialKind::White, MaterialKind::Blue, MaterialKind::Cream][random.pick(3)]
 }
 
 fn bathing(set: &mut Set) -> Result<(), SceneError> {
@@ -188,12 +213,12 @@ fn bathing(set: &mut Set) -> Result<(), SceneError> {
     set.put(&bath::WASHER, [X - 0.02, 0.0, -2.2], -90.0)
 }
 
-fn working(set: &mut Set, chance: &mut Chance) -> Result<(), SceneError> {
+fn working(set: &mut Set, random: &mut Random) -> Result<(), SceneError> {
     set.put(&table::DESK, [-X + 0.4, 0.0, 0.4], 90.0)?;
-    let turn = chance.between(-140.0, -40.0);
+    let turn = random.between(-140.0, -40.0);
     set.put(&seat::SWIVEL_CHAIR, [-X + 1.15, 0.0, 0.4], turn)?;
-    set.bookcase(-1.6, chance)?;
+    set.bookcase(-1.6, random)?;
     let head = [X - 0.55, 0.0, -Z + 0.02];
     set.put(&bed::SINGLE_BED, head, 0.0)?;
-    set.put_as(&bed::SINGLE_BEDDING, sheet(chance), head, 0.0)
+    set.place_with_material(&bed::SINGLE_BEDDING, sheet(random), head, 0.0)
 }

@@ -1,56 +1,56 @@
-//! Roofs and what stands on them. Each lies on a house's walls with its underside, the ceiling of the uppermost rooms, a floor's
-//! thickness below y = 0.
+//! Roofs, chimneys and dormers. A roof lies on the walls of a house; its underside, the ceiling of the top rooms,
+//! lies the thickness of a floor below y = 0.
 
-use super::form::Opening;
-use super::kit::{Piece, quarter_turn};
-use super::look::Look;
+use super::city_builder::{Prefab, quarter_rotation};
+use super::materials::MaterialKind;
 use super::plan::{FLOOR, LOT};
+use super::shapes::Opening;
 use crate::solid::Solid;
 use glam::{DAffine3, DVec3};
 use std::f64::consts::FRAC_PI_2;
 
-pub(super) const GABLE: Piece = Piece {
+pub(super) const GABLE: Prefab = Prefab {
     name: "gable roof",
-    look: Look::Tile,
+    material: MaterialKind::Tile,
     make: gable,
 };
-pub(super) const HIP: Piece = Piece {
+pub(super) const HIP: Prefab = Prefab {
     name: "hip roof",
-    look: Look::Tile,
+    material: MaterialKind::Tile,
     make: hip,
 };
-pub(super) const FLAT: Piece = Piece {
+pub(super) const FLAT: Prefab = Prefab {
     name: "flat roof",
-    look: Look::Stone,
+    material: MaterialKind::Stone,
     make: flat,
 };
-pub(super) const CHIMNEY: Piece = Piece {
+pub(super) const CHIMNEY: Prefab = Prefab {
     name: "chimney",
-    look: Look::Brick,
+    material: MaterialKind::Brick,
     make: chimney,
 };
-pub(super) const DORMER: Piece = Piece {
+pub(super) const DORMER: Prefab = Prefab {
     name: "dormer",
-    look: Look::White,
+    material: MaterialKind::White,
     make: dormer,
 };
-pub(super) const ROOF_UNIT: Piece = Piece {
+pub(super) const ROOF_UNIT: Prefab = Prefab {
     name: "ventilation",
-    look: Look::Steel,
+    material: MaterialKind::Steel,
     make: ventilation,
 };
 
-/// How far eaves reach out, how high they are, and how high the ridge.
+/// Overhang of the eaves, their height, and the height of the ridge.
 const EAVES: f64 = 0.5;
 const EDGE: f64 = 0.05;
 const RIDGE: f64 = 4.2;
 
-/// The height of a gable roof's slope above a place.
+/// Height of the slope of a gable roof at z.
 pub(super) fn slope(z: f64) -> f64 {
     EDGE + (RIDGE - EDGE) * (1.0 - z.abs() / (LOT + EAVES))
 }
 
-/// Ridge along X.
+/// A gable roof; its ridge is along X.
 fn gable() -> Solid {
     let mut solid = Solid::default();
     let out = LOT + EAVES;
@@ -65,8 +65,8 @@ fn gable() -> Solid {
     ];
     let half = LOT - 0.005;
     let mut body = Solid::default();
-    body.extruded(&outline, [-half, half]);
-    solid.add(&body, quarter_turn(1));
+    body.extrude(&outline, [-half, half]);
+    solid.add(&body, quarter_rotation(1));
     let mut side = Solid::default();
     let (left, right) = (-half + 0.002, half - 0.002);
     let eaves = [left, right].map(|x| DVec3::new(x, EDGE, out));
@@ -80,7 +80,7 @@ fn gable() -> Solid {
         10,
     );
     solid.add(&side, DAffine3::IDENTITY);
-    solid.add(&side, quarter_turn(2));
+    solid.add(&side, quarter_rotation(2));
     solid.bar(
         [left, RIDGE + 0.02, 0.0],
         [right, RIDGE + 0.02, 0.0],
@@ -90,7 +90,7 @@ fn gable() -> Solid {
     solid
 }
 
-/// Eaves towards the two streets, +X and +Z.
+/// A hip roof; its eaves are towards the two streets, +X and +Z.
 fn hip() -> Solid {
     let mut solid = Solid::default();
     let out = LOT + EAVES;
@@ -100,7 +100,7 @@ fn hip() -> Solid {
     };
     let top = square(0.15, 0.35, RIDGE - 0.3);
     let eaves = square(-LOT, out, EDGE);
-    solid.faceted(&[
+    solid.faceted_loft(&[
         square(-LOT, LOT, -FLOOR),
         square(-LOT, out, -EDGE),
         eaves.clone(),
@@ -124,11 +124,12 @@ fn hip() -> Solid {
         [0.0, 0.14],
         [0.0, 0.0],
     ];
-    solid.lathed([0.25, RIDGE - 0.35, 0.25], &knob, 16);
+    solid.revolve_upright([0.25, RIDGE - 0.35, 0.25], &knob, 16);
     solid
 }
 
-/// Rows of tiles up a slope, each a little over the one below it; eaves and ridge run the same way, to the right seen from outside.
+/// Rows of tiles up a slope, each overlapping the row below. Eaves and ridge have the same direction, to the right
+/// seen from outside.
 fn tiles(solid: &mut Solid, eaves: [DVec3; 2], ridge: [DVec3; 2], rows: usize) {
     let across = eaves[1] - eaves[0];
     let normal = across.cross(ridge[0] - eaves[0]).normalize_or(DVec3::Y);
@@ -143,7 +144,7 @@ fn tiles(solid: &mut Solid, eaves: [DVec3; 2], ridge: [DVec3; 2], rows: usize) {
     }
 }
 
-/// A slab with a parapet.
+/// A flat roof: a slab with a parapet.
 fn flat() -> Solid {
     let mut solid = Solid::default();
     solid.cuboid([-LOT, -FLOOR, -LOT], [LOT, 0.1, LOT]);
@@ -154,9 +155,9 @@ fn flat() -> Solid {
         x: [-half, half],
         y: [-half, half],
     };
-    ring.pierced([-end, end], [-end, end], [0.09, 0.7], &[hole(LOT - 0.25)]);
+    ring.wall_with_openings([-end, end], [-end, end], [0.09, 0.7], &[hole(LOT - 0.25)]);
     let over = LOT - 0.001;
-    copings.pierced(
+    copings.wall_with_openings(
         [-over, over],
         [-over, over],
         [0.7, 0.76],
@@ -165,12 +166,12 @@ fn flat() -> Solid {
     let lying = DAffine3::from_rotation_x(-FRAC_PI_2);
     solid.add(&ring, lying);
     solid.add(&copings, lying);
-    // Where the stairs come out, and two skylights.
+    // The top of the stairs, and two skylights.
     solid.cuboid([-1.6, 0.09, -5.0], [1.2, 2.3, -2.6]);
-    solid.rounded([-1.8, 2.25, -5.2], [1.4, 2.4, -2.4], 0.03, 1);
-    solid.rounded([-0.6, 0.1, -2.62], [0.4, 2.1, -2.57], 0.02, 1);
+    solid.rounded_box([-1.8, 2.25, -5.2], [1.4, 2.4, -2.4], 0.03, 1);
+    solid.rounded_box([-0.6, 0.1, -2.62], [0.4, 2.1, -2.57], 0.02, 1);
     for x in [-4.0, 4.0] {
-        solid.rounded([x - 0.8, 0.09, 1.0], [x + 0.8, 0.35, 2.6], 0.04, 1);
+        solid.rounded_box([x - 0.8, 0.09, 1.0], [x + 0.8, 0.35, 2.6], 0.04, 1);
         solid.frame(
             Opening {
                 x: [x - 0.7, x + 0.7],
@@ -183,12 +184,12 @@ fn flat() -> Solid {
     solid
 }
 
-/// Its foot is within the roof.
+/// A chimney; its foot is inside the roof.
 fn chimney() -> Solid {
     let mut solid = Solid::default();
-    solid.rounded([-0.5, -0.9, -0.35], [0.5, 1.5, 0.35], 0.02, 1);
-    solid.rounded([-0.57, 1.3, -0.42], [0.57, 1.42, 0.42], 0.02, 1);
-    solid.rounded([-0.62, 1.48, -0.47], [0.62, 1.56, 0.47], 0.025, 1);
+    solid.rounded_box([-0.5, -0.9, -0.35], [0.5, 1.5, 0.35], 0.02, 1);
+    solid.rounded_box([-0.57, 1.3, -0.42], [0.57, 1.42, 0.42], 0.02, 1);
+    solid.rounded_box([-0.62, 1.48, -0.47], [0.62, 1.56, 0.47], 0.025, 1);
     for x in [-0.28, 0.28] {
         let pot = [
             [0.45, 0.0],
@@ -200,12 +201,12 @@ fn chimney() -> Solid {
             [0.0, 0.17],
             [0.0, 0.0],
         ];
-        solid.lathed([x, 1.55, 0.0], &pot, 16);
+        solid.revolve_upright([x, 1.55, 0.0], &pot, 16);
     }
     solid
 }
 
-/// It looks towards +Z; the roof's slope runs through it.
+/// A dormer that faces +Z and intersects the slope of the roof.
 fn dormer() -> Solid {
     let mut solid = Solid::default();
     solid.cuboid([-0.9, -0.5, -2.9], [0.9, 1.35, 0.0]);
@@ -216,7 +217,7 @@ fn dormer() -> Solid {
         [0.0, 2.1],
         [-1.1, 1.32],
     ];
-    solid.extruded(&gable, [-3.6, 0.18]);
+    solid.extrude(&gable, [-3.6, 0.18]);
     let opening = Opening {
         x: [-0.65, 0.65],
         y: [0.15, 1.2],
@@ -225,19 +226,19 @@ fn dormer() -> Solid {
     for x in [[-0.56, 0.0], [0.0, 0.56]] {
         solid.frame(Opening { x, y: [0.24, 1.11] }, 0.05, [-0.01, 0.03]);
     }
-    solid.rounded([-0.75, 0.07, -0.01], [0.75, 0.15, 0.14], 0.02, 1);
+    solid.rounded_box([-0.75, 0.07, -0.01], [0.75, 0.15, 0.14], 0.02, 1);
     solid
 }
 
 fn ventilation() -> Solid {
     let mut solid = Solid::default();
-    solid.rounded([-0.7, 0.12, -0.5], [0.7, 1.0, 0.5], 0.04, 1);
+    solid.rounded_box([-0.7, 0.12, -0.5], [0.7, 1.0, 0.5], 0.04, 1);
     for x in [-0.6, 0.6] {
         solid.cuboid([x - 0.06, -0.01, -0.45], [x + 0.06, 0.14, 0.45]);
     }
     for rib in 0..9 {
         let y = 0.22 + 0.08 * f64::from(rib);
-        solid.rounded([-0.62, y, 0.49], [0.62, y + 0.04, 0.53], 0.012, 1);
+        solid.rounded_box([-0.62, y, 0.49], [0.62, y + 0.04, 0.53], 0.012, 1);
     }
     let cowl = [
         [0.7, 0.0],
@@ -248,6 +249,6 @@ fn ventilation() -> Solid {
         [0.0, 0.18],
         [0.0, 0.0],
     ];
-    solid.lathed([0.0, 0.99, 0.0], &cowl, 24);
+    solid.revolve_upright([0.0, 0.99, 0.0], &cowl, 24);
     solid
 }

@@ -1,59 +1,59 @@
-//! What is within a storey: its floor, the walls between hall and rooms, doors, stairs, and the four rooms.
+//! The inside of a storey: floor, walls between hall and rooms, doors, stairs.
 
+use super::city_builder::{Prefab, at, quarter_rotation};
 use super::facade::leaf;
-use super::form::Opening;
-use super::kit::{Piece, at, quarter_turn};
-use super::look::Look;
+use super::materials::MaterialKind;
 use super::plan::{FLOOR, HALL, STOREY, THIN};
+use super::shapes::Opening;
 use crate::solid::Solid;
 use glam::{DAffine3, DVec3};
 use std::f64::consts::FRAC_PI_2;
 
-pub(super) const GROUND: Piece = Piece {
+pub(super) const GROUND: Prefab = Prefab {
     name: "ground floor",
-    look: Look::Wood,
+    material: MaterialKind::Wood,
     make: || floor(&[]),
 };
-pub(super) const UPPER: Piece = Piece {
+pub(super) const UPPER: Prefab = Prefab {
     name: "floor with a stairwell",
-    look: Look::Wood,
+    material: MaterialKind::Wood,
     make: || floor(&[WELL]),
 };
-pub(super) const PARTITIONS: Piece = Piece {
+pub(super) const PARTITIONS: Prefab = Prefab {
     name: "walls between rooms",
-    look: Look::White,
+    material: MaterialKind::White,
     make: partitions,
 };
-pub(super) const DOORS: Piece = Piece {
+pub(super) const DOORS: Prefab = Prefab {
     name: "room doors",
-    look: Look::Cream,
+    material: MaterialKind::Cream,
     make: doors,
 };
-pub(super) const STAIRS: Piece = Piece {
+pub(super) const STAIRS: Prefab = Prefab {
     name: "stairs",
-    look: Look::Wood,
+    material: MaterialKind::Wood,
     make: stairs,
 };
-pub(super) const BALUSTRADE: Piece = Piece {
+pub(super) const BALUSTRADE: Prefab = Prefab {
     name: "balustrade",
-    look: Look::White,
+    material: MaterialKind::White,
     make: balustrade,
 };
 
-/// How far floors reach, into the outer walls.
+/// Half the edge of a floor, which ends inside the outer walls.
 const REACH: f64 = 6.85;
-/// The hole that stairs come up through: from the left of the hall's middle, and along -Z.
+/// The stairwell: from the left of the hall's centre, and along -Z.
 const WELL: Opening = Opening {
     x: [-HALL, -0.1],
     y: [-0.3, 4.4],
 };
-/// Where rooms' doors begin and end, away from the house's middle, and how high they are.
+/// Range of a room door, from the centre of the house, and its height.
 const DOOR: [f64; 2] = [5.15, 6.05];
 const DOOR_HEIGHT: f64 = 2.1;
 
 fn floor(holes: &[Opening]) -> Solid {
     let mut slab = Solid::default();
-    slab.pierced([-REACH, REACH], [-REACH, REACH], [-FLOOR, 0.0], holes);
+    slab.wall_with_openings([-REACH, REACH], [-REACH, REACH], [-FLOOR, 0.0], holes);
     let mut solid = Solid::default();
     solid.add(&slab, DAffine3::from_rotation_x(-FRAC_PI_2));
     solid
@@ -61,7 +61,7 @@ fn floor(holes: &[Opening]) -> Solid {
 
 fn partitions() -> Solid {
     let mut solid = Solid::default();
-    // A little into the floors above and below.
+    // Walls overlap the floors above and below.
     let height = [-0.02, STOREY - FLOOR + 0.02];
     let thick = [-0.5 * THIN, 0.5 * THIN];
     let end = REACH - 0.1;
@@ -71,18 +71,18 @@ fn partitions() -> Solid {
     };
     let mut hall = Solid::default();
     let openings = [door(DOOR), door([-DOOR[1], -DOOR[0]])];
-    hall.pierced([-end, end], height, thick, &openings);
+    hall.wall_with_openings([-end, end], height, thick, &openings);
     let mut rooms = Solid::default();
-    rooms.pierced([HALL, REACH], height, thick, &[]);
+    rooms.wall_with_openings([HALL, REACH], height, thick, &[]);
     for half in [0, 2] {
-        let turn = quarter_turn(half);
-        solid.add(&hall, turn * at(HALL, 0.0, 0.0) * quarter_turn(1));
+        let turn = quarter_rotation(half);
+        solid.add(&hall, turn * at(HALL, 0.0, 0.0) * quarter_rotation(1));
         solid.add(&rooms, turn);
     }
     solid
 }
 
-/// Four doors that stand open into their rooms.
+/// Four doors, open into their rooms.
 fn doors() -> Solid {
     let mut solid = Solid::default();
     let half = 0.5 * (DOOR[1] - DOOR[0]);
@@ -94,22 +94,22 @@ fn doors() -> Solid {
         };
         door.frame(frame, 0.05, [-0.08, 0.08]);
         let hinge = at(side * (half - 0.05), 0.0, 0.04);
-        // Hinged away from the windows.
+        // The hinges are on the side away from the windows.
         let opened: f64 = if side > 0.0 { 80.0 } else { 100.0 };
         let swing = DAffine3::from_rotation_y(opened.to_radians());
         door.add(
             &leaf(2.0 * half - 0.11, [0.02, DOOR_HEIGHT - 0.06]),
             hinge * swing,
         );
-        let place = at(side * HALL, 0.0, 0.5 * (DOOR[0] + DOOR[1])) * quarter_turn(quarters);
+        let place = at(side * HALL, 0.0, 0.5 * (DOOR[0] + DOOR[1])) * quarter_rotation(quarters);
         for turn in [0, 2] {
-            solid.add(&door, quarter_turn(turn) * place);
+            solid.add(&door, quarter_rotation(turn) * place);
         }
     }
     solid
 }
 
-/// Steps of a flight, from the well's near end to its far one.
+/// Steps of a flight, from the near end of the stairwell to its far end.
 const STEPS: usize = 17;
 
 fn stairs() -> Solid {
@@ -119,7 +119,7 @@ fn stairs() -> Solid {
     let rise = STOREY / STEPS as f64;
     for step in 1..STEPS {
         let (y, z) = (rise * step as f64, -WELL.y[0] - run * (step as f64 - 1.0));
-        solid.rounded([x0, y - 0.045, z - run - 0.04], [x1, y, z + 0.02], 0.014, 1);
+        solid.rounded_box([x0, y - 0.045, z - run - 0.04], [x1, y, z + 0.02], 0.014, 1);
         solid.cuboid(
             [x0 + 0.01, y - rise - 0.01, z - 0.03],
             [x1 - 0.01, y - 0.02, z - 0.01],
@@ -149,7 +149,7 @@ fn stairs() -> Solid {
     solid
 }
 
-/// Around a well, but for the side one comes up.
+/// A balustrade around the stairwell, open at the top of the stairs.
 fn balustrade() -> Solid {
     let mut solid = Solid::default();
     let x = WELL.x[1] + 0.04;
@@ -165,7 +165,7 @@ fn balustrade() -> Solid {
     let posts = 19;
     for i in 0..=posts {
         let z = near + (far - near) * f64::from(i) / f64::from(posts);
-        solid.lathed([x, 0.0, z], &post, 6);
+        solid.revolve_upright([x, 0.0, z], &post, 6);
     }
     let along = [[x, 0.91, near + 0.05], [x, 0.91, far - 0.05]];
     solid.tube(&along.map(DVec3::from), 0.03, 10);

@@ -1,137 +1,140 @@
-//! Streets: roadways and pavements between crossings, what stands on them, and the vehicles.
+//! Streets: roadways and pavements between crossings, street furniture, and vehicles.
 
-use super::block::tree;
-use super::kit::{Kit, Piece, at, quarter_turn, turned};
-use super::look::Look;
-use super::outdoor::{BENCH, BIN, HYDRANT, STREET_LAMP, TRAFFIC_LIGHT};
-use super::plan::{BLOCK, PAVEMENT, Plan, ROADWAY, STREET, StreetPlace};
+use super::city_builder::{CityBuilder, Prefab, at, quarter_rotation, rotated_at};
+use super::materials::MaterialKind;
+use super::plan::{BLOCK, PAVEMENT, Plan, ROADWAY, STREET, StreetDirection, StreetPlace, Stretch};
+use super::street_furniture::{BENCH, BIN, HYDRANT, STREET_LAMP, TRAFFIC_LIGHT};
+use super::vegetation::tree;
 use super::vehicle::{self, Vehicle};
-use crate::chance::Chance;
+use crate::random::Random;
 use crate::solid::Solid;
 use antumbra_scene::{EntityKey, SceneError};
 use glam::DAffine3;
 use std::f64::consts::FRAC_PI_2;
 
-/// What has been dealt out to stretches of street.
+/// The vehicles of all stretches of street, in random order.
 pub(super) struct Traffic {
-    /// How many vehicles a stretch has, by its number.
+    /// Number of vehicles by the number of the stretch.
     counts: Vec<usize>,
     vehicles: Vec<Vehicle>,
-    chance: Chance,
+    random: Random,
 }
 
-/// How many vehicles stretches have.
+/// Numbers of vehicles that stretches take.
 const COUNTS: [usize; 4] = [3, 2, 4, 3];
-/// Lanes by their distance from the street's middle: parked vehicles, and those on their way.
+/// Distance of the lanes from the centre of the street: parking lanes, and driving lanes.
 const LANES: [f64; 4] = [4.75, 1.75, -1.75, -4.75];
-/// Places for a vehicle in a lane, and from one to the next.
+/// Places for vehicles in a lane, and distance between two places.
 const SLOTS: usize = 9;
 const SLOT: f64 = 7.2;
 
 impl Traffic {
-    pub fn dealt(plan: &Plan, mut chance: Chance) -> Self {
+    pub fn new(plan: &Plan, mut random: Random) -> Self {
         let [_, stretches] = plan.counts();
-        let counts = chance.dealt(stretches, &COUNTS);
-        let vehicles = chance.dealt(counts.iter().sum(), &vehicle::ALL);
+        let counts = random.shuffled_deck(stretches, &COUNTS);
+        let vehicles = random.shuffled_deck(counts.iter().sum(), &vehicle::ALL);
         Self {
             counts,
             vehicles,
-            chance,
+            random,
         }
     }
 }
 
-const ROAD: Piece = Piece {
+const ROAD: Prefab = Prefab {
     name: "roadway",
-    look: Look::Asphalt,
+    material: MaterialKind::Asphalt,
     make: || {
         let mut solid = Solid::default();
         solid.cuboid([-ROADWAY, -0.3, -BLOCK], [ROADWAY, 0.0, BLOCK]);
         solid
     },
 };
-const MARKS: Piece = Piece {
+const MARKS: Prefab = Prefab {
     name: "lane marks",
-    look: Look::White,
+    material: MaterialKind::White,
     make: marks,
 };
-const WALK: Piece = Piece {
+const WALK: Prefab = Prefab {
     name: "pavement",
-    look: Look::Stone,
+    material: MaterialKind::Stone,
     make: pavement,
 };
-const CROSSING: Piece = Piece {
+const CROSSING: Prefab = Prefab {
     name: "crossing",
-    look: Look::Asphalt,
+    material: MaterialKind::Asphalt,
     make: || {
         let mut solid = Solid::default();
         solid.cuboid([-STREET, -0.3, -STREET], [STREET, 0.0, STREET]);
         solid
     },
 };
-const STRIPES: Piece = Piece {
+const STRIPES: Prefab = Prefab {
     name: "zebra crossings",
-    look: Look::White,
+    material: MaterialKind::White,
     make: stripes,
 };
-const CORNERS: Piece = Piece {
+const CORNERS: Prefab = Prefab {
     name: "pavement corners",
-    look: Look::Stone,
+    material: MaterialKind::Stone,
     make: corners,
 };
 
-/// Adds a street with all that stands and moves on it.
+/// Adds a street with all that stands and drives on it.
 pub(super) fn add(
-    kit: &mut Kit,
+    city: &mut CityBuilder,
     quarter: EntityKey,
     place: &StreetPlace,
     traffic: &mut Traffic,
 ) -> Result<(), SceneError> {
-    let street = kit.node(quarter, &place.name, DAffine3::IDENTITY)?;
-    let turn = quarter_turn(if place.along_z { 0 } else { 1 });
-    for (number, middle) in &place.stretches {
+    let street = city.node(quarter, &place.name, DAffine3::IDENTITY)?;
+    let turn = quarter_rotation(match place.direction {
+        StreetDirection::AlongZ => 0,
+        StreetDirection::AlongX => 1,
+    });
+    for Stretch { number, at: middle } in &place.stretches {
         let name = format!("stretch {}", number + 1);
-        let node = kit.node(street, &name, *middle * turn)?;
-        stretch(kit, node, *number, traffic)?;
+        let node = city.node(street, &name, *middle * turn)?;
+        stretch(city, node, *number, traffic)?;
     }
     for middle in &place.crossings {
-        let node = kit.node(street, "crossing", *middle)?;
-        crossing(kit, node)?;
+        let node = city.node(street, "crossing", *middle)?;
+        crossing(city, node)?;
     }
     Ok(())
 }
 
 fn stretch(
-    kit: &mut Kit,
+    city: &mut CityBuilder,
     node: EntityKey,
     number: usize,
     traffic: &mut Traffic,
 ) -> Result<(), SceneError> {
-    let chance = &mut traffic.chance;
-    kit.put(node, &ROAD, DAffine3::IDENTITY)?;
-    kit.put(node, &MARKS, DAffine3::IDENTITY)?;
+    let random = &mut traffic.random;
+    city.put(node, &ROAD, DAffine3::IDENTITY)?;
+    city.put(node, &MARKS, DAffine3::IDENTITY)?;
     for half in [0, 2] {
-        let side = quarter_turn(half);
-        kit.put(node, &WALK, side)?;
+        let side = quarter_rotation(half);
+        city.put(node, &WALK, side)?;
         let kerb = ROADWAY + 1.1;
-        let standing = |z: f64, degrees: f64| side * turned(kerb, PAVEMENT, z, degrees);
+        let standing = |z: f64, degrees: f64| side * rotated_at(kerb, PAVEMENT, z, degrees);
         for z in [-27.0, 13.5] {
-            let z = z + chance.between(-2.0, 2.0);
-            tree(kit, node, standing(z, 0.0), chance)?;
+            let z = z + random.between(-2.0, 2.0);
+            tree(city, node, standing(z, 0.0), random)?;
         }
         for z in [-18.0, 22.0] {
-            kit.put(node, &STREET_LAMP, standing(z, -90.0))?;
+            city.put(node, &STREET_LAMP, standing(z, -90.0))?;
         }
-        kit.put(node, &BENCH, standing(chance.between(-9.0, 5.0), 90.0))?;
-        kit.put(node, &BIN, standing(7.0, 0.0))?;
+        city.put(node, &BENCH, standing(random.between(-9.0, 5.0), 90.0))?;
+        city.put(node, &BIN, standing(7.0, 0.0))?;
     }
-    kit.put(
+    city.put(
         node,
         &HYDRANT,
-        turned(ROADWAY + 0.6, PAVEMENT, chance.between(26.0, 32.0), -90.0),
+        rotated_at(ROADWAY + 0.6, PAVEMENT, random.between(26.0, 32.0), -90.0),
     )?;
     let mut places: Vec<usize> = (0..LANES.len() * SLOTS).collect();
-    chance.shuffle(&mut places);
+    random.shuffle(&mut places);
     let count = traffic.counts.get(number).copied().unwrap_or(0);
     for place in places.into_iter().take(count) {
         let Some(vehicle) = traffic.vehicles.pop() else {
@@ -139,27 +142,27 @@ fn stretch(
         };
         let lane = LANES[place % LANES.len()];
         let along = (place / LANES.len()) as f64 - 0.5 * (SLOTS - 1) as f64;
-        let shift = traffic.chance.between(-0.4, 0.4);
-        // On the right of the way they go: a vehicle's front is towards +X.
+        let shift = traffic.random.between(-0.4, 0.4);
+        // Vehicles drive on the right; the front of a vehicle is towards +X.
         let degrees = if lane > 0.0 { 90.0 } else { -90.0 };
-        let place = turned(lane, 0.0, SLOT * along + shift, degrees);
-        vehicle::add(kit, node, &vehicle, place)?;
+        let place = rotated_at(lane, 0.0, SLOT * along + shift, degrees);
+        vehicle::add(city, node, &vehicle, place)?;
     }
     Ok(())
 }
 
-fn crossing(kit: &mut Kit, node: EntityKey) -> Result<(), SceneError> {
-    kit.put(node, &CROSSING, DAffine3::IDENTITY)?;
-    kit.put(node, &STRIPES, DAffine3::IDENTITY)?;
-    kit.put(node, &CORNERS, DAffine3::IDENTITY)?;
+fn crossing(city: &mut CityBuilder, node: EntityKey) -> Result<(), SceneError> {
+    city.put(node, &CROSSING, DAffine3::IDENTITY)?;
+    city.put(node, &STRIPES, DAffine3::IDENTITY)?;
+    city.put(node, &CORNERS, DAffine3::IDENTITY)?;
     for quarters in 0..4 {
-        let place = quarter_turn(quarters) * at(ROADWAY + 1.6, PAVEMENT, ROADWAY + 1.6);
-        kit.put(node, &TRAFFIC_LIGHT, place)?;
+        let place = quarter_rotation(quarters) * at(ROADWAY + 1.6, PAVEMENT, ROADWAY + 1.6);
+        city.put(node, &TRAFFIC_LIGHT, place)?;
     }
     Ok(())
 }
 
-/// Dashes along the middle, and lines that part the parked from the moving.
+/// Dashes along the centre, and lines between parking and driving lanes.
 fn marks() -> Solid {
     let mut solid = Solid::default();
     let mut line = |x: f64, z: [f64; 2]| {
@@ -178,14 +181,14 @@ fn marks() -> Solid {
     solid
 }
 
-/// Towards +X: a kerb, and slabs behind it.
+/// The pavement at +X: a kerb, and slabs behind it.
 fn pavement() -> Solid {
     let mut solid = Solid::default();
     let slabs = 14;
     let long = 2.0 * BLOCK / f64::from(slabs);
     for slab in 0..slabs {
         let z = -BLOCK + long * f64::from(slab);
-        solid.rounded(
+        solid.rounded_box(
             [ROADWAY, -0.2, z],
             [ROADWAY + 0.25, PAVEMENT, z + long],
             0.03,
@@ -205,12 +208,12 @@ fn stripes() -> Solid {
     }
     let mut solid = Solid::default();
     for quarters in 0..4 {
-        solid.add(&arm, quarter_turn(quarters));
+        solid.add(&arm, quarter_rotation(quarters));
     }
     solid
 }
 
-/// Their kerbs run round in quarters of a circle.
+/// Corners of pavements at a crossing, with kerbs in quarter circles.
 fn corners() -> Solid {
     let mut outline = vec![[STREET, STREET], [ROADWAY, STREET]];
     let radius = 3.0;
@@ -221,11 +224,11 @@ fn corners() -> Solid {
     }
     outline.push([STREET, ROADWAY]);
     let mut flat = Solid::default();
-    flat.extruded(&outline, [-0.2, PAVEMENT - 0.002]);
+    flat.extrude(&outline, [-0.2, PAVEMENT - 0.002]);
     let lying = DAffine3::from_rotation_x(-FRAC_PI_2);
     let mut solid = Solid::default();
     for quarters in 0..4 {
-        solid.add(&flat, quarter_turn(quarters) * lying);
+        solid.add(&flat, quarter_rotation(quarters) * lying);
     }
     solid
 }

@@ -1,30 +1,30 @@
-//! Windows: what styles there are, their frames and sills, and the curtains and blinds behind them.
+//! Windows: styles, frames, sills, curtains and blinds.
 
-use super::form::Opening;
 use super::plan::LOT;
+use super::shapes::Opening;
 use crate::solid::Solid;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// What windows a house has.
+/// Window style of a house.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Style {
-    /// Two upright windows a room.
+    /// Two upright windows per room.
     Paired,
-    /// One wide window a room.
+    /// One wide window per room.
     Wide,
-    /// Two windows a room down to the floor, with a railing before each.
+    /// Two windows per room that reach the floor, each with a railing.
     French,
 }
 
-/// What hangs behind a room's windows.
+/// Curtains or blinds of a room.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Hanging {
-    /// Curtains drawn aside.
+    /// Open curtains.
     Aside,
-    /// Curtains that are closed.
+    /// Closed curtains.
     Closed,
-    /// Blinds that are let down.
+    /// Lowered blinds.
     Blinds,
 }
 
@@ -37,7 +37,7 @@ impl Style {
         }
     }
 
-    /// The windows of a room whose middle is at x = 0.
+    /// The windows of a room whose centre is at x = 0.
     pub fn of_room(self) -> Vec<Opening> {
         let pair = |half: f64, y: [f64; 2]| {
             let beside = |x: f64| Opening {
@@ -71,7 +71,8 @@ pub(super) const DOOR: Opening = Opening {
     y: [-0.02, 2.2],
 };
 
-/// Frames, sills and lintels of windows in a wall whose outer face is at z = [`LOT`]; railings of those that reach the floor.
+/// Frames, sills and lintels of windows in a wall whose outer face is at z = [`LOT`], and railings of those that
+/// reach the floor.
 pub(super) fn frames(openings: &[Opening]) -> Solid {
     let mut solid = Solid::default();
     let front = LOT;
@@ -90,7 +91,7 @@ pub(super) fn frames(openings: &[Opening]) -> Solid {
             solid.frame(pane, 0.035, [front - 0.185, front - 0.135]);
         }
         if y[0] > 0.5 {
-            solid.rounded(
+            solid.rounded_box(
                 [x[0] - 0.08, y[0] - 0.07, front - 0.13],
                 [x[1] + 0.08, y[0] + 0.002, front + 0.09],
                 0.02,
@@ -99,13 +100,13 @@ pub(super) fn frames(openings: &[Opening]) -> Solid {
         } else {
             railing(&mut solid, [x[0] - 0.03, x[1] + 0.03], front);
         }
-        // A moulding around, its top wider.
+        // A moulding around the window; its top is wider.
         let around = Opening {
             x: [x[0] - 0.14, x[1] + 0.14],
             y: [y[0] - 0.14, y[1] + 0.14],
         };
         solid.frame(around, 0.139, [front - 0.02, front + 0.035]);
-        solid.rounded(
+        solid.rounded_box(
             [middle - 0.5 * wide - 0.2, y[1] + 0.13, front - 0.02],
             [middle + 0.5 * wide + 0.2, y[1] + 0.21, front + 0.11],
             0.02,
@@ -130,7 +131,7 @@ fn railing(solid: &mut Solid, x: [f64; 2], front: f64) {
     }
 }
 
-/// What hangs behind the windows of a room, before its wall at z = 0; the room lies towards -Z.
+/// Curtains or blinds of the windows of a room, in front of its wall at z = 0; the room is towards -Z.
 pub(super) fn hangings(style: Style, hanging: Hanging) -> Solid {
     let mut solid = Solid::default();
     for Opening { x, y } in style.of_room() {
@@ -139,7 +140,7 @@ pub(super) fn hangings(style: Style, hanging: Hanging) -> Solid {
             let slats = ((high - y[0]) / 0.085) as usize;
             for slat in 0..slats {
                 let y = y[0] + 0.085 * slat as f64;
-                // Tilted, each over the next.
+                // Slats are tilted and overlap.
                 solid.block([1; 3], |u, v, w| {
                     DVec3::new(
                         x[0] - 0.05 + (x[1] - x[0] + 0.1) * u,
@@ -184,7 +185,7 @@ pub(super) fn hangings(style: Style, hanging: Hanging) -> Solid {
     solid
 }
 
-/// A piece of cloth in folds.
+/// A curtain in folds.
 fn cloth(solid: &mut Solid, x: [f64; 2], y: [f64; 2]) {
     let folds = ((x[1] - x[0]) / 0.15).ceil();
     solid.block([4 * folds as usize, 1, 1], |u, v, w| {

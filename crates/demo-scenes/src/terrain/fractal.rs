@@ -1,5 +1,5 @@
-//! A landscape out of nothing: midpoint displacement on a square grid. Fournier, Fussell, Carpenter, *Computer Rendering of Stochastic
-//! Models*, 1982.
+//! A fractal landscape by midpoint displacement on a square grid. Fournier, Fussell, Carpenter, *Computer Rendering
+//! of Stochastic Models*, 1982.
 
 use antumbra_scene::Raster;
 use glam::DVec2;
@@ -8,23 +8,23 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 
 use antumbra_terrain::TerrainError;
 
-/// What landscape.
+/// Options of the fractal landscape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FractalOptions {
-    /// `2^order + 1` posts along a side.
+    /// The raster has `2^order + 1` posts along a side; 1 to 13.
     pub order: u32,
-    /// Metres from post to post.
+    /// Distance between neighbouring posts, in metres.
     pub cell: f64,
-    /// Metres from the lowest to the highest post.
+    /// Height difference between the lowest and the highest post, in metres.
     pub relief: f64,
-    /// How much of its height a hill half as wide has: 0.5 is smooth, 0.7 rugged.
+    /// Amplitude of each level relative to the level before it, between 0 and 1: 0.5 is smooth, 0.7 rugged.
     pub roughness: f64,
-    /// The seed of all chance.
+    /// Seed of the random numbers.
     pub seed: u64,
 }
 
 impl Default for FractalOptions {
-    /// 1,025 x 1,025 posts, 30 m apart, 1,500 m of relief: as large as the thesis's Mt. Tiefort.
+    /// 1,025 x 1,025 posts, 30 m apart, with 1,500 m of relief: the size of the thesis's Mt. Tiefort.
     fn default() -> Self {
         Self {
             order: 10,
@@ -37,25 +37,26 @@ impl Default for FractalOptions {
 }
 
 impl FractalOptions {
-    /// The landscape.
+    /// Makes the height field.
     ///
     /// # Errors
-    /// [`TerrainError::Setting`] for an order outside 1 to 13, cells or relief that are no lengths, roughness outside 0 to 1.
+    /// [`TerrainError::Setting`] for an order outside 1 to 13, a cell size or relief that is not a positive length up
+    /// to 100 km, and a roughness that is not between 0 and 1.
     pub fn raster(&self) -> Result<Raster, TerrainError> {
         self.check()?;
         let side = (1_usize << self.order) + 1;
         let mut heights = vec![0.0; side * side];
-        let mut chance = Pcg32::seed_from_u64(self.seed);
+        let mut random = Pcg32::seed_from_u64(self.seed);
         let mut swing = 1.0;
         let mut number =
-            |swing: f64| swing * (f64::from(chance.next_u32()) / f64::from(u32::MAX) - 0.5);
+            |swing: f64| swing * (f64::from(random.next_u32()) / f64::from(u32::MAX) - 0.5);
         for corner in [0, side - 1, side * (side - 1), side * side - 1] {
             heights[corner] = number(swing);
         }
         let mut step = side - 1;
         while step > 1 {
             let half = step / 2;
-            // The middles of squares, from their corners; then the middles of sides, from what lies around them.
+            // First the centres of squares, from their corners; then the centres of sides, from their neighbours.
             for row in (half..side).step_by(step) {
                 for column in (half..side).step_by(step) {
                     let around = [(half, half), (half, 0), (0, half), (0, 0)];

@@ -1,30 +1,30 @@
-//! What hangs on the outside: the gearbox with its pumps, electronic boxes on posts, mounts and thrust links.
+//! Parts on the outside: the gearbox with its pumps, electronic boxes on posts, mounts and thrust links.
 
 use super::assembly::{Assembly, shifted};
+use super::casing_surface::{standing, upright};
 use super::fastener::stud;
-use super::look::Look;
+use super::materials::MaterialKind;
 use super::plan::{FAN_CASE, Plan};
-use super::skin::{standing, upright};
 use crate::solid::{Solid, polar};
 use antumbra_scene::SceneError;
 use glam::{DAffine3, DVec3};
 use std::f64::consts::PI;
 
-/// The gearbox: from x to x, radius to radius, and degrees to degrees, below the core.
+/// Extent of the gearbox below the core: along the axis, radius, and angle in degrees.
 const GEARBOX: [[f64; 2]; 3] = [[-0.5, 0.15], [0.93, 1.05], [155.0, 205.0]];
-/// Half the measures of an electronic box: along the axis, upwards, around.
+/// Half the size of an electronic box: along the axis, upwards, around.
 const BOX: DVec3 = DVec3::new(0.13, 0.045, 0.10);
 /// Height of the posts below a box.
 const POST: f64 = 0.08;
 
-/// Adds all of it.
+/// Adds all accessories.
 pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> {
     engine.module("accessories")?;
-    engine.single("gearbox", Look::Gearbox, gearbox())?;
-    let mut pump = engine.part("pump", Look::Gearbox, pump())?;
+    engine.place_single("gearbox", MaterialKind::Gearbox, gearbox())?;
+    let mut pump = engine.part("pump", MaterialKind::Gearbox, pump())?;
     let [x, [low, high], [from, to]] = GEARBOX;
     for i in 0..plan.pumps {
-        // In turn on the rear and on the front face.
+        // Alternately on the rear and the front face.
         let (row, rows) = (i / 2, plan.pumps.div_ceil(2));
         let angle = from + (to - from) * (row as f64 + 0.5) / rows as f64;
         let turn = DAffine3::from_rotation_x(angle.to_radians());
@@ -71,10 +71,10 @@ fn gearbox() -> Solid {
     solid
 }
 
-/// A stepped pump whose flange stands on the plane x = 0, with a port on its side.
+/// A stepped pump with a port on its side; its flange lies in the plane x = 0.
 fn pump() -> Solid {
     let mut solid = Solid::default();
-    solid.turned(
+    solid.revolve(
         &[
             [0.24, 0.0],
             [0.24, 0.018],
@@ -102,10 +102,10 @@ fn pump() -> Solid {
     solid
 }
 
-/// Electronic boxes on the fan's casing, in two rows below and above, between the openings.
+/// Electronic boxes on the fan casing, in two rows below and above, between the openings.
 fn boxes(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> {
-    let mut housing = engine.part("electronic box", Look::Electronics, electronics())?;
-    let mut bolt = engine.part("box bolt", Look::Bolt, stud(0.011, 0.0))?;
+    let mut housing = engine.part("electronic box", MaterialKind::Electronics, electronics())?;
+    let mut bolt = engine.part("box bolt", MaterialKind::Bolt, stud(0.011, 0.0))?;
     let [x, z] = [BOX.x - 0.02, BOX.z - 0.02];
     let angles = [180.0_f64, 0.0, 168.5, 191.5, 348.5, 11.5];
     let rows = [-1.53, -1.25];
@@ -154,7 +154,7 @@ fn electronics() -> Solid {
     solid
 }
 
-/// Two mounts on top of the core, and the links between them that carry the thrust.
+/// Two mounts on top of the core, and the thrust links between them.
 fn mounts(engine: &mut Assembly) -> Result<(), SceneError> {
     for (name, x, radius) in [
         ("front mount", [-0.93, -0.68], [0.78, 1.1]),
@@ -162,7 +162,7 @@ fn mounts(engine: &mut Assembly) -> Result<(), SceneError> {
     ] {
         let mut mount = Solid::default();
         mount.block([1, 8, 12], |u, v, w| {
-            // Narrower towards its top.
+            // A mount is narrower towards its top.
             let half = 0.16 - 0.07 * v;
             let inset = 0.03 * v * (1.0 - 2.0 * u);
             let reach = radius[0] + (radius[1] - radius[0]) * v;
@@ -172,7 +172,7 @@ fn mounts(engine: &mut Assembly) -> Result<(), SceneError> {
                 half * (2.0 * w - 1.0),
             )
         });
-        engine.single(name, Look::Steel, mount)?;
+        engine.place_single(name, MaterialKind::Steel, mount)?;
     }
     for side in [-1.0, 1.0] {
         let ends = [(-0.75, 0.1), (1.54, 0.07)];
@@ -182,7 +182,7 @@ fn mounts(engine: &mut Assembly) -> Result<(), SceneError> {
             .collect();
         let mut link = Solid::default();
         link.tube(&way, 0.02, 24);
-        engine.single("thrust link", Look::Steel, link)?;
+        engine.place_single("thrust link", MaterialKind::Steel, link)?;
     }
     Ok(())
 }

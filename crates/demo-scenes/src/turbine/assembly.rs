@@ -1,19 +1,19 @@
-//! The engine while it is put together: parts are made once and placed as often as they occur.
+//! Construction of the engine: a part is made once and placed any number of times.
 
-use super::look::{Look, lamps};
-use super::workshop::workshop;
+use super::environment::workshop;
+use super::materials::{Lamp, MaterialKind, lamps};
 use crate::solid::Solid;
 use antumbra_scene::{Drawable, EntityKey, Environment, MaterialKey, Scene, SceneError};
 use glam::{DAffine3, DVec3};
 use std::f64::consts::TAU;
 
-/// A scene that grows by parts.
+/// A scene under construction.
 pub(super) struct Assembly {
     scene: Scene,
     engine: EntityKey,
-    /// Below which parts are hung.
+    /// Parent of the parts that are placed next.
     module: EntityKey,
-    looks: Vec<(Look, MaterialKey)>,
+    materials: Vec<(MaterialKind, MaterialKey)>,
 }
 
 /// A part that can be placed.
@@ -24,7 +24,7 @@ pub(super) struct Part {
 }
 
 impl Assembly {
-    /// Only the lamps and the workshop.
+    /// A scene with the lights and the environment map of the workshop.
     pub fn new(name: &str) -> Result<Self, SceneError> {
         let mut scene = Scene::new();
         scene.set_name(name);
@@ -35,8 +35,13 @@ impl Assembly {
         }))?;
         let engine = scene.spawn(None, DAffine3::IDENTITY)?;
         scene.set_entity_name(engine, "engine")?;
-        for (name, place, light) in lamps() {
-            let lamp = scene.spawn(None, DAffine3::from_translation(place.into()))?;
+        for Lamp {
+            name,
+            position,
+            light,
+        } in lamps()
+        {
+            let lamp = scene.spawn(None, DAffine3::from_translation(position.into()))?;
             scene.set_entity_name(lamp, name)?;
             scene.set_light(lamp, light)?;
         }
@@ -44,27 +49,24 @@ impl Assembly {
             scene,
             engine,
             module: engine,
-            looks: Vec::new(),
+            materials: Vec::new(),
         })
     }
 
-    /// What is placed from now on belongs to this module.
+    /// Starts a module: the parts that are placed next belong to it.
     pub fn module(&mut self, name: &str) -> Result<(), SceneError> {
         self.module = self.scene.spawn(Some(self.engine), DAffine3::IDENTITY)?;
         self.scene.set_entity_name(self.module, name)
     }
 
-    /// A part to be placed.
-    pub fn part(&mut self, name: &str, look: Look, solid: Solid) -> Result<Part, SceneError> {
-        let known = self.looks.iter().find(|(other, _)| *other == look);
-        let material = match known {
-            Some((_, material)) => *material,
-            None => {
-                let material = self.scene.add_material(look.material());
-                self.looks.push((look, material));
-                material
-            }
-        };
+    /// Makes a part.
+    pub fn part(
+        &mut self,
+        name: &str,
+        material: MaterialKind,
+        solid: Solid,
+    ) -> Result<Part, SceneError> {
+        let material = self.material(material);
         Ok(Part {
             name: name.to_owned(),
             drawable: Drawable {
@@ -75,7 +77,17 @@ impl Assembly {
         })
     }
 
-    /// Places a part: one component more.
+    fn material(&mut self, kind: MaterialKind) -> MaterialKey {
+        let known = self.materials.iter().find(|(other, _)| *other == kind);
+        if let Some((_, key)) = known {
+            return *key;
+        }
+        let key = self.scene.add_material(kind.material());
+        self.materials.push((kind, key));
+        key
+    }
+
+    /// Places a part; this adds one component.
     pub fn place(&mut self, part: &mut Part, at: DAffine3) -> Result<(), SceneError> {
         let entity = self.scene.spawn(Some(self.module), at)?;
         part.placed += 1;
@@ -84,8 +96,8 @@ impl Assembly {
         self.scene.set_drawable(entity, part.drawable)
     }
 
-    /// Places a part `count` times around the axis, the first turned by `first` radians.
-    pub fn around(
+    /// Places a part `count` times around the axis, the first rotated by `first` radians.
+    pub fn place_around(
         &mut self,
         part: &mut Part,
         count: usize,
@@ -98,24 +110,29 @@ impl Assembly {
         })
     }
 
-    /// Places a part that occurs once, as it stands.
-    pub fn single(&mut self, name: &str, look: Look, solid: Solid) -> Result<(), SceneError> {
-        let mut part = self.part(name, look, solid)?;
+    /// Makes and places a part that occurs once.
+    pub fn place_single(
+        &mut self,
+        name: &str,
+        material: MaterialKind,
+        solid: Solid,
+    ) -> Result<(), SceneError> {
+        let mut part = self.part(name, material, solid)?;
         self.place(&mut part, DAffine3::IDENTITY)
     }
 
-    /// How many components there are so far.
+    /// Number of components so far.
     pub fn components(&self) -> usize {
         self.scene.drawable_count()
     }
 
-    /// The scene.
+    /// Ends the construction.
     pub fn finish(self) -> Scene {
         self.scene
     }
 }
 
-/// Moves along the axis and outwards.
+/// A translation along the axis and outwards.
 pub(super) fn shifted(x: f64, radius: f64) -> DAffine3 {
     DAffine3::from_translation(DVec3::new(x, radius, 0.0))
 }

@@ -1,21 +1,21 @@
-//! What turns in the stream: the fan's, the compressor's and the turbine's blades, each on its platform and fir-tree root.
+//! Blades of fan, compressor and turbine, each on its platform and fir-tree root.
 
 use super::airfoil::{Airfoil, platform};
 use super::assembly::{Assembly, shifted};
-use super::look::Look;
-use super::plan::{HUB, Plan, Stages, core_duct, line};
+use super::materials::MaterialKind;
+use super::plan::{HUB, Plan, Stages, core_duct, radius_at};
 use crate::solid::Solid;
 use antumbra_scene::SceneError;
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// Where the fan stands.
+/// Position of the fan.
 pub(super) const FAN: f64 = -1.45;
-/// Blades keep this far from their casing.
+/// Clearance between blades and casing, in metres.
 const GAP: f64 = 0.005;
-/// Where in a stage of the compressor, and of the turbine, the blades stand.
+/// Relative position of the blades in a stage of the compressor and of the turbine.
 pub(super) const BLADES_AT: [f64; 2] = [0.25, 0.76];
-/// The fan's blades begin here.
+/// Inner radius of the fan blades.
 pub(super) const FAN_HUB: f64 = 0.42;
 
 /// Adds every blade.
@@ -42,8 +42,8 @@ pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> 
         6,
     );
     root(&mut fan, [-0.13, 0.13], [0.35, FAN_HUB - 0.02], 0.028);
-    let mut fan = engine.part("fan blade", Look::FanBlade, fan)?;
-    engine.around(&mut fan, plan.fan_blades, 0.0, shifted(FAN, 0.0))?;
+    let mut fan = engine.part("fan blade", MaterialKind::FanBlade, fan)?;
+    engine.place_around(&mut fan, plan.fan_blades, 0.0, shifted(FAN, 0.0))?;
 
     let [compressor, _, turbine] = plan.airfoils;
     engine.module("compressor blades")?;
@@ -58,7 +58,7 @@ pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> 
             sweep: 0.0,
             cells: compressor,
         };
-        let names = ("compressor blade", Look::CompressorBlade);
+        let names = ("compressor blade", MaterialKind::CompressorBlade);
         row(
             engine,
             &plan.compressor,
@@ -80,7 +80,7 @@ pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> 
             sweep: 0.0,
             cells: turbine,
         };
-        let names = ("turbine blade", Look::TurbineBlade);
+        let names = ("turbine blade", MaterialKind::TurbineBlade);
         row(engine, &plan.turbine, stage, BLADES_AT[1], airfoil, names)?;
     }
     Ok(())
@@ -93,11 +93,11 @@ fn row(
     stage: usize,
     part: f64,
     airfoil: Airfoil,
-    (name, look): (&str, Look),
+    (name, material): (&str, MaterialKind),
 ) -> Result<(), SceneError> {
     let x = stages.at(stage, part);
     let half = airfoil.half_depth();
-    let hub = line(&HUB, x);
+    let hub = radius_at(&HUB, x);
     let airfoil = Airfoil {
         radius: [hub - 0.004, core_duct(x, half) - GAP],
         ..airfoil
@@ -115,12 +115,12 @@ fn row(
         [foot - 0.035, foot],
         slot.min(0.018),
     );
-    let mut blade = engine.part(&format!("{name}, stage {}", stage + 1), look, blade)?;
-    // Every row starts elsewhere, as rows do.
-    engine.around(&mut blade, count, 0.37 * stage as f64, shifted(x, 0.0))
+    let mut blade = engine.part(&format!("{name}, stage {}", stage + 1), material, blade)?;
+    // Every row starts at another angle.
+    engine.place_around(&mut blade, count, 0.37 * stage as f64, shifted(x, 0.0))
 }
 
-/// A fir-tree root: lobes that narrow inwards.
+/// A fir-tree root: lobes that get narrower inwards.
 fn root(solid: &mut Solid, x: [f64; 2], radius: [f64; 2], half_width: f64) {
     let lobes = |height: f64| 0.55 + 0.3 * height + 0.15 * (height * 4.0 * PI).cos();
     solid.block([1, 12, 1], |u, v, w| {

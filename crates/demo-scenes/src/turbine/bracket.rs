@@ -1,11 +1,11 @@
-//! Brackets on the casings, each an angle of sheet metal held by two studs. Where they stand is chance.
+//! Brackets on the casings at random places. Each is an angle of sheet metal, held by two studs.
 
 use super::assembly::{Assembly, shifted};
+use super::casing_surface::{CASING_SURFACES, standing};
 use super::fastener::stud;
-use super::look::Look;
+use super::materials::MaterialKind;
 use super::plan::Plan;
-use super::skin::{SKINS, standing};
-use crate::chance::{Chance, For};
+use crate::random::{Random, Stream};
 use crate::solid::Solid;
 use antumbra_scene::SceneError;
 use glam::{DAffine3, DVec3};
@@ -23,18 +23,18 @@ const SHEET: f64 = 0.004;
 /// Adds the brackets, two of five on the fan's casing.
 pub(super) fn add(engine: &mut Assembly, plan: &Plan, seed: u64) -> Result<(), SceneError> {
     engine.module("brackets")?;
-    let mut chance = Chance::new(seed, For::Brackets);
+    let mut random = Random::new(seed, Stream::Brackets);
     let mut kinds = Vec::new();
     for kind in KINDS {
-        kinds.push(engine.part("bracket", Look::Bracket, bracket(kind))?);
+        kinds.push(engine.part("bracket", MaterialKind::Bracket, bracket(kind))?);
     }
-    let mut bolt = engine.part("bracket bolt", Look::Bolt, stud(0.0095, 0.0))?;
+    let mut bolt = engine.part("bracket bolt", MaterialKind::Bolt, stud(0.0095, 0.0))?;
     for i in 0..plan.brackets {
-        let skin = &SKINS[usize::from(i % 5 > 1)];
-        let kind = chance.pick(KINDS.len());
-        let x = chance.between(skin.x[0], skin.x[1]);
-        let at = skin.upright(skin.beside_flanges(x), skin.angle(&mut chance));
-        let turn = DAffine3::from_rotation_y(FRAC_PI_2 * chance.pick(4) as f64);
+        let surface = &CASING_SURFACES[usize::from(i % 5 > 1)];
+        let kind = random.pick(KINDS.len());
+        let x = random.between(surface.x[0], surface.x[1]);
+        let at = surface.upright(surface.beside_flanges(x), surface.angle(&mut random));
+        let turn = DAffine3::from_rotation_y(FRAC_PI_2 * random.pick(4) as f64);
         engine.place(&mut kinds[kind], at * turn)?;
         let [length, ..] = KINDS[kind];
         for side in [-0.55, 0.55] {
@@ -45,14 +45,14 @@ pub(super) fn add(engine: &mut Assembly, plan: &Plan, seed: u64) -> Result<(), S
     Ok(())
 }
 
-/// A foot on the plane y = 0, an upright web along one side of it with a hole's collar, and two gussets.
+/// A foot in the plane y = 0, an upright web with a collared hole along one side, and two gussets.
 fn bracket([length, width, height]: [f64; 3]) -> Solid {
     let mut solid = Solid::default();
     solid.cuboid([-length, -0.006, -width], [length, SHEET, width]);
     let web = [width - SHEET, width];
     solid.cuboid([-length, SHEET, web[0]], [length, height, web[1]]);
     for x in [-length, length - SHEET] {
-        // A wedge from the foot's far edge up to the web's top.
+        // A wedge from the far edge of the foot to the top of the web.
         solid.block([1, 1, 1], |u, v, w| {
             let far = web[0] * w - width * 0.6 * (1.0 - w);
             let top = SHEET + (height - SHEET) * (0.08 + 0.92 * w);

@@ -1,35 +1,50 @@
-//! The casings: turned walls with flanges, with openings cut into them through which the inside is seen, and red frames around those.
+//! The casings: shells of revolution with flanges. Two openings in a casing show the inside; red frames surround
+//! them.
 
 use super::airfoil::platform;
 use super::assembly::{Assembly, Part};
+use super::casing_surface::{CORE_OPENINGS, FAN_OPENINGS, OpeningAngles, standing, upright};
 use super::fastener::stud;
-use super::look::Look;
+use super::materials::MaterialKind;
 use super::plan::{
-    CORE_CASE, CORE_FLANGES, FAN_CASE, FAN_DUCT, FAN_FLANGES, FLANGE, Plan, WALL, line,
+    CORE_CASE, CORE_FLANGES, FAN_CASE, FAN_DUCT, FAN_FLANGES, FLANGE, Plan, WALL, radius_at,
 };
-use super::skin::{CORE_OPENINGS, FAN_OPENINGS, standing, upright};
-use crate::shell::Wall;
+use crate::shell::{ShellGrid, ShellSide};
 use crate::solid::{Solid, polar};
 use antumbra_scene::SceneError;
 use glam::DAffine3;
 use std::f64::consts::TAU;
 
-/// Cells around a casing, 1.5 degrees each: openings begin and end between two.
+/// Cells around a casing, 1.5 degrees each; openings begin and end between two cells.
 const SIDES: usize = 240;
-/// Longest cell along the axis, in metres.
+/// Maximum length of a cell along the axis, in metres.
 const LONGEST: f64 = 0.03;
 /// Width and height of the bars around an opening.
 const BAR: [f64; 2] = [0.025, 0.012];
 
+/// A part of the engine that has casings.
+#[derive(Clone, Copy)]
+enum EnginePart {
+    Fan,
+    Core,
+}
+
+/// The ends of a casing that have a flange.
+#[derive(Clone, Copy)]
+struct Flanges {
+    front: bool,
+    rear: bool,
+}
+
 /// One casing.
 struct Casing {
     name: &'static str,
-    look: Look,
-    fan: bool,
+    material: MaterialKind,
+    part: EnginePart,
     x: [f64; 2],
-    /// Whether it has a flange at its front, at its rear.
-    flanges: [bool; 2],
-    /// Where its openings begin and end along the axis.
+    /// Its flanges.
+    flanges: Flanges,
+    /// Axial range of its openings.
     opening: Option<[f64; 2]>,
 }
 
@@ -37,37 +52,49 @@ struct Casing {
 fn casings() -> [Casing; 9] {
     let [fan, fan_end] = FAN_FLANGES;
     let [front, middle, diffuser, turbine, frame, nozzle] = CORE_FLANGES;
-    let casing = |name, look, x, flanges, opening| Casing {
+    let casing = |name, material, x, flanges, opening| Casing {
         name,
-        look,
-        fan: false,
+        material,
+        part: EnginePart::Core,
         x,
         flanges,
         opening,
     };
     let of_fan = |casing: Casing| Casing {
-        fan: true,
+        part: EnginePart::Fan,
         ..casing
     };
-    let (both, cast) = ([true, true], Look::FrontCasing);
-    let cold = Look::CoreCasing;
-    let hot = Look::HotCasing;
+    let both = Flanges {
+        front: true,
+        rear: true,
+    };
+    let at_rear = Flanges {
+        front: false,
+        rear: true,
+    };
+    let at_front = Flanges {
+        front: true,
+        rear: false,
+    };
+    let cast = MaterialKind::FrontCasing;
+    let cold = MaterialKind::CoreCasing;
+    let hot = MaterialKind::HotCasing;
     [
         of_fan(casing(
             "inlet cowl",
-            Look::Liner,
+            MaterialKind::Liner,
             [-2.0, fan],
-            [false, true],
+            at_rear,
             None,
         )),
         of_fan(casing(
             "fan casing",
-            Look::Composite,
+            MaterialKind::Composite,
             [fan, fan_end + FLANGE[1]],
             both,
             Some([-1.66, -1.12]),
         )),
-        casing("front casing", cast, [-0.95, front], [false, true], None),
+        casing("front casing", cast, [-0.95, front], at_rear, None),
         casing(
             "compressor casing, front",
             cold,
@@ -99,9 +126,9 @@ fn casings() -> [Casing; 9] {
         casing("exhaust casing", hot, [frame, nozzle], both, None),
         casing(
             "exhaust nozzle",
-            Look::Nozzle,
+            MaterialKind::Nozzle,
             [nozzle, 1.9],
-            [true, false],
+            at_front,
             None,
         ),
     ]
@@ -111,7 +138,7 @@ fn casings() -> [Casing; 9] {
 pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> {
     engine.module("casings")?;
     for casing in casings() {
-        engine.single(casing.name, casing.look, casing.solid())?;
+        engine.place_single(casing.name, casing.material, casing.solid())?;
     }
     let mut splitter = Solid::default();
     let profile = [
@@ -122,11 +149,11 @@ pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> 
         [-1.05, 0.838],
         [-1.15, 0.815],
     ];
-    splitter.ring(&profile, SIDES);
-    engine.single("splitter", Look::OutletVane, splitter)?;
+    splitter.revolve_closed(&profile, SIDES);
+    engine.place_single("splitter", MaterialKind::OutletVane, splitter)?;
 
     engine.module("openings")?;
-    let mut bolt = engine.part("frame bolt", Look::Bolt, stud(0.0105, 0.0))?;
+    let mut bolt = engine.part("frame bolt", MaterialKind::Bolt, stud(0.0105, 0.0))?;
     for casing in casings() {
         if let Some(x) = casing.opening {
             casing.frames(engine, plan, x, &mut bolt)?;
@@ -137,29 +164,33 @@ pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> 
 
 impl Casing {
     fn outer(&self) -> &'static [[f64; 2]] {
-        if self.fan { &FAN_CASE } else { &CORE_CASE }
-    }
-
-    fn inner(&self, x: f64) -> f64 {
-        if self.fan {
-            line(&FAN_DUCT, x)
-        } else {
-            line(&CORE_CASE, x) - WALL
+        match self.part {
+            EnginePart::Fan => &FAN_CASE,
+            EnginePart::Core => &CORE_CASE,
         }
     }
 
-    /// Middles and half the width of its openings, in degrees.
-    fn openings(&self) -> ([f64; 2], f64) {
-        if self.fan {
-            FAN_OPENINGS
-        } else {
-            CORE_OPENINGS
+    fn inner(&self, x: f64) -> f64 {
+        match self.part {
+            EnginePart::Fan => radius_at(&FAN_DUCT, x),
+            EnginePart::Core => radius_at(&CORE_CASE, x) - WALL,
+        }
+    }
+
+    /// The angles of its openings.
+    fn openings(&self) -> OpeningAngles {
+        match self.part {
+            EnginePart::Fan => FAN_OPENINGS,
+            EnginePart::Core => CORE_OPENINGS,
         }
     }
 
     fn solid(&self) -> Solid {
         let rows = self.rows();
-        let (middles, half) = self.openings();
+        let OpeningAngles {
+            middles,
+            half_width: half,
+        } = self.openings();
         let inside = |value: f64, [low, high]: [f64; 2]| low < value && value < high;
         let keep = |row: usize, column: usize| {
             let Some(opening) = self.opening else {
@@ -169,28 +200,29 @@ impl Casing {
             let across = middles.map(|middle| (angle - middle).abs() < half);
             !inside(0.5 * (rows[row] + rows[row + 1]), opening) || across == [false; 2]
         };
-        let at = |row: usize, column: usize, outside: bool| {
+        let at = |row: usize, column: usize, side: ShellSide| {
             let x = rows[row];
-            let radius = if outside {
-                line(self.outer(), x)
+            let radius = if side == ShellSide::Outer {
+                radius_at(self.outer(), x)
             } else {
                 self.inner(x)
             };
             polar(x, radius, TAU * column as f64 / SIDES as f64)
         };
         let mut solid = Solid::default();
-        let wall = Wall {
+        let wall = ShellGrid {
             rows: rows.len(),
             columns: SIDES,
         };
-        solid.wall_where(wall, at, keep);
+        solid.shell_where(wall, at, keep);
         let [rise, thick] = FLANGE;
         let [front, rear] = self.x;
-        for (x, has) in [[front, front + thick], [rear - thick, rear]]
-            .into_iter()
-            .zip(self.flanges)
-        {
-            let foot = line(self.outer(), 0.5 * (x[0] + x[1]));
+        let flanges = [
+            ([front, front + thick], self.flanges.front),
+            ([rear - thick, rear], self.flanges.rear),
+        ];
+        for (x, has) in flanges {
+            let foot = radius_at(self.outer(), 0.5 * (x[0] + x[1]));
             if has {
                 solid.band(x, [foot - 0.5 * WALL, foot + rise], SIDES);
             }
@@ -198,7 +230,7 @@ impl Casing {
         solid
     }
 
-    /// Where its cells begin and end along the axis: at every bend and at the openings' edges.
+    /// Axial positions of its rows of vertices: at every bend, at the edges of the openings, and between.
     fn rows(&self) -> Vec<f64> {
         let [front, rear] = self.x;
         let bends = self.outer().iter().map(|point| point[0]);
@@ -228,24 +260,27 @@ impl Casing {
         bolt: &mut Part,
     ) -> Result<(), SceneError> {
         let [width, height] = BAR;
-        let (middles, half) = self.openings();
-        let half = half.to_radians();
+        let OpeningAngles {
+            middles,
+            half_width,
+        } = self.openings();
+        let half = half_width.to_radians();
         let outer = self.outer();
-        let beside = width / line(outer, 0.5 * (front + rear));
+        let beside = width / radius_at(outer, 0.5 * (front + rear));
         let mut solid = Solid::default();
         for x in [[front - width, front], [rear, rear + width]] {
-            let bar = [-0.002, height].map(|rise| x.map(|x| line(outer, x) + rise));
+            let bar = [-0.002, height].map(|rise| x.map(|x| radius_at(outer, x) + rise));
             platform(&mut solid, x, bar, half + beside, 40);
         }
         for angle in [-half - beside, half] {
             solid.block([20, 1, 1], |u, v, w| {
                 let x = front + (rear - front) * u;
-                let radius = line(outer, x) - 0.002 + (height + 0.002) * v;
+                let radius = radius_at(outer, x) - 0.002 + (height + 0.002) * v;
                 polar(x, radius, angle + beside * w)
             });
         }
         let name = format!("frame of the {}", self.name);
-        let mut frame = engine.part(&name, Look::CutEdge, solid)?;
+        let mut frame = engine.part(&name, MaterialKind::CutEdge, solid)?;
         let [along, around] = plan.frame_bolts;
         for middle in middles.map(f64::to_radians) {
             engine.place(&mut frame, DAffine3::from_rotation_x(middle))?;

@@ -1,53 +1,53 @@
-//! The combustor: cans in a ring, each with its swirler, fuel nozzle, cross-fire tube and transition to the turbine, and the fuel's
-//! manifold around the casing.
+//! The combustor: a ring of cans, each with its swirler, fuel nozzle, cross-fire tube and transition to the turbine,
+//! and the fuel manifold around the casing.
 
 use super::assembly::{Assembly, shifted};
-use super::look::Look;
-use super::plan::{Plan, line};
-use super::skin::standing_at;
-use crate::shell::Wall;
+use super::casing_surface::standing_at;
+use super::materials::MaterialKind;
+use super::plan::{Plan, radius_at};
+use crate::shell::{ShellGrid, ShellSide};
 use crate::solid::{Solid, polar};
-use crate::tube::rounded;
+use crate::tube::rounded_path;
 use antumbra_scene::SceneError;
 use glam::{DAffine3, DVec3};
 use std::f64::consts::{PI, TAU};
 
 /// Distance of the cans' axes from the engine's.
 const CIRCLE: f64 = 0.49;
-/// Where the cans begin and end.
+/// Axial range of the cans.
 const CAN: [f64; 2] = [0.36, 0.70];
-/// Where the transitions end, and between which radii.
+/// Axial end of the transitions, and their [inner, outer] radius there.
 const TURBINE: (f64, [f64; 2]) = (0.855, [0.478, 0.612]);
-/// The fuel manifold: where, its radius, and that of its tube.
+/// The fuel manifold: axial position, radius, and radius of its tube.
 const MANIFOLD: [f64; 3] = [0.325, 0.725, 0.013];
 /// Cells around a can.
 const SIDES: usize = 48;
 
-/// Adds everything between compressor and turbine.
+/// Adds all parts between compressor and turbine.
 pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> {
     engine.module("combustor")?;
     let count = plan.cans;
     let radius = (0.88 * CIRCLE * (PI / count as f64).sin()).min(0.085);
     let (in_ring, whole) = (shifted(0.0, CIRCLE), DAffine3::IDENTITY);
-    for (name, look, solid, at) in [
-        ("can", Look::Can, can(radius), in_ring),
-        ("swirler", Look::Steel, swirler(radius), in_ring),
-        ("fuel nozzle", Look::Steel, nozzle(), whole),
+    for (name, material, solid, at) in [
+        ("can", MaterialKind::Can, can(radius), in_ring),
+        ("swirler", MaterialKind::Steel, swirler(radius), in_ring),
+        ("fuel nozzle", MaterialKind::Steel, nozzle(), whole),
         (
             "cross-fire tube",
-            Look::Can,
+            MaterialKind::Can,
             cross_fire(radius, count),
             whole,
         ),
         (
             "transition",
-            Look::TurbineVane,
+            MaterialKind::TurbineVane,
             transition(radius, count),
             whole,
         ),
     ] {
-        let mut part = engine.part(name, look, solid)?;
-        engine.around(&mut part, count, 0.0, at)?;
+        let mut part = engine.part(name, material, solid)?;
+        engine.place_around(&mut part, count, 0.0, at)?;
     }
     let mut inner = Solid::default();
     let profile = [
@@ -60,16 +60,16 @@ pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> 
         [0.40, 0.357],
         [0.29, 0.41],
     ];
-    inner.ring(&profile, 192);
-    engine.single("inner combustor casing", Look::HotCasing, inner)?;
+    inner.revolve_closed(&profile, 192);
+    engine.place_single("inner combustor casing", MaterialKind::HotCasing, inner)?;
 
     engine.module("fuel")?;
-    let mut feeds = engine.part("fuel feed", Look::Copper, feed())?;
-    engine.around(&mut feeds, count, 0.0, whole)?;
+    let mut feeds = engine.part("fuel feed", MaterialKind::Copper, feed())?;
+    engine.place_around(&mut feeds, count, 0.0, whole)?;
     let [x, radius, thick] = MANIFOLD;
     let mut manifold = Solid::default();
     manifold.torus(x, radius, thick, [14, 192]);
-    engine.single("fuel manifold", Look::Copper, manifold)
+    engine.place_single("fuel manifold", MaterialKind::Copper, manifold)
 }
 
 /// A thin-walled can around its own axis, with rows of air holes.
@@ -82,26 +82,26 @@ fn can(radius: f64) -> Solid {
         [CAN[1], 0.92 * radius],
     ];
     let rows = 31;
-    let at = |row: usize, column: usize, outside: bool| {
+    let at = |row: usize, column: usize, side: ShellSide| {
         let x = CAN[0] + (CAN[1] - CAN[0]) * row as f64 / (rows - 1) as f64;
-        let thick = if outside { 0.0 } else { 0.004 };
+        let thick = if side == ShellSide::Outer { 0.0 } else { 0.004 };
         polar(
             x,
-            line(&shape, x) - thick,
+            radius_at(&shape, x) - thick,
             TAU * column as f64 / SIDES as f64,
         )
     };
     let keep = |row: usize, column: usize| row % 5 != 3 || (column + row / 5 * 2) % 4 != 1;
     let mut solid = Solid::default();
-    let wall = Wall {
+    let wall = ShellGrid {
         rows,
         columns: SIDES,
     };
-    solid.wall_where(wall, at, keep);
+    solid.shell_where(wall, at, keep);
     solid
 }
 
-/// Two rings with slanted vanes between them, in the can's mouth.
+/// Two rings with slanted vanes between them, at the inlet of a can.
 fn swirler(radius: f64) -> Solid {
     let x = [CAN[0] - 0.012, CAN[0] + 0.012];
     let [inner, outer] = [0.22 * radius, 0.5 * radius];
@@ -120,18 +120,18 @@ fn swirler(radius: f64) -> Solid {
     solid
 }
 
-/// From a pad on the casing down and back into the can's mouth.
+/// From a pad on the casing inwards and back into the can.
 fn nozzle() -> Solid {
     let x = MANIFOLD[0];
     let corners = [[x, 0.645], [x, CIRCLE], [CAN[0] + 0.01, CIRCLE]].map(outwards);
     let mut solid = Solid::default();
-    solid.tube(&rounded(&corners, 0.03, 20), 0.009, 14);
+    solid.tube(&rounded_path(&corners, 0.03, 20), 0.009, 14);
     let mut pad = Solid::default();
     pad.cylinder(0.026, [0.622, 0.65], 20);
     solid.add(&pad, standing_at(x));
     let mut tip = Solid::default();
     let from = CAN[0];
-    tip.turned(
+    tip.revolve(
         &[
             [from + 0.03, 0.0],
             [from + 0.03, 0.005],
@@ -162,7 +162,7 @@ fn outwards([x, radius]: [f64; 2]) -> DVec3 {
     DVec3::new(x, radius, 0.0)
 }
 
-/// From this can to the next one.
+/// From a can to the next one.
 fn cross_fire(radius: f64, count: usize) -> Solid {
     let x = 0.5;
     let inside = 0.97 * radius / CIRCLE;
@@ -175,20 +175,20 @@ fn cross_fire(radius: f64, count: usize) -> Solid {
     solid
 }
 
-/// From the can's round end to its part of the turbine's ring.
+/// From the round end of a can to its segment of the turbine's ring.
 fn transition(radius: f64, count: usize) -> Solid {
     let rows = 17;
     let (end, [low, high]) = TURBINE;
-    let at = |row: usize, column: usize, outside: bool| {
+    let at = |row: usize, column: usize, side: ShellSide| {
         let part = row as f64 / (rows - 1) as f64;
         let (sin, cos) = (TAU * column as f64 / SIDES as f64).sin_cos();
-        let size = if outside { 1.0 } else { 0.95 };
+        let size = if side == ShellSide::Outer { 1.0 } else { 0.95 };
         let from = DVec3::new(
             CAN[1] - 0.01,
             CIRCLE + 0.97 * radius * size * cos,
             0.97 * radius * size * sin,
         );
-        // The circle pressed into a square, and the square into the ring's part.
+        // Maps the circle to a square, and the square to the segment of the ring.
         let square = size / sin.abs().max(cos.abs());
         let reach = 0.5 * (low + high) + 0.5 * (high - low) * square * cos;
         let to = polar(end, reach, 0.96 * PI / count as f64 * square * sin);
@@ -197,10 +197,10 @@ fn transition(radius: f64, count: usize) -> Solid {
         DVec3::new(from.x + (end - from.x) * part, place.y, place.z)
     };
     let mut solid = Solid::default();
-    let wall = Wall {
+    let wall = ShellGrid {
         rows,
         columns: SIDES,
     };
-    solid.wall(wall, at);
+    solid.shell(wall, at);
     solid
 }

@@ -1,8 +1,8 @@
-//! Bolts through flanges, and studs that hold parts to a casing. They lie along X.
+//! Bolts through flanges and studs on casings. They lie along X.
 
 use super::assembly::{Assembly, shifted};
-use super::look::Look;
-use super::plan::{CORE_CASE, CORE_FLANGES, FAN_CASE, FAN_FLANGES, FLANGE, Plan, line};
+use super::materials::MaterialKind;
+use super::plan::{CORE_CASE, CORE_FLANGES, FAN_CASE, FAN_FLANGES, FLANGE, Plan, radius_at};
 use crate::solid::Solid;
 use antumbra_scene::SceneError;
 
@@ -11,21 +11,21 @@ pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> 
     engine.module("flange bolts")?;
     let [rise, thick] = FLANGE;
     let bolt = through_bolt(0.016, 2.0 * thick);
-    let mut bolt = engine.part("fan case bolt", Look::Bolt, bolt)?;
+    let mut bolt = engine.part("fan case bolt", MaterialKind::Bolt, bolt)?;
     for x in FAN_FLANGES {
-        let circle = line(&FAN_CASE, x) + 0.5 * rise;
-        engine.around(&mut bolt, plan.fan_bolts, 0.02, shifted(x, circle))?;
+        let circle = radius_at(&FAN_CASE, x) + 0.5 * rise;
+        engine.place_around(&mut bolt, plan.fan_bolts, 0.02, shifted(x, circle))?;
     }
     let bolt = through_bolt(0.0135, 2.0 * thick);
-    let mut bolt = engine.part("core bolt", Look::Bolt, bolt)?;
+    let mut bolt = engine.part("core bolt", MaterialKind::Bolt, bolt)?;
     for x in CORE_FLANGES {
-        let circle = line(&CORE_CASE, x) + 0.5 * rise;
-        engine.around(&mut bolt, plan.core_bolts, 0.03, shifted(x, circle))?;
+        let circle = radius_at(&CORE_CASE, x) + 0.5 * rise;
+        engine.place_around(&mut bolt, plan.core_bolts, 0.03, shifted(x, circle))?;
     }
     Ok(())
 }
 
-/// A bolt whose head and nut clamp a joint of `grip` metres around x = 0; `radius` is that of the head's corners.
+/// A bolt whose head and nut clamp a joint of `grip` metres at x = 0; `radius` is the circumradius of the head.
 pub(super) fn through_bolt(radius: f64, grip: f64) -> Solid {
     let mut solid = stud(radius, 0.5 * grip);
     let (shank, face) = (0.55 * radius, -0.5 * grip);
@@ -41,11 +41,11 @@ pub(super) fn through_bolt(radius: f64, grip: f64) -> Solid {
         profile.push([x, depth]);
     }
     profile.extend([[end, 0.6 * shank], [end, 0.0]]);
-    solid.turned(&profile, 10);
+    solid.revolve(&profile, 10);
     solid
 }
 
-/// A washer and a hexagonal head that stand on the plane of `foot`.
+/// A washer and a hexagonal head on the plane x = `foot`.
 pub(super) fn stud(radius: f64, foot: f64) -> Solid {
     let mut solid = Solid::default();
     solid.cylinder(1.25 * radius, [foot, foot + 0.003], 14);
@@ -58,11 +58,11 @@ pub(super) fn stud(radius: f64, foot: f64) -> Solid {
         [high, 0.84 * radius],
         [high, 0.0],
     ];
-    solid.turned(&dome, 12);
+    solid.revolve(&dome, 12);
     solid
 }
 
-/// A round head with a cross slot's rim, for panels; it stands on the plane x = 0.
+/// A round screw head with a cross slot for panels, on the plane x = 0.
 pub(super) fn screw(radius: f64) -> Solid {
     let mut solid = Solid::default();
     let head = [
@@ -74,6 +74,6 @@ pub(super) fn screw(radius: f64) -> Solid {
         [0.0, radius],
         [0.0, 0.0],
     ];
-    solid.turned(&head, 16);
+    solid.revolve(&head, 16);
     solid
 }

@@ -1,8 +1,9 @@
-//! The engine's measures: how many of each part the two sizes have, and the lines along which parts meet, in metres.
+//! Dimensions of the engine in metres: the number of each part in the two sizes, and the profiles along which parts
+//! meet.
 //!
-//! The axis is X, rearwards; the origin is the engine's middle.
+//! The axis is X, rearwards; the origin is the engine's centre.
 
-/// How many of each part there are, and how fine they are.
+/// Number and resolution of each part.
 pub(super) struct Plan {
     /// Drawable entities in all.
     pub components: usize,
@@ -13,7 +14,7 @@ pub(super) struct Plan {
     pub inlet_vanes: usize,
     pub compressor: Stages,
     pub turbine: Stages,
-    /// Bolts that hold a disc to the next.
+    /// Bolts between a disc and the next.
     pub tie_bolts: usize,
     pub cans: usize,
     /// Balls of a bearing.
@@ -24,7 +25,7 @@ pub(super) struct Plan {
     pub fan_bolts: usize,
     /// Bolts of a flange of the core's casing.
     pub core_bolts: usize,
-    /// Bolts around an opening: axially and around, each side.
+    /// Bolts on each side of an opening: axial sides and sides around.
     pub frame_bolts: [usize; 2],
     pub pipes: usize,
     /// Clamps of a pipe.
@@ -34,33 +35,33 @@ pub(super) struct Plan {
     pub boxes: usize,
     /// Panels inside the inlet.
     pub panels: usize,
-    /// Rings of screws on the spinner, and screws of a ring.
+    /// Rings of screws on the spinner, and screws per ring.
     pub spinner_screws: [usize; 2],
-    /// Cells of an airfoil outwards and around: of the compressor's blades, its vanes, and the turbine's.
+    /// Cells of an airfoil along the span and around: compressor blades, compressor vanes, turbine.
     pub airfoils: [[usize; 2]; 3],
-    /// Places along a pipe.
+    /// Points of a pipe.
     pub pipe_steps: usize,
 }
 
-/// Rows of blades and vanes, one after the other.
+/// The stages of a compressor or turbine: rows of blades and vanes.
 #[derive(Clone, Copy)]
 pub(super) struct Stages {
     pub count: usize,
-    /// Blades of the first stage, and how many more each further one has.
+    /// Blades of the first stage, and the increase per stage.
     pub blades: [isize; 2],
-    /// The same of the vanes.
+    /// Vanes of the first stage, and the increase per stage.
     pub vanes: [isize; 2],
-    /// Where the first stage begins and the last ends.
+    /// Axial range of all stages.
     pub x: [f64; 2],
 }
 
 impl Stages {
-    /// Metres from stage to stage.
+    /// Length of a stage in metres.
     pub fn pitch(&self) -> f64 {
         (self.x[1] - self.x[0]) / self.count as f64
     }
 
-    /// Where in a stage, from 0 at its front to 1 at its rear.
+    /// Axial position in a stage, from 0 at its front to 1 at its rear.
     pub fn at(&self, stage: usize, part: f64) -> f64 {
         self.x[0] + self.pitch() * (stage as f64 + part)
     }
@@ -78,7 +79,7 @@ fn grown([first, more]: [isize; 2], stage: usize) -> usize {
     (first + more * stage as isize).max(1) as usize
 }
 
-/// The sizes there are, 1 and 2: as large as the two engines of the publication.
+/// The sizes 1 and 2, with the triangle counts of the two engines of the publication.
 pub(super) const PLANS: [Plan; 2] = [
     Plan {
         components: 2_000,
@@ -150,17 +151,17 @@ pub(super) const PLANS: [Plan; 2] = [
     },
 ];
 
-/// Casings are this thick.
+/// Thickness of a casing.
 pub(super) const WALL: f64 = 0.02;
-/// Flanges rise this far above their casing, and are this thick.
+/// Height of a flange above its casing, and its thickness.
 pub(super) const FLANGE: [f64; 2] = [0.045, 0.015];
 
-/// Where the fan's casing has its flanges; the last ends it.
+/// Axial positions of the flanges of the fan casing; the last ends it.
 pub(super) const FAN_FLANGES: [f64; 2] = [-1.75, -0.965];
-/// Where the core's casings meet.
+/// Axial positions of the flanges between the core casings.
 pub(super) const CORE_FLANGES: [f64; 6] = [-0.6, -0.15, 0.28, 0.85, 1.45, 1.65];
 
-/// The fan's casing from outside.
+/// Outer profile of the fan casing.
 pub(super) const FAN_CASE: [[f64; 2]; 5] = [
     [-2.0, 1.462],
     [-1.975, 1.485],
@@ -168,7 +169,7 @@ pub(super) const FAN_CASE: [[f64; 2]; 5] = [
     [-1.85, 1.5],
     [-0.95, 1.5],
 ];
-/// The same from inside.
+/// Inner profile of the fan casing.
 pub(super) const FAN_DUCT: [[f64; 2]; 5] = [
     [-2.0, 1.462],
     [-1.975, 1.45],
@@ -176,7 +177,7 @@ pub(super) const FAN_DUCT: [[f64; 2]; 5] = [
     [-1.85, 1.44],
     [-0.95, 1.44],
 ];
-/// The core's casings from outside.
+/// Outer profile of the core casings.
 pub(super) const CORE_CASE: [[f64; 2]; 10] = [
     [-0.95, 0.82],
     [-0.6, 0.77],
@@ -189,7 +190,7 @@ pub(super) const CORE_CASE: [[f64; 2]; 10] = [
     [1.65, 0.8],
     [1.9, 0.7],
 ];
-/// What the blades of compressor and turbine stand on.
+/// Profile of the hub below the blades of compressor and turbine.
 pub(super) const HUB: [[f64; 2]; 5] = [
     [-1.3, 0.42],
     [-0.6, 0.45],
@@ -198,8 +199,8 @@ pub(super) const HUB: [[f64; 2]; 5] = [
     [1.5, 0.42],
 ];
 
-/// The height of a line of [x, height] at `x`; beyond its ends that of its ends.
-pub(super) fn line(points: &[[f64; 2]], x: f64) -> f64 {
+/// Radius of a profile at `x`; outside its range, that of its ends.
+pub(super) fn radius_at(points: &[[f64; 2]], x: f64) -> f64 {
     let mut height = points.first().map_or(0.0, |point| point[1]);
     for run in points.windows(2) {
         let ([from, low], [to, high]) = (run[0], run[1]);
@@ -210,7 +211,7 @@ pub(super) fn line(points: &[[f64; 2]], x: f64) -> f64 {
     height
 }
 
-/// Inner radius of the core's casing over a stretch of the axis: what turns in it must stay below.
+/// Inner radius of the core casing over an axial range: the upper limit for rotating parts.
 pub(super) fn core_duct(x: f64, half: f64) -> f64 {
-    line(&CORE_CASE, x - half).min(line(&CORE_CASE, x + half)) - WALL
+    radius_at(&CORE_CASE, x - half).min(radius_at(&CORE_CASE, x + half)) - WALL
 }

@@ -1,16 +1,16 @@
-//! The spinner before the fan, a blunt cone of shells held by rings of screws.
+//! The spinner before the fan: a blunt cone of shells, held by rings of screws.
 
 use super::assembly::Assembly;
 use super::blade::{FAN, FAN_HUB};
+use super::casing_surface::{standing, upright};
 use super::fastener::screw;
-use super::look::Look;
+use super::materials::MaterialKind;
 use super::plan::Plan;
-use super::skin::{standing, upright};
 use crate::solid::Solid;
 use antumbra_scene::SceneError;
 use std::f64::consts::TAU;
 
-/// Where it ends, and its length.
+/// Its axial end and its length.
 const REAR: f64 = FAN - 0.16;
 const LENGTH: f64 = 0.34;
 
@@ -21,10 +21,10 @@ pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> 
     let mut profile = vec![[REAR, 0.0]];
     profile.extend(outer.iter().rev());
     let mut spinner = Solid::default();
-    spinner.turned(&profile, 128);
-    engine.single("spinner", Look::Spinner, spinner)?;
+    spinner.revolve(&profile, 128);
+    engine.place_single("spinner", MaterialKind::Spinner, spinner)?;
 
-    let mut head = engine.part("spinner screw", Look::Bolt, screw(0.012))?;
+    let mut head = engine.part("spinner screw", MaterialKind::Bolt, screw(0.012))?;
     let [rings, each] = plan.spinner_screws;
     for ring in 0..rings {
         let [x, _] = point(0.94 - 0.7 * ring as f64 / rings as f64);
@@ -37,7 +37,7 @@ pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> 
     Ok(())
 }
 
-/// [x, radius] of its outside: from 0 at its point to 1 at the fan's platforms.
+/// [x, radius] of its outside, from 0 at its tip to 1 at the fan platforms.
 fn point(part: f64) -> [f64; 2] {
     [REAR - LENGTH * (1.0 - part), FAN_HUB * part.powf(0.62)]
 }

@@ -1,23 +1,23 @@
-//! What stands in the stream: rings of vanes between hub and casing, and the frames' struts.
+//! Stator vanes between hub and casing, and the struts of the frames.
 
 use super::airfoil::{Airfoil, platform};
 use super::assembly::{Assembly, shifted};
-use super::look::Look;
-use super::plan::{HUB, Plan, Stages, core_duct, line};
+use super::materials::MaterialKind;
+use super::plan::{HUB, Plan, Stages, core_duct, radius_at};
 use crate::solid::Solid;
 use antumbra_scene::SceneError;
 use std::f64::consts::PI;
 
-/// Where in a stage of the compressor, and of the turbine, the vanes stand.
+/// Relative position of the vanes in a stage of the compressor and of the turbine.
 const VANES_AT: [f64; 2] = [0.74, 0.26];
 
 /// One ring of vanes.
 struct Ring {
     name: String,
-    look: Look,
+    material: MaterialKind,
     x: f64,
     count: usize,
-    /// Half the platforms' length along the axis.
+    /// Half the axial length of the platforms.
     depth: f64,
     airfoil: Airfoil,
 }
@@ -39,7 +39,7 @@ pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> 
             cells: plan.airfoils[1],
             ..flat()
         };
-        let names = ("compressor vane", Look::CompressorVane);
+        let names = ("compressor vane", MaterialKind::CompressorVane);
         ring(engine, staged(stages, stage, VANES_AT[0], airfoil, names))?;
     }
     engine.module("turbine vanes")?;
@@ -53,15 +53,15 @@ pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> 
             cells: plan.airfoils[2],
             ..flat()
         };
-        let names = ("turbine vane", Look::TurbineVane);
+        let names = ("turbine vane", MaterialKind::TurbineVane);
         ring(engine, staged(stages, stage, VANES_AT[1], airfoil, names))?;
     }
     engine.module("frames")?;
-    for (name, x, look) in [
-        ("front strut", -0.83, Look::FrontCasing),
-        ("rear strut", 1.56, Look::Nozzle),
+    for (name, x, material) in [
+        ("front strut", -0.83, MaterialKind::FrontCasing),
+        ("rear strut", 1.56, MaterialKind::Nozzle),
     ] {
-        ring(engine, struts(plan, name, x, look))?;
+        ring(engine, struts(plan, name, x, material))?;
     }
     Ok(())
 }
@@ -69,7 +69,7 @@ pub(super) fn add(engine: &mut Assembly, plan: &Plan) -> Result<(), SceneError> 
 fn outlet(plan: &Plan) -> Ring {
     Ring {
         name: "outlet vane".into(),
-        look: Look::OutletVane,
+        material: MaterialKind::OutletVane,
         x: -1.07,
         count: plan.outlet_vanes,
         depth: 0.085,
@@ -89,12 +89,12 @@ fn inlet(plan: &Plan) -> Ring {
     let x = -0.98;
     Ring {
         name: "inlet vane".into(),
-        look: Look::CompressorVane,
+        material: MaterialKind::CompressorVane,
         x,
         count: plan.inlet_vanes,
         depth: 0.04,
         airfoil: Airfoil {
-            radius: [line(&HUB, x), 0.762],
+            radius: [radius_at(&HUB, x), 0.762],
             chord: [0.07, 0.09],
             stagger: [0.15, 0.35],
             thickness: [0.10, 0.08],
@@ -105,15 +105,15 @@ fn inlet(plan: &Plan) -> Ring {
     }
 }
 
-fn struts(plan: &Plan, name: &str, x: f64, look: Look) -> Ring {
+fn struts(plan: &Plan, name: &str, x: f64, material: MaterialKind) -> Ring {
     Ring {
         name: name.into(),
-        look,
+        material,
         x,
         count: plan.struts,
         depth: 0.07,
         airfoil: Airfoil {
-            radius: [line(&HUB, x), core_duct(x, 0.05)],
+            radius: [radius_at(&HUB, x), core_duct(x, 0.05)],
             chord: [0.13; 2],
             thickness: [0.28; 2],
             cells: [12, 24],
@@ -127,13 +127,13 @@ fn staged(
     stage: usize,
     part: f64,
     airfoil: Airfoil,
-    (name, look): (&str, Look),
+    (name, material): (&str, MaterialKind),
 ) -> Ring {
     let x = stages.at(stage, part);
-    let radius = [line(&HUB, x) + 0.008, core_duct(x, 0.0) - 0.004];
+    let radius = [radius_at(&HUB, x) + 0.008, core_duct(x, 0.0) - 0.004];
     Ring {
         name: format!("{name}, stage {}", stage + 1),
-        look,
+        material,
         x,
         count: stages.vanes(stage),
         depth: stages.pitch() * 0.22,
@@ -141,7 +141,7 @@ fn staged(
     }
 }
 
-/// An airfoil of nothing, to start from.
+/// An airfoil of size zero, to start from.
 fn flat() -> Airfoil {
     Airfoil {
         radius: [0.0; 2],
@@ -158,7 +158,7 @@ fn ring(engine: &mut Assembly, ring: Ring) -> Result<(), SceneError> {
     let [root, tip] = ring.airfoil.radius;
     let half = PI / ring.count as f64 * 0.97;
     let x = [-ring.depth, ring.depth];
-    // The outer platform follows the casing and reaches into it.
+    // The outer platform follows the casing and overlaps it.
     let follow = |x: f64| core_duct(ring.x + x, 0.0) - core_duct(ring.x, 0.0);
     let shift = if tip > 1.0 { [0.0; 2] } else { x.map(follow) };
     let outer = |height: f64| shift.map(|shift| tip + shift + height);
@@ -176,6 +176,6 @@ fn ring(engine: &mut Assembly, ring: Ring) -> Result<(), SceneError> {
         3,
     );
     platform(&mut vane, x, [outer(-0.006), outer(0.006)], half, 3);
-    let mut vane = engine.part(&ring.name, ring.look, vane)?;
-    engine.around(&mut vane, ring.count, 0.0, shifted(ring.x, 0.0))
+    let mut vane = engine.part(&ring.name, ring.material, vane)?;
+    engine.place_around(&mut vane, ring.count, 0.0, shifted(ring.x, 0.0))
 }

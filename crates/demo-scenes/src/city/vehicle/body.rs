@@ -1,6 +1,6 @@
-//! Bodies: thin shells along X from section to section, with holes for windows and arches over the wheels.
+//! Vehicle bodies: thin shells along X through sections, with openings for windows and wheel arches.
 
-use crate::shell::Wall;
+use crate::shell::{ShellGrid, ShellSide};
 use crate::solid::Solid;
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -17,45 +17,51 @@ pub(super) struct Section {
 
 /// A body.
 pub(super) struct Body<'a> {
-    /// From the rear to the front: [x, bottom, top, half the width].
+    /// Sections from the rear to the front: [x, bottom, top, half width].
     pub sections: &'a [[f64; 4]],
-    /// Above this height it grows narrower, by this share of its width a metre.
+    /// Height above which the body gets narrower, and the relative decrease of its width per metre.
     pub belt: [f64; 2],
-    /// Middles of arches, forwards and upwards, and their radius.
+    /// Centres of the wheel arches (x, height), and their radius.
     pub arches: &'a [[f64; 2]],
     pub arch: f64,
     /// Columns around.
     pub columns: usize,
-    /// How square a section is: 2 is an ellipse.
+    /// Power of the superellipse of a section: 2 is an ellipse.
     pub power: f64,
 }
 
 const THICK: f64 = 0.03;
-/// Places over an arch.
+/// Sections over a wheel arch.
 const OVER: usize = 8;
-/// Metres from place to place elsewhere, at most.
+/// Maximum distance between sections elsewhere, in metres.
 const STEP: f64 = 0.13;
 
 impl Body<'_> {
-    /// The shell without what lies around a place where `open` says so.
+    /// The shell without the cells around positions for which `open` is true.
     pub fn shell(&self, open: impl Fn(DVec3) -> bool) -> Solid {
         let rows = self.rows();
-        let wall = Wall {
+        let wall = ShellGrid {
             rows: rows.len(),
             columns: self.columns,
         };
         let on = |row: usize, column: f64, inside: f64| self.on(&rows[row], column, inside);
         let mut solid = Solid::default();
-        solid.wall_where(
+        solid.shell_where(
             wall,
-            |row, column, outside| on(row, column as f64, if outside { 0.0 } else { THICK }),
+            |row, column, side| {
+                let inset = match side {
+                    ShellSide::Outer => 0.0,
+                    ShellSide::Inner => THICK,
+                };
+                on(row, column as f64, inset)
+            },
             |row, column| {
                 let column = column as f64 + 0.5;
                 let middle = on(row, column, 0.0).midpoint(on(row + 1, column, 0.0));
                 !open(middle)
             },
         );
-        // Plates that close its ends, their edges within the shell.
+        // Plates close the ends; their edges are inside the shell.
         for (end, inwards) in [(rows.first(), 1.0), (rows.last(), -1.0)] {
             let Some(end) = end else { continue };
             let face = |depth: f64| -> Vec<DVec3> {
@@ -67,14 +73,14 @@ impl Body<'_> {
             if inwards < 0.0 {
                 faces.reverse();
             }
-            solid.faceted(&faces);
+            solid.faceted_loft(&faces);
         }
         solid
     }
 
     fn on(&self, section: &Section, column: f64, inside: f64) -> DVec3 {
         let bent = |part: f64| part.signum() * part.abs().powf(2.0 / self.power);
-        // The first column's middle is the top.
+        // The centre of the first column is the top.
         let (sin, cos) = (TAU * (column - 0.5) / self.columns as f64).sin_cos();
         let middle = 0.5 * (section.bottom + section.top);
         let high = 0.5 * (section.top - section.bottom) - inside;
@@ -84,7 +90,7 @@ impl Body<'_> {
         DVec3::new(section.x, y, wide * bent(sin))
     }
 
-    /// Sections from the rear to the front, close together, with two at each arch's ends.
+    /// Sections from the rear to the front, close together, with two at each end of a wheel arch.
     fn rows(&self) -> Vec<Section> {
         let mut places: Vec<(f64, bool)> = Vec::new();
         for pair in self.sections.windows(2) {
@@ -147,7 +153,7 @@ impl Body<'_> {
     }
 }
 
-/// A saloon's, with holes for its windows.
+/// The body of a saloon, with openings for its windows.
 pub(super) fn saloon() -> Solid {
     let body = Body {
         sections: &[
@@ -181,7 +187,7 @@ pub(super) fn saloon() -> Solid {
     })
 }
 
-/// A van's: windows only before and beside the driver.
+/// The body of a van, with windows only in front of and beside the driver.
 pub(super) fn van() -> Solid {
     let body = Body {
         sections: &[

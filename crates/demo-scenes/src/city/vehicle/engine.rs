@@ -1,56 +1,56 @@
-//! Engines: block, heads, intake, gearbox, radiator and exhaust. The crankshaft lies along X through the origin.
+//! Engines: block, heads, intake, gearbox, radiator and exhaust. The crankshaft is the X axis.
 
-use crate::city::kit::Piece;
-use crate::city::look::Look;
+use crate::city::city_builder::Prefab;
+use crate::city::materials::MaterialKind;
 use crate::solid::Solid;
-use crate::tube::rounded;
+use crate::tube::rounded_path;
 use glam::{DAffine3, DVec3};
 
-pub(super) const PARTS: &[Piece] = &[
-    Piece {
+pub(super) const PARTS: &[Prefab] = &[
+    Prefab {
         name: "engine block",
-        look: Look::Steel,
+        material: MaterialKind::Steel,
         make: block,
     },
-    Piece {
+    Prefab {
         name: "cylinder heads",
-        look: Look::SilverLacquer,
+        material: MaterialKind::SilverLacquer,
         make: heads,
     },
-    Piece {
+    Prefab {
         name: "intake",
-        look: Look::Black,
+        material: MaterialKind::Black,
         make: intake,
     },
-    Piece {
+    Prefab {
         name: "gearbox",
-        look: Look::SilverLacquer,
+        material: MaterialKind::SilverLacquer,
         make: gearbox,
     },
-    Piece {
+    Prefab {
         name: "exhaust manifold",
-        look: Look::Steel,
+        material: MaterialKind::Steel,
         make: manifold,
     },
 ];
 
-/// Of a car, under its floor; its own place.
-pub(super) const EXHAUST: Piece = Piece {
+/// The exhaust of a car, under its floor, in the coordinates of the car.
+pub(super) const EXHAUST: Prefab = Prefab {
     name: "exhaust",
-    look: Look::Steel,
+    material: MaterialKind::Steel,
     make: exhaust,
 };
 
-/// Cylinders stand along X.
+/// Cylinders in a row along X.
 const CYLINDERS: [f64; 3] = [-0.12, 0.0, 0.12];
 
 fn block() -> Solid {
     let mut solid = Solid::default();
-    solid.rounded([-0.2, -0.12, -0.13], [0.2, 0.12, 0.13], 0.025, 1);
-    solid.rounded([-0.18, -0.17, -0.1], [0.18, -0.1, 0.1], 0.03, 1);
+    solid.rounded_box([-0.2, -0.12, -0.13], [0.2, 0.12, 0.13], 0.025, 1);
+    solid.rounded_box([-0.18, -0.17, -0.1], [0.18, -0.1, 0.1], 0.03, 1);
     for side in [-1.0, 1.0] {
         let mut bank = Solid::default();
-        bank.rounded([-0.19, 0.0, -0.06], [0.19, 0.17, 0.06], 0.015, 1);
+        bank.rounded_box([-0.19, 0.0, -0.06], [0.19, 0.17, 0.06], 0.015, 1);
         for rib in 0..6 {
             let x = -0.175 + 0.07 * f64::from(rib);
             bank.cuboid([x - 0.005, 0.02, -0.068], [x + 0.005, 0.16, 0.068]);
@@ -73,7 +73,7 @@ fn block() -> Solid {
             [0.18, 0.0],
         ];
         let mut pulley = Solid::default();
-        pulley.turned(&profile, 24);
+        pulley.revolve(&profile, 24);
         solid.add(&pulley, DAffine3::from_translation(DVec3::new(0.0, y, z)));
     }
     solid
@@ -83,11 +83,11 @@ fn heads() -> Solid {
     let mut solid = Solid::default();
     for side in [-1.0, 1.0] {
         let mut head = Solid::default();
-        head.rounded([-0.2, 0.165, -0.07], [0.2, 0.21, 0.07], 0.012, 1);
-        head.rounded([-0.19, 0.2, -0.06], [0.19, 0.25, 0.06], 0.024, 2);
+        head.rounded_box([-0.2, 0.165, -0.07], [0.2, 0.21, 0.07], 0.012, 1);
+        head.rounded_box([-0.19, 0.2, -0.06], [0.19, 0.25, 0.06], 0.024, 2);
         for x in CYLINDERS {
             head.post([x, 0.24, 0.0], 0.022, 0.03, 14);
-            head.hoop([x, 0.27, 0.0], 0.012, 0.005, [6, 12]);
+            head.upright_torus([x, 0.27, 0.0], 0.012, 0.005, [6, 12]);
         }
         let lean = DAffine3::from_translation(DVec3::new(0.0, 0.05, 0.05 * side))
             * DAffine3::from_rotation_x(0.6 * side);
@@ -98,7 +98,7 @@ fn heads() -> Solid {
 
 fn intake() -> Solid {
     let mut solid = Solid::default();
-    solid.rounded([-0.18, 0.25, -0.06], [0.18, 0.33, 0.06], 0.035, 2);
+    solid.rounded_box([-0.18, 0.25, -0.06], [0.18, 0.33, 0.06], 0.035, 2);
     for x in CYLINDERS {
         for side in [-1.0, 1.0] {
             let corners = [
@@ -106,17 +106,17 @@ fn intake() -> Solid {
                 DVec3::new(x, 0.29, 0.1 * side),
                 DVec3::new(x, 0.2, 0.1 * side),
             ];
-            solid.tube(&rounded(&corners, 0.04, 11), 0.02, 10);
+            solid.tube(&rounded_path(&corners, 0.04, 11), 0.02, 10);
         }
     }
     solid.bar([0.17, 0.29, 0.0], [0.24, 0.29, 0.0], 0.035, 14);
     solid
 }
 
-/// Towards the rear.
+/// The gearbox, towards the rear.
 fn gearbox() -> Solid {
     let mut profile = Solid::default();
-    profile.turned(
+    profile.revolve(
         &[
             [-0.19, 0.0],
             [-0.19, 0.15],
@@ -154,7 +154,7 @@ fn manifold() -> Solid {
                 DVec3::new(x - 0.05, low, 0.28 * side),
                 DVec3::new(-0.26, low - 0.08, 0.2 * side),
             ];
-            solid.tube(&rounded(&corners, 0.05, 19), 0.019, 8);
+            solid.tube(&rounded_path(&corners, 0.05, 19), 0.019, 8);
         }
         let join = DVec3::new(-0.26, -0.1, 0.2 * side);
         let way = [join + DVec3::X * 0.05, join - DVec3::new(0.25, 0.02, 0.0)];
@@ -171,7 +171,7 @@ fn exhaust() -> Solid {
         DVec3::new(-0.9, 0.17, 0.45),
         DVec3::new(-1.5, 0.2, 0.45),
     ];
-    solid.tube(&rounded(&corners, 0.15, 24), 0.03, 10);
+    solid.tube(&rounded_path(&corners, 0.15, 24), 0.03, 10);
     let pot = [
         [0.3, 0.0],
         [0.3, 0.05],
@@ -181,7 +181,7 @@ fn exhaust() -> Solid {
         [-0.3, 0.0],
     ];
     let mut muffler = Solid::default();
-    muffler.turned(&pot, 22);
+    muffler.revolve(&pot, 22);
     solid.add(
         &muffler,
         DAffine3::from_translation(DVec3::new(-1.75, 0.21, 0.45)),

@@ -1,10 +1,10 @@
 //! Racing cars: open cockpits, wings, wheels outside the body.
 
-use super::Stance;
 use super::body::Body;
 use super::cabin;
-use crate::city::kit::Piece;
-use crate::city::look::Look;
+use super::specs::Stance;
+use crate::city::city_builder::Prefab;
+use crate::city::materials::MaterialKind;
 use crate::solid::Solid;
 use glam::{DAffine3, DVec3};
 
@@ -14,78 +14,78 @@ pub(super) const STANCE: Stance = Stance {
     radius: 0.33,
 };
 
-/// In the car's colour.
-pub(super) const BODY: &[Piece] = &[
-    Piece {
+/// Parts in the colour of the car.
+pub(super) const BODY: &[Prefab] = &[
+    Prefab {
         name: "monocoque",
-        look: Look::RedLacquer,
+        material: MaterialKind::RedLacquer,
         make: monocoque,
     },
-    Piece {
+    Prefab {
         name: "side pods",
-        look: Look::RedLacquer,
+        material: MaterialKind::RedLacquer,
         make: side_pods,
     },
-    Piece {
+    Prefab {
         name: "engine cover",
-        look: Look::RedLacquer,
+        material: MaterialKind::RedLacquer,
         make: engine_cover,
     },
 ];
 
-pub(super) const WINGS: &[Piece] = &[
-    Piece {
+pub(super) const WINGS: &[Prefab] = &[
+    Prefab {
         name: "front wing",
-        look: Look::White,
+        material: MaterialKind::White,
         make: front_wing,
     },
-    Piece {
+    Prefab {
         name: "rear wing",
-        look: Look::White,
+        material: MaterialKind::White,
         make: rear_wing,
     },
-    Piece {
+    Prefab {
         name: "underbody",
-        look: Look::Black,
+        material: MaterialKind::Black,
         make: underbody,
     },
-    Piece {
+    Prefab {
         name: "racing mirrors",
-        look: Look::Black,
+        material: MaterialKind::Black,
         make: mirrors,
     },
 ];
 
-pub(super) const COCKPIT: &[Piece] = &[
-    Piece {
+pub(super) const COCKPIT: &[Prefab] = &[
+    Prefab {
         name: "racing seat",
-        look: Look::Black,
+        material: MaterialKind::Black,
         make: || moved(&(cabin::SEAT.make)(), [-0.12, 0.08, 0.0]),
     },
-    Piece {
+    Prefab {
         name: "racing steering wheel",
-        look: Look::Black,
+        material: MaterialKind::Black,
         make: || moved(&(cabin::STEERING_WHEEL.make)(), [0.32, 0.58, 0.0]),
     },
-    Piece {
+    Prefab {
         name: "driver",
-        look: Look::Blue,
+        material: MaterialKind::Blue,
         make: driver,
     },
-    Piece {
+    Prefab {
         name: "helmet",
-        look: Look::White,
+        material: MaterialKind::White,
         make: helmet,
     },
 ];
 
 fn moved(solid: &Solid, place: [f64; 3]) -> Solid {
     let mut all = Solid::default();
-    all.with(solid, place);
+    all.add_at(solid, place);
     all
 }
 
-/// From the nose to behind the driver, open above the seat.
+/// The body from the nose to behind the driver, open above the seat.
 fn monocoque() -> Solid {
     let body = Body {
         sections: &[
@@ -107,7 +107,7 @@ fn monocoque() -> Solid {
     body.shell(|at| at.y > 0.55 && at.z.abs() < 0.24 && (-0.52..0.48).contains(&at.x))
 }
 
-/// Long boxes with intakes in front.
+/// Side pods: long boxes with intakes at the front.
 fn side_pods() -> Solid {
     let mut solid = Solid::default();
     for side in [-1.0, 1.0] {
@@ -121,13 +121,13 @@ fn side_pods() -> Solid {
         for rib in 0..6 {
             let y = 0.18 + 0.05 * f64::from(rib);
             let z = side * 0.46;
-            solid.rounded([0.23, y, z - 0.14], [0.28, y + 0.02, z + 0.14], 0.008, 1);
+            solid.rounded_box([0.23, y, z - 0.14], [0.28, y + 0.02, z + 0.14], 0.008, 1);
         }
     }
     solid
 }
 
-/// From the air box behind the driver's head down to the gearbox.
+/// The engine cover, from the air box behind the driver's head to the gearbox.
 fn engine_cover() -> Solid {
     let mut solid = Solid::default();
     let section = |x: f64, top: f64, half: f64| {
@@ -156,17 +156,17 @@ fn engine_cover() -> Solid {
         [-1.05, 0.99],
         [-2.0, 0.9],
     ];
-    solid.extruded(&fin, [-0.008, 0.008]);
+    solid.extrude(&fin, [-0.008, 0.008]);
     solid
 }
 
-/// A blade across: the cross-section's chord along X, from z to z.
+/// A wing element: its chord is along X, its span from z to z.
 fn blade(solid: &mut Solid, [x, y]: [f64; 2], chord: f64, pitch: f64, half: f64) {
     let outline: Vec<[f64; 2]> = (0..18)
         .map(|i| {
             let angle = std::f64::consts::TAU * f64::from(i) / 18.0;
             let (sin, cos) = angle.sin_cos();
-            // Thin behind, round in front, hollow above.
+            // The profile is thin at the rear, round at the front and concave above.
             let (along, thick) = (0.5 * chord * cos, 0.05 * chord * sin * (0.6 + 0.4 * cos));
             let bow = -0.02 * chord * (1.0 - cos * cos);
             let (s, c) = pitch.sin_cos();
@@ -174,7 +174,7 @@ fn blade(solid: &mut Solid, [x, y]: [f64; 2], chord: f64, pitch: f64, half: f64)
             [x + along * c - up * s, y + along * s + up * c]
         })
         .collect();
-    solid.extruded(&outline, [-half, half]);
+    solid.extrude(&outline, [-half, half]);
 }
 
 fn front_wing() -> Solid {
@@ -183,9 +183,9 @@ fn front_wing() -> Solid {
     blade(&mut solid, [2.2, 0.2], 0.2, -0.4, 0.77);
     for side in [-1.0, 1.0] {
         let z = side * 0.78;
-        solid.rounded([2.08, 0.07, z - 0.012], [2.62, 0.34, z + 0.012], 0.008, 1);
+        solid.rounded_box([2.08, 0.07, z - 0.012], [2.62, 0.34, z + 0.012], 0.008, 1);
         let z = side * 0.11;
-        solid.rounded([2.2, 0.12, z - 0.01], [2.4, 0.32, z + 0.01], 0.006, 1);
+        solid.rounded_box([2.2, 0.12, z - 0.01], [2.4, 0.32, z + 0.01], 0.006, 1);
     }
     solid
 }
@@ -197,19 +197,19 @@ fn rear_wing() -> Solid {
     blade(&mut solid, [-2.1, 0.45], 0.2, -0.3, 0.46);
     for side in [-1.0, 1.0] {
         let z = side * 0.48;
-        solid.rounded([-2.4, 0.36, z - 0.012], [-1.86, 1.08, z + 0.012], 0.008, 1);
+        solid.rounded_box([-2.4, 0.36, z - 0.012], [-1.86, 1.08, z + 0.012], 0.008, 1);
         let z = side * 0.08;
-        solid.rounded([-2.16, 0.4, z - 0.01], [-2.02, 0.88, z + 0.01], 0.006, 1);
+        solid.rounded_box([-2.16, 0.4, z - 0.01], [-2.02, 0.88, z + 0.01], 0.006, 1);
     }
-    // The rain light, and what carries it.
-    solid.rounded([-2.16, 0.3, -0.05], [-1.8, 0.42, 0.05], 0.02, 1);
+    // The rain light and its supports.
+    solid.rounded_box([-2.16, 0.3, -0.05], [-1.8, 0.42, 0.05], 0.02, 1);
     solid
 }
 
 fn underbody() -> Solid {
     let mut solid = Solid::default();
-    solid.rounded([-1.9, 0.06, -0.66], [0.75, 0.1, 0.66], 0.012, 1);
-    solid.rounded([0.7, 0.07, -0.2], [1.5, 0.1, 0.2], 0.012, 1);
+    solid.rounded_box([-1.9, 0.06, -0.66], [0.75, 0.1, 0.66], 0.012, 1);
+    solid.rounded_box([0.7, 0.07, -0.2], [1.5, 0.1, 0.2], 0.012, 1);
     for vane in 0..6 {
         let z = -0.45 + 0.18 * f64::from(vane);
         solid.block([1; 3], |u, v, w| {
@@ -234,7 +234,7 @@ fn mirrors() -> Solid {
     let mut solid = Solid::default();
     for side in [-1.0, 1.0] {
         let z = side * 0.5;
-        solid.rounded([0.42, 0.7, z - 0.09], [0.48, 0.79, z + 0.09], 0.025, 2);
+        solid.rounded_box([0.42, 0.7, z - 0.09], [0.48, 0.79, z + 0.09], 0.025, 2);
         solid.bar([0.45, 0.62, side * 0.26], [0.45, 0.73, z], 0.01, 8);
     }
     solid
@@ -242,20 +242,20 @@ fn mirrors() -> Solid {
 
 fn driver() -> Solid {
     let mut solid = Solid::default();
-    solid.rounded([-0.3, 0.28, -0.19], [-0.06, 0.72, 0.19], 0.08, 3);
+    solid.rounded_box([-0.3, 0.28, -0.19], [-0.06, 0.72, 0.19], 0.08, 3);
     for side in [-1.0, 1.0] {
         let arm = [
             DVec3::new(-0.18, 0.65, side * 0.19),
             DVec3::new(0.02, 0.48, side * 0.22),
             DVec3::new(0.28, 0.58, side * 0.15),
         ];
-        solid.tube(&crate::tube::rounded(&arm, 0.1, 13), 0.045, 10);
+        solid.tube(&crate::tube::rounded_path(&arm, 0.1, 13), 0.045, 10);
         let leg = [
             DVec3::new(-0.12, 0.32, side * 0.1),
             DVec3::new(0.35, 0.42, side * 0.1),
             DVec3::new(0.85, 0.26, side * 0.08),
         ];
-        solid.tube(&crate::tube::rounded(&leg, 0.15, 13), 0.06, 10);
+        solid.tube(&crate::tube::rounded_path(&leg, 0.15, 13), 0.06, 10);
     }
     solid
 }
@@ -274,7 +274,7 @@ fn helmet() -> Solid {
         [-0.2, 0.06],
         [-0.2, 0.0],
     ];
-    solid.lathed([-0.2, 0.86, 0.0], &profile, 24);
+    solid.revolve_upright([-0.2, 0.86, 0.0], &profile, 24);
     let mut visor = Solid::default();
     visor.block([10, 4, 1], |u, v, w| {
         let angle = (u - 0.5) * 2.2;

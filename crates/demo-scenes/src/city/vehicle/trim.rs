@@ -1,48 +1,49 @@
-//! Saloons and vans: their measures, and what is fixed to their bodies.
+//! Saloons and vans: their dimensions and the parts on their bodies.
 
-use super::{Car, Stance, body};
-use crate::city::form::Opening;
-use crate::city::kit::{Piece, quarter_turn};
-use crate::city::look::Look;
+use super::body;
+use super::specs::{Car, Stance};
+use crate::city::city_builder::{Prefab, quarter_rotation};
+use crate::city::materials::MaterialKind;
+use crate::city::shapes::Opening;
 use crate::solid::Solid;
 use glam::{DAffine3, DVec3};
 use std::f64::consts::FRAC_PI_2;
 
 pub(super) const SALOON: Car = Car {
-    body: Piece {
+    body: Prefab {
         name: "saloon body",
-        look: Look::SilverLacquer,
+        material: MaterialKind::SilverLacquer,
         make: body::saloon,
     },
     trim: &[
-        Piece {
+        Prefab {
             name: "saloon bumpers",
-            look: Look::Black,
+            material: MaterialKind::Black,
             make: || bumpers([2.24, -2.24], 0.42, 0.74),
         },
-        Piece {
+        Prefab {
             name: "saloon headlamps",
-            look: Look::White,
-            make: || lamps(2.18, 0.6, 0.52, false),
+            material: MaterialKind::White,
+            make: || lamps(2.18, 0.6, 0.52, LampKind::Head),
         },
-        Piece {
+        Prefab {
             name: "saloon rear lamps",
-            look: Look::RedLacquer,
-            make: || lamps(-2.18, 0.72, 0.54, true),
+            material: MaterialKind::RedLacquer,
+            make: || lamps(-2.18, 0.72, 0.54, LampKind::Rear),
         },
-        Piece {
+        Prefab {
             name: "saloon grille",
-            look: Look::Steel,
+            material: MaterialKind::Steel,
             make: || grille(2.19, [0.52, 0.67]),
         },
-        Piece {
+        Prefab {
             name: "saloon mirrors and handles",
-            look: Look::Black,
+            material: MaterialKind::Black,
             make: || mirrors(0.62, 1.0, 0.82, &[0.1, -0.75]),
         },
-        Piece {
+        Prefab {
             name: "saloon floor pan",
-            look: Look::Black,
+            material: MaterialKind::Black,
             make: || pan([-0.85, 0.92], 0.28, 0.8),
         },
     ],
@@ -57,40 +58,40 @@ pub(super) const SALOON: Car = Car {
 };
 
 pub(super) const VAN: Car = Car {
-    body: Piece {
+    body: Prefab {
         name: "van body",
-        look: Look::White,
+        material: MaterialKind::White,
         make: body::van,
     },
     trim: &[
-        Piece {
+        Prefab {
             name: "van bumpers",
-            look: Look::Black,
+            material: MaterialKind::Black,
             make: || bumpers([2.66, -2.64], 0.45, 0.82),
         },
-        Piece {
+        Prefab {
             name: "van headlamps",
-            look: Look::White,
-            make: || lamps(2.6, 0.66, 0.58, false),
+            material: MaterialKind::White,
+            make: || lamps(2.6, 0.66, 0.58, LampKind::Head),
         },
-        Piece {
+        Prefab {
             name: "van rear lamps",
-            look: Look::RedLacquer,
-            make: || lamps(-2.58, 0.95, 0.66, true),
+            material: MaterialKind::RedLacquer,
+            make: || lamps(-2.58, 0.95, 0.66, LampKind::Rear),
         },
-        Piece {
+        Prefab {
             name: "van grille",
-            look: Look::Steel,
+            material: MaterialKind::Steel,
             make: || grille(2.6, [0.55, 0.76]),
         },
-        Piece {
+        Prefab {
             name: "van mirrors and handles",
-            look: Look::Black,
+            material: MaterialKind::Black,
             make: || mirrors(1.35, 1.2, 0.93, &[0.5]),
         },
-        Piece {
+        Prefab {
             name: "van floor pan",
-            look: Look::Black,
+            material: MaterialKind::Black,
             make: || pan([-2.3, 1.25], 0.32, 0.86),
         },
     ],
@@ -104,41 +105,48 @@ pub(super) const VAN: Car = Car {
     engine: [1.95, 0.55, 0.0],
 };
 
-/// In front and behind.
+/// Bumpers at the front and the rear.
 fn bumpers(x: [f64; 2], y: f64, half: f64) -> Solid {
     let mut solid = Solid::default();
     for (x, turn) in [(x[0], 0), (x[1].abs(), 2)] {
         let mut bar = Solid::default();
-        bar.rounded(
+        bar.rounded_box(
             [x - 0.14, y - 0.1, -half],
             [x + 0.03, y + 0.08, half],
             0.05,
             2,
         );
-        bar.rounded(
+        bar.rounded_box(
             [x - 0.3, y - 0.16, -half],
             [x - 0.08, y - 0.08, half],
             0.03,
             1,
         );
         // The number plate.
-        bar.rounded(
+        bar.rounded_box(
             [x + 0.02, y - 0.06, -0.26],
             [x + 0.038, y + 0.05, 0.26],
             0.006,
             1,
         );
-        solid.add(&bar, quarter_turn(turn));
+        solid.add(&bar, quarter_rotation(turn));
     }
     solid
 }
 
-/// A pair, towards the front or the rear.
-fn lamps(x: f64, y: f64, z: f64, rear: bool) -> Solid {
+/// The lamps of one end of a vehicle.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum LampKind {
+    Head,
+    Rear,
+}
+
+/// A pair of lamps, at the front or at the rear.
+fn lamps(x: f64, y: f64, z: f64, kind: LampKind) -> Solid {
     let mut solid = Solid::default();
     for side in [-1.0, 1.0] {
         let mut lamp = Solid::default();
-        lamp.rounded([-0.14, -0.07, -0.13], [0.04, 0.07, 0.13], 0.03, 2);
+        lamp.rounded_box([-0.14, -0.07, -0.13], [0.04, 0.07, 0.13], 0.03, 2);
         for (off, radius) in [(-0.055, 0.045), (0.055, 0.045)] {
             let glass = [
                 [0.05, 0.0],
@@ -148,10 +156,13 @@ fn lamps(x: f64, y: f64, z: f64, rear: bool) -> Solid {
                 [0.03, 0.0],
             ];
             let mut lens = Solid::default();
-            lens.turned(&glass, 18);
+            lens.revolve(&glass, 18);
             lamp.add(&lens, DAffine3::from_translation(DVec3::new(0.0, 0.0, off)));
         }
-        let turn = quarter_turn(if rear { 2 } else { 0 });
+        let turn = quarter_rotation(match kind {
+            LampKind::Head => 0,
+            LampKind::Rear => 2,
+        });
         let place = DVec3::new(x, y, side * z);
         solid.add(&lamp, DAffine3::from_translation(place) * turn);
     }
@@ -173,7 +184,7 @@ fn grille(x: f64, y: [f64; 2]) -> Solid {
     );
     for rib in 0..14 {
         let z = -half + 0.05 * (f64::from(rib) + 0.9);
-        solid.rounded(
+        solid.rounded_box(
             [x - 0.03, y[0] + 0.005, z - 0.006],
             [x + 0.035, y[1] - 0.005, z + 0.006],
             0.004,
@@ -183,12 +194,12 @@ fn grille(x: f64, y: [f64; 2]) -> Solid {
     solid
 }
 
-/// Outside mirrors at a place, and doors' handles behind it.
+/// Outside mirrors at a position, and door handles behind them.
 fn mirrors(x: f64, y: f64, half: f64, handles: &[f64]) -> Solid {
     let mut solid = Solid::default();
     for side in [-1.0, 1.0] {
         let z = side * (half + 0.1);
-        solid.rounded(
+        solid.rounded_box(
             [x - 0.05, y, z - 0.08],
             [x + 0.06, y + 0.13, z + 0.08],
             0.035,
@@ -204,7 +215,7 @@ fn mirrors(x: f64, y: f64, half: f64, handles: &[f64]) -> Solid {
             let z = side * (half + 0.05);
             let (rear, front) = (handle - 0.1, handle + 0.1);
             let low = y - 0.16;
-            solid.rounded(
+            solid.rounded_box(
                 [rear, low, z - 0.02],
                 [front, low + 0.03, z + 0.02],
                 0.012,
@@ -219,11 +230,11 @@ fn mirrors(x: f64, y: f64, half: f64, handles: &[f64]) -> Solid {
     solid
 }
 
-/// The floor inside, with a tunnel along its middle.
+/// The floor, with a tunnel along its centre.
 fn pan(x: [f64; 2], y: f64, half: f64) -> Solid {
     let mut solid = Solid::default();
     solid.cuboid([x[0], y - 0.02, -half], [x[1], y, half]);
-    solid.rounded(
+    solid.rounded_box(
         [x[0] + 0.02, y - 0.01, -0.12],
         [x[1] - 0.02, y + 0.12, 0.12],
         0.05,

@@ -1,84 +1,84 @@
-//! Wheels with their brakes, and what holds and springs them. The hub is the origin, +Z is outwards.
+//! Wheels with brakes and suspension. The hub is the origin, +Z is outwards.
 
-use crate::city::form::facing;
-use crate::city::kit::Piece;
-use crate::city::look::Look;
+use crate::city::city_builder::Prefab;
+use crate::city::materials::MaterialKind;
+use crate::city::shapes::along_z;
 use crate::solid::Solid;
 use glam::{DAffine3, DVec3};
 use std::f64::consts::TAU;
 
-/// A car's wheel, and what holds it.
-pub(super) const CAR: [&[Piece]; 2] = [
+/// Wheel and suspension of a car.
+pub(super) const CAR: [&[Prefab]; 2] = [
     &[
-        Piece {
+        Prefab {
             name: "tyre",
-            look: Look::Black,
+            material: MaterialKind::Black,
             make: || tyre([0.2, 0.31], 0.1),
         },
-        Piece {
+        Prefab {
             name: "rim",
-            look: Look::SilverLacquer,
+            material: MaterialKind::SilverLacquer,
             make: || rim(0.2, 0.09, 5),
         },
         BRAKE_DISC,
         CALLIPER,
     ],
     &[
-        Piece {
+        Prefab {
             name: "spring and damper",
-            look: Look::Steel,
+            material: MaterialKind::Steel,
             make: || damper([-0.2, 0.05], [-0.24, 0.42]),
         },
-        Piece {
+        Prefab {
             name: "wishbone",
-            look: Look::Black,
+            material: MaterialKind::Black,
             make: || wishbones(&[-0.1], 0.45),
         },
     ],
 ];
 
-/// A racing car's.
-pub(super) const RACER: [&[Piece]; 2] = [
+/// Wheel and suspension of a racing car.
+pub(super) const RACER: [&[Prefab]; 2] = [
     &[
-        Piece {
+        Prefab {
             name: "slick tyre",
-            look: Look::Black,
+            material: MaterialKind::Black,
             make: || tyre([0.17, 0.33], 0.17),
         },
-        Piece {
+        Prefab {
             name: "racing rim",
-            look: Look::Steel,
+            material: MaterialKind::Steel,
             make: || rim(0.17, 0.15, 9),
         },
         BRAKE_DISC,
         CALLIPER,
     ],
     &[
-        Piece {
+        Prefab {
             name: "racing damper",
-            look: Look::RedLacquer,
+            material: MaterialKind::RedLacquer,
             make: || damper([-0.24, -0.05], [-0.5, 0.2]),
         },
-        Piece {
+        Prefab {
             name: "racing wishbones",
-            look: Look::Black,
+            material: MaterialKind::Black,
             make: || wishbones(&[-0.08, 0.1], 0.62),
         },
     ],
 ];
 
-const BRAKE_DISC: Piece = Piece {
+const BRAKE_DISC: Prefab = Prefab {
     name: "brake disc",
-    look: Look::Steel,
+    material: MaterialKind::Steel,
     make: brake_disc,
 };
-const CALLIPER: Piece = Piece {
+const CALLIPER: Prefab = Prefab {
     name: "calliper",
-    look: Look::RedLacquer,
+    material: MaterialKind::RedLacquer,
     make: calliper,
 };
 
-/// Between two radii, half as wide; grooves run around its tread.
+/// A tyre between two radii, with its half width; grooves run around its tread.
 fn tyre([inner, outer]: [f64; 2], half: f64) -> Solid {
     let mut right = vec![
         [half * 0.86, inner],
@@ -97,17 +97,17 @@ fn tyre([inner, outer]: [f64; 2], half: f64) -> Solid {
             [x - 0.006, outer],
         ]);
     }
-    // Counter-clockwise: from the right end up over the tread and down at the left.
+    // Counter-clockwise: from the right end over the tread to the left end.
     let left = right.iter().rev().map(|[x, radius]| [-x, *radius]);
     let profile: Vec<[f64; 2]> = right.iter().copied().chain(left).collect();
     let mut ring = Solid::default();
-    ring.ring(&profile, 26);
+    ring.revolve_closed(&profile, 26);
     let mut solid = Solid::default();
-    solid.add(&ring, facing([0.0; 3]));
+    solid.add(&ring, along_z([0.0; 3]));
     solid
 }
 
-/// Reaching a little into the tyre.
+/// A rim that overlaps the tyre.
 fn rim(radius: f64, half: f64, spokes: usize) -> Solid {
     let mut ring = Solid::default();
     let barrel = [
@@ -122,9 +122,9 @@ fn rim(radius: f64, half: f64, spokes: usize) -> Solid {
         [-half * 0.9, radius + 0.004],
         [-half * 1.05, radius + 0.012],
     ];
-    ring.ring(&barrel, 28);
+    ring.revolve_closed(&barrel, 28);
     let front = half * 0.5;
-    ring.turned(
+    ring.revolve(
         &[
             [front + 0.02, 0.0],
             [front + 0.02, 0.025],
@@ -136,12 +136,12 @@ fn rim(radius: f64, half: f64, spokes: usize) -> Solid {
         24,
     );
     let mut solid = Solid::default();
-    solid.add(&ring, facing([0.0; 3]));
+    solid.add(&ring, along_z([0.0; 3]));
     for spoke in 0..spokes {
         let angle = TAU * spoke as f64 / spokes as f64;
         let (sin, cos) = angle.sin_cos();
         let (out, beside) = (DVec3::new(cos, sin, 0.0), DVec3::new(-sin, cos, 0.0));
-        // Two blades that part towards the rim.
+        // Two blades that diverge towards the rim.
         for side in [-1.0, 1.0] {
             solid.block([4, 1, 1], |u, v, w| {
                 let along = 0.045 + (radius - 0.065) * u;
@@ -155,7 +155,7 @@ fn rim(radius: f64, half: f64, spokes: usize) -> Solid {
         let (sin, cos) = (TAU * (f64::from(nut) + 0.5) / 5.0).sin_cos();
         let mut head = Solid::default();
         head.prism(0.009, [front - 0.01, front + 0.014], 6);
-        solid.add(&head, facing([0.042 * cos, 0.042 * sin, 0.0]));
+        solid.add(&head, along_z([0.042 * cos, 0.042 * sin, 0.0]));
     }
     solid
 }
@@ -164,7 +164,7 @@ fn brake_disc() -> Solid {
     let mut ring = Solid::default();
     ring.band([-0.045, -0.037], [0.075, 0.14], 28);
     ring.band([-0.028, -0.02], [0.075, 0.14], 28);
-    ring.turned(
+    ring.revolve(
         &[
             [0.01, 0.0],
             [0.01, 0.07],
@@ -177,7 +177,7 @@ fn brake_disc() -> Solid {
         24,
     );
     let mut solid = Solid::default();
-    solid.add(&ring, facing([0.0; 3]));
+    solid.add(&ring, along_z([0.0; 3]));
     for vane in 0..12 {
         let turn = DAffine3::from_rotation_z(TAU * f64::from(vane) / 12.0);
         let mut rib = Solid::default();
@@ -193,7 +193,7 @@ fn calliper() -> Solid {
         solid.block([8, 1, 1], |u, v, w| {
             let angle = 0.5 + 1.1 * u;
             let (sin, cos) = angle.sin_cos();
-            // Outwards, then around, is to the left: upwards last.
+            // u runs around and v inwards: with w along the axis they are right-handed.
             let radius = 0.15 - 0.055 * v;
             DVec3::new(radius * cos, radius * sin, z[0] + (z[1] - z[0]) * w)
         });
@@ -215,7 +215,7 @@ fn calliper() -> Solid {
     solid
 }
 
-/// A coil around a rod, between two places [z, y].
+/// A coil spring around a rod, between two points [z, y].
 fn damper(foot: [f64; 2], head: [f64; 2]) -> Solid {
     let mut solid = Solid::default();
     let from = DVec3::new(0.0, foot[1], foot[0]);
@@ -242,7 +242,7 @@ fn damper(foot: [f64; 2], head: [f64; 2]) -> Solid {
     solid
 }
 
-/// Arms at these heights that reach inwards from the hub.
+/// Suspension arms at these heights, from the hub inwards.
 fn wishbones(heights: &[f64], reach: f64) -> Solid {
     let mut solid = Solid::default();
     for y in heights {
@@ -258,7 +258,7 @@ fn wishbones(heights: &[f64], reach: f64) -> Solid {
     }
     let rod = [DVec3::new(0.1, 0.02, -0.08), DVec3::new(0.12, 0.04, -reach)];
     solid.tube(&rod, 0.01, 8);
-    // The upright that joins them.
-    solid.rounded([-0.035, -0.12, -0.1], [0.035, 0.13, -0.045], 0.015, 1);
+    // The upright that joins the arms.
+    solid.rounded_box([-0.035, -0.12, -0.1], [0.035, 0.13, -0.045], 0.015, 1);
     solid
 }

@@ -1,53 +1,55 @@
-//! Faults: breaks in the rocks along which one side went down.
+//! Faults: fractures along which one side moved down.
 //!
-//! A fault is a dipping, curved surface that ends at an elliptic tip line. How far its sides moved against each other falls from the
-//! centre to the tip line as in J. J. Walsh and J. Watterson, *Distributions of cumulative displacement and seismic slip on a single
-//! normal fault surface*, 1987; away from the surface the movement dies out over a few hundred metres. Only depths change, so that
-//! horizons stay height fields.
+//! A fault is a dipping, curved surface that ends at an elliptic tip line. Its throw decreases from the centre to the
+//! tip line as in J. J. Walsh and J. Watterson, *Distributions of cumulative displacement and seismic slip on a
+//! single normal fault surface*, 1987. Away from the surface the displacement decreases to zero within a few hundred
+//! metres. A fault changes depths only, so that horizons stay height fields.
 
 use glam::DVec2;
 
-/// The share of the throw by which the side above the fault goes down; the other side goes up by the rest.
+/// The part of the throw by which the hanging wall (the side above the fault) moves down; the other side moves up by
+/// the rest.
 const HANGING: f64 = 0.6;
-/// A throw in metres below which a horizon bends over the fault instead of breaking.
+/// Throw in metres below which a horizon bends over the fault instead of breaking.
 pub(super) const BREAKING: f64 = 2.0;
 
-/// A normal fault. Places are metres east and north of the model's middle, depths metres positive down, angles radians.
+/// A normal fault. Places are metres east and north of the model's centre, depths are metres (positive down), angles
+/// are radians.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ModelFault {
-    /// Middle of the surface, east and north.
+    /// Centre of the surface, east and north.
     pub centre: DVec2,
-    /// Depth of the middle.
+    /// Depth of the centre.
     pub depth: f64,
-    /// The horizon that passes through the middle: this fault throws it by `throw` there.
+    /// The horizon that passes through the centre, where the fault displaces it by `throw`.
     pub horizon: usize,
-    /// Where it runs, clockwise from north. It dips to the right of that.
+    /// Strike: the direction along the fault, clockwise from north. The fault dips to the right of it.
     pub strike: f64,
-    /// How steep it is in the middle, from the horizontal.
+    /// Dip at the centre: the angle from the horizontal.
     pub dip: f64,
-    /// From the middle to the tip line along the strike, in metres.
+    /// Length from the centre to the tip line along the strike, in metres.
     pub half_length: f64,
-    /// From the middle to the tip line along the dip, in metres.
+    /// Length from the centre to the tip line along the dip, in metres.
     pub half_height: f64,
-    /// By how many metres it moved its sides against each other in the middle.
+    /// Throw at the centre: the vertical offset of its two sides, in metres.
     pub throw: f64,
-    /// Metres from the surface after which the rocks have not moved.
+    /// Distance from the surface, in metres, at which the displacement is zero.
     pub reach: f64,
-    /// How it flattens downwards: metres sideways a square metre of depth.
+    /// Curvature in depth (the fault flattens downwards): metres across per square metre of depth.
     pub(super) listric: f64,
-    /// How it bends along the strike: metres sideways a square metre.
+    /// Curvature along the strike: metres across per square metre of length.
     pub(super) bow: f64,
-    /// How it ripples along the strike: height in metres, radians a metre, phase.
+    /// Ripples along the strike: amplitude in metres, radians per metre, phase.
     pub(super) corrugation: [f64; 3],
-    /// Unit vectors east and north: along the strike, and to where it dips.
+    /// Unit vectors (east, north) along the strike and in the direction of the dip.
     pub(super) axes: [DVec2; 2],
     /// Sine and cotangent of the dip.
     pub(super) slope: [f64; 2],
 }
 
-/// Where a place lies as the fault sees it: metres along the strike, and across it towards the dip.
+/// A place in the coordinates of a fault, in metres: along the strike, and across it in the direction of the dip.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Local {
+pub(super) struct FaultCoordinates {
     pub(super) along: f64,
     pub(super) across: f64,
 }
@@ -59,13 +61,13 @@ impl ModelFault {
         self.half_height * sine
     }
 
-    pub(super) fn local(&self, place: DVec2) -> Local {
+    pub(super) fn local(&self, place: DVec2) -> FaultCoordinates {
         let from = place - self.centre;
         let [along, across] = self.axes.map(|axis| axis.dot(from));
-        Local { along, across }
+        FaultCoordinates { along, across }
     }
 
-    /// How far across the strike the surface lies, in metres, at this place along it and this depth.
+    /// Offset of the surface across the strike, in metres, at a position along the strike and a depth.
     pub(super) fn across(&self, along: f64, depth: f64) -> f64 {
         let down = depth - self.depth;
         let [_, cotangent] = self.slope;
@@ -76,7 +78,7 @@ impl ModelFault {
             + height * ((wave * along + phase).sin() - phase.sin())
     }
 
-    /// By how many metres the sides have moved against each other here on the surface; 0 from the tip line on.
+    /// Throw in metres at a point of the surface; 0 outside the tip line.
     pub(super) fn throw_at(&self, along: f64, depth: f64) -> f64 {
         let height = (depth - self.depth) / self.half_depth();
         let radius = ((along / self.half_length).powi(2) + height * height).sqrt();
@@ -87,7 +89,7 @@ impl ModelFault {
         self.throw * rest * (rest * (1.0 + 3.0 * radius)).sqrt()
     }
 
-    /// Whether the surface passes a point within so many metres.
+    /// Whether the surface lies within `within` metres of a point.
     pub(super) fn passes(&self, place: DVec2, depth: f64, within: f64) -> bool {
         let local = self.local(place);
         let [sine, _] = self.slope;
@@ -97,7 +99,7 @@ impl ModelFault {
             && distance.abs() < within
     }
 
-    /// Whether this fault may move anything above or below a place.
+    /// Whether the fault may displace any point above or below a place.
     pub(super) fn reaches(&self, place: DVec2) -> bool {
         let local = self.local(place);
         let half = self.half_depth();
@@ -108,86 +110,86 @@ impl ModelFault {
             && (top.min(bottom) - margin..=top.max(bottom) + margin).contains(&local.across)
     }
 
-    /// What this fault does to a point.
-    pub(super) fn act(&self, local: Local, depth: f64) -> Action {
-        let mut action = Action {
+    /// The displacement of a point by this fault.
+    pub(super) fn displacement(&self, local: FaultCoordinates, depth: f64) -> FaultDisplacement {
+        let mut displaced = FaultDisplacement {
             depth,
             throw: 0.0,
             hanging: false,
-            cut: false,
+            in_gap: false,
         };
         if local.along.abs() >= self.half_length + self.reach {
-            return action;
+            return displaced;
         }
         let distance = local.across - self.across(local.along, depth);
-        action.hanging = distance > 0.0;
-        action.throw = self.throw_at(local.along, depth);
+        displaced.hanging = distance > 0.0;
+        displaced.throw = self.throw_at(local.along, depth);
         let [sine, _] = self.slope;
         let far = distance.abs() * sine / self.reach;
-        if action.throw == 0.0 || far >= 1.0 {
-            return action;
+        if displaced.throw == 0.0 || far >= 1.0 {
+            return displaced;
         }
         let dying = (1.0 - far) * (1.0 - far) * (1.0 + 2.0 * far);
-        let share = if action.hanging {
+        let share = if displaced.hanging {
             HANGING
         } else {
             HANGING - 1.0
         };
-        action.depth += share * action.throw * dying;
-        let after = local.across - self.across(local.along, action.depth);
-        action.cut = (after > 0.0) != action.hanging;
-        action
+        displaced.depth += share * displaced.throw * dying;
+        let after = local.across - self.across(local.along, displaced.depth);
+        displaced.in_gap = (after > 0.0) != displaced.hanging;
+        displaced
     }
 }
 
-/// What a fault did to a point.
+/// The displacement of a point by one fault.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Action {
-    /// Where the point is now.
+pub(super) struct FaultDisplacement {
+    /// Depth of the displaced point.
     pub(super) depth: f64,
     /// The throw of the fault next to the point.
     pub(super) throw: f64,
-    /// Whether the point lies on the side that went down.
+    /// Whether the point lies in the hanging wall, the side that moved down.
     pub(super) hanging: bool,
-    /// Whether the point would have to pass through the fault: between the edges of a broken horizon there is none of it.
-    pub(super) cut: bool,
+    /// Whether the point would cross the fault. Such points lie in the gap between the edges of a broken horizon.
+    pub(super) in_gap: bool,
 }
 
-/// A point after all faults acted on it.
+/// A point displaced by all faults.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Moved {
+pub(super) struct DisplacedPoint {
     pub(super) depth: f64,
-    /// See [`Action::cut`].
-    pub(super) cut: bool,
-    /// A bit for each fault that breaks what is here.
+    /// See [`FaultDisplacement::in_gap`].
+    pub(super) in_gap: bool,
+    /// A bit for each fault that breaks the rock at this point.
     pub(super) broken: u64,
-    /// A bit for each fault on whose sunken side this is.
+    /// A bit for each fault in whose hanging wall the point lies.
     pub(super) hanging: u64,
 }
 
-/// Lets the faults act, oldest first: a younger one displaces what older ones left.
-pub(super) fn displace(faults: &[ModelFault], place: DVec2, depth: f64) -> Moved {
-    let mut moved = Moved {
+/// Applies the faults, oldest first: a younger fault displaces the result of the older ones.
+pub(super) fn displace(faults: &[ModelFault], place: DVec2, depth: f64) -> DisplacedPoint {
+    let mut moved = DisplacedPoint {
         depth,
-        ..Moved::default()
+        ..DisplacedPoint::default()
     };
     for (number, fault) in faults.iter().enumerate() {
-        let action = fault.act(fault.local(place), moved.depth);
-        moved.depth = action.depth;
-        moved.cut |= action.cut;
+        let displaced = fault.displacement(fault.local(place), moved.depth);
+        moved.depth = displaced.depth;
+        moved.in_gap |= displaced.in_gap;
         let bit = 1u64.checked_shl(number as u32).unwrap_or(0);
-        if action.throw > BREAKING {
+        if displaced.throw > BREAKING {
             moved.broken |= bit;
         }
-        if action.hanging {
+        if displaced.hanging {
             moved.hanging |= bit;
         }
     }
     moved
 }
 
-/// Whether a fault passes between points of a horizon.
-pub(super) fn broken_between(points: &[Option<Moved>; 4]) -> bool {
+/// Whether a fault passes between the four points of a horizon.
+pub(super) fn broken_between(points: &[Option<DisplacedPoint>; 4]) -> bool {
     let known = || points.iter().flatten();
     let broken = known().fold(0, |all, point| all | point.broken);
     let hanging = known().fold(0, |all, point| all | point.hanging);

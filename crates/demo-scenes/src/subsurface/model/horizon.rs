@@ -1,69 +1,79 @@
-//! Horizons of the model as height fields with gaps.
+//! Horizons of the model: height fields with gaps.
 
-use super::chance::{Chance, Part};
-use super::fault::{Moved, broken_between, displace};
-use super::{HALF, Model};
+use super::Model;
+use super::extent::HALF;
+use super::fault::{DisplacedPoint, broken_between, displace};
+use crate::random::{Random, Stream};
 use antumbra_scene::Raster;
 use antumbra_subsurface::{SubsurfaceError, Surface};
 use glam::DVec2;
 use rayon::prelude::*;
 
-/// How far from the south-east corner the top horizon was not interpreted, in metres.
+/// Radius around the south-east corner in which the top horizon was not interpreted, in metres.
 const CUT_OUT: f64 = 3300.0;
 
-pub(super) fn surface(model: &Model, horizon: usize) -> Result<Surface, SubsurfaceError> {
-    let name = format!("horizon {horizon}");
-    if horizon >= model.options.horizons as usize {
-        return Err(SubsurfaceError::BadSurface {
-            surface: name,
-            problem: format!("the model's horizons are 0..{}", model.options.horizons),
+impl Model {
+    /// Makes the surface of a horizon, counted from 0 at the top.
+    ///
+    /// Two kinds of cells are left out: cells that a fault breaks, and cells in the south-east corner, where the horizon
+    /// was not interpreted. The higher a horizon, the larger this corner, so that the deeper horizons are visible.
+    ///
+    /// # Errors
+    /// [`SubsurfaceError::BadSurface`] if there is no such horizon, or if the faults break every cell of it.
+    pub fn horizon(&self, horizon: usize) -> Result<Surface, SubsurfaceError> {
+        let name = format!("horizon {horizon}");
+        if horizon >= self.options.horizons as usize {
+            return Err(SubsurfaceError::BadSurface {
+                surface: name,
+                problem: format!("the model's horizons are 0..{}", self.options.horizons),
+            });
+        }
+        let grid = Grid::new(self, horizon);
+        let side = self.options.nodes_per_side;
+        let step = HALF * 2.0 / f64::from(side - 1);
+        let elevation = grid.nodes.iter().map(|node| match node {
+            Some(moved) => -moved.depth as f32,
+            None => f32::NAN,
         });
+        let field = Raster {
+            columns: side,
+            rows: side,
+            origin: -HALF,
+            step_u: DVec2::new(step.x, 0.0),
+            step_v: DVec2::new(0.0, step.y),
+            elevation: elevation.collect(),
+        };
+        Surface::from_raster_without_cells(&field, &name, |column, row| grid.is_broken(column, row))
     }
-    let grid = Grid::new(model, horizon);
-    let side = model.options.nodes_per_side;
-    let step = HALF * 2.0 / f64::from(side - 1);
-    let elevation = grid.nodes.iter().map(|node| match node {
-        Some(moved) => -moved.depth as f32,
-        None => f32::NAN,
-    });
-    let field = Raster {
-        columns: side,
-        rows: side,
-        origin: -HALF,
-        step_u: DVec2::new(step.x, 0.0),
-        step_v: DVec2::new(0.0, step.y),
-        elevation: elevation.collect(),
-    };
-    Surface::from_raster_without_cells(&field, &name, |column, row| grid.is_broken(column, row))
+
+    /// Number of triangles of [`Self::horizon`].
+    pub(super) fn horizon_triangles(&self, horizon: usize) -> u64 {
+        let grid = Grid::new(self, horizon);
+        let cells = 0..self.options.nodes_per_side - 1;
+        let of_cell = |column: u32, row: u32| {
+            if grid.is_broken(column, row) {
+                return 0;
+            }
+            match grid.cell(column, row).into_iter().flatten().count() {
+                4 => 2,
+                3 => 1,
+                _ => 0,
+            }
+        };
+        let of_row = |row| {
+            cells
+                .clone()
+                .map(|column| of_cell(column, row))
+                .sum::<u64>()
+        };
+        cells.clone().map(of_row).sum()
+    }
 }
 
-/// How many triangles that surface has.
-pub(super) fn triangles(model: &Model, horizon: usize) -> u64 {
-    let grid = Grid::new(model, horizon);
-    let cells = 0..model.options.nodes_per_side - 1;
-    let of_cell = |column: u32, row: u32| {
-        if grid.is_broken(column, row) {
-            return 0;
-        }
-        match grid.cell(column, row).into_iter().flatten().count() {
-            4 => 2,
-            3 => 1,
-            _ => 0,
-        }
-    };
-    let of_row = |row| {
-        cells
-            .clone()
-            .map(|column| of_cell(column, row))
-            .sum::<u64>()
-    };
-    cells.clone().map(of_row).sum()
-}
-
-/// A horizon's nodes, a row after the other; `None` where it was not interpreted.
+/// The nodes of a horizon, row by row; `None` where it was not interpreted.
 struct Grid {
     side: u32,
-    nodes: Vec<Option<Moved>>,
+    nodes: Vec<Option<DisplacedPoint>>,
 }
 
 impl Grid {
@@ -86,7 +96,7 @@ impl Grid {
     }
 
     /// The corners of a cell.
-    fn cell(&self, column: u32, row: u32) -> [Option<Moved>; 4] {
+    fn cell(&self, column: u32, row: u32) -> [Option<DisplacedPoint>; 4] {
         [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(u, v)| {
             let at = (row + v) as usize * self.side as usize + (column + u) as usize;
             self.nodes.get(at).copied().flatten()
@@ -96,23 +106,23 @@ impl Grid {
     /// Whether a fault breaks a cell.
     fn is_broken(&self, column: u32, row: u32) -> bool {
         let corners = self.cell(column, row);
-        corners.iter().flatten().any(|corner| corner.cut) || broken_between(&corners)
+        corners.iter().flatten().any(|corner| corner.in_gap) || broken_between(&corners)
     }
 }
 
-/// How far a horizon was interpreted: everywhere but around the south-east corner.
+/// The border of the interpreted part of a horizon: everything except an area around the south-east corner.
 struct Outline {
     radius: f64,
-    /// Height as a share of the radius, waves a radian, phase.
+    /// Amplitude relative to the radius, waves per radian, phase.
     ripples: [[f64; 3]; 3],
 }
 
 impl Outline {
     fn new(model: &Model, horizon: usize) -> Self {
-        let chance = &mut Chance::new(model.options.seed, Part::Outlines);
+        let random = &mut Random::new(model.options.seed, Stream::Outlines);
         let ripples: [f64; 3] = [0.05, 0.02, 0.008];
-        let mut ripples = ripples.map(|height| [height, 2.3 / height.sqrt(), chance.angle()]);
-        // Steps of one outline, but not quite parallel ones.
+        let mut ripples = ripples.map(|height| [height, 2.3 / height.sqrt(), random.angle()]);
+        // The outlines of all horizons have one shape, with phases that differ slightly.
         for (number, ripple) in ripples.iter_mut().enumerate() {
             let [_, _, phase] = ripple;
             *phase += 0.25 * horizon as f64 * (number as f64 + 1.0);

@@ -1,10 +1,12 @@
-//! The model's seismic volume: at every border between two rocks a Ricker wavelet, and a little noise.
+//! The seismic volume of the model: a Ricker wavelet at every boundary between two rocks, and a little noise.
 //!
-//! The wavelet is that of Norman Ricker, *The form and laws of propagation of seismic wavelets*, 1953: 25 Hz at 2,500 m/s, 100 m
-//! long. A sample depends on its place alone, so that bricks can be computed in any order and as often as one likes.
+//! The wavelet is that of Norman Ricker, *The form and laws of propagation of seismic wavelets*, 1953: 25 Hz at 2,500
+//! m/s, 100 m long. A sample depends on its position only, so that bricks can be computed in any order and
+//! repeatedly.
 
+use super::Model;
+use super::extent::{DEPTH, HALF, world};
 use super::fault::displace;
-use super::{DEPTH, HALF, Model, world};
 use antumbra_subsurface::{BrickSource, SubsurfaceError, VolumeLayout};
 use glam::{DVec2, DVec3, UVec3};
 use std::f64::consts::PI;
@@ -13,28 +15,40 @@ use std::f64::consts::PI;
 const FULL_SAMPLES: [f64; 3] = [525.0, 475.0, 751.0];
 /// Samples along an edge of a brick.
 const BRICK: u32 = 32;
-/// Metres in which the wavelet's peak frequency goes through a period.
+/// Wavelength of the wavelet's peak frequency, in metres.
 const WAVELENGTH: f64 = 100.0;
-/// Metres from a border at which its wavelet has ended.
+/// Distance from a boundary, in metres, at which the wavelet is cut off.
 const SUPPORT: f64 = 125.0;
-/// Entries of the wavelet's table a metre.
-const FINENESS: f64 = 4.0;
+/// Entries of the wavelet table per metre.
+const ENTRIES_PER_METRE: f64 = 4.0;
 /// Greatest amplitude of the noise.
 const NOISE: f32 = 0.03;
 
-/// A [`BrickSource`] that computes what it is asked for.
+/// A [`BrickSource`] that computes bricks when they are read.
 #[derive(Debug, Clone)]
 pub struct ModelVolume {
     model: Model,
     layout: VolumeLayout,
-    /// By distance from the border.
+    /// The wavelet by distance from the boundary.
     wavelet: Vec<f32>,
 }
 
+impl Model {
+    /// The seismic volume. Its bricks are computed when they are read.
+    #[must_use]
+    pub fn volume(&self) -> ModelVolume {
+        ModelVolume::new(self.clone())
+    }
+}
+
 impl ModelVolume {
-    pub(super) fn new(model: Model) -> Self {
-        let size =
-            FULL_SAMPLES.map(|full| ((full - 1.0) * model.fineness()).round().max(1.0) + 1.0);
+    fn new(model: Model) -> Self {
+        let size = FULL_SAMPLES.map(|full| {
+            ((full - 1.0) * model.options.relative_resolution())
+                .round()
+                .max(1.0)
+                + 1.0
+        });
         let [inlines, crosslines, samples] = size;
         let layout = VolumeLayout {
             size: size.map(|side| side as u32),
@@ -47,9 +61,9 @@ impl ModelVolume {
             ],
             range: [-1.0, 1.0],
         };
-        let entries = 0..(SUPPORT * FINENESS) as u32;
+        let entries = 0..(SUPPORT * ENTRIES_PER_METRE) as u32;
         let ricker = |entry: u32| {
-            let phase = (f64::from(entry) / FINENESS * PI / WAVELENGTH).powi(2);
+            let phase = (f64::from(entry) / ENTRIES_PER_METRE * PI / WAVELENGTH).powi(2);
             ((1.0 - 2.0 * phase) * (-phase).exp()) as f32
         };
         Self {
@@ -59,7 +73,7 @@ impl ModelVolume {
         }
     }
 
-    /// Adds up the wavelets of a column of samples below a place; the first of them lies at `top` metres.
+    /// Sums the wavelets of a column of samples at a place; the first sample lies at a depth of `top` metres.
     fn trace(&self, place: DVec2, top: f64, horizons: &mut Vec<f64>, trace: &mut [f32]) {
         trace.fill(0.0);
         let [.., step] = self.layout.steps.map(DVec3::length);
@@ -81,7 +95,7 @@ impl ModelVolume {
                 continue;
             }
             let border = displace(&faults, place, depth);
-            if border.cut {
+            if border.in_gap {
                 continue;
             }
             let first = ((border.depth - SUPPORT - top) / step).ceil().max(0.0);
@@ -96,7 +110,7 @@ impl ModelVolume {
     }
 
     fn wavelet_at(&self, away: f64) -> f32 {
-        let at = away * FINENESS;
+        let at = away * ENTRIES_PER_METRE;
         let entry = at as usize;
         let pair = self
             .wavelet
@@ -105,10 +119,10 @@ impl ModelVolume {
         pair.map_or(0.0, |[a, b]| a + (b - a) * at.fract() as f32)
     }
 
-    /// -1..1, by the sample's place.
+    /// Noise of a sample, -1..1, a hash of its position.
     fn noise(&self, at: UVec3) -> f32 {
         let [x, y, z] = at.to_array().map(u64::from);
-        // The finaliser of Sebastiano Vigna's SplitMix64, 2015: every bit in moves every bit out.
+        // The finaliser of Sebastiano Vigna's SplitMix64, 2015: every input bit changes every output bit.
         let mut bits = (x << 42 | y << 21 | z) ^ self.model.options.seed.rotate_left(17);
         bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -131,7 +145,7 @@ impl BrickSource for ModelVolume {
         let mut horizons = Vec::new();
         let columns = BRICK as usize * BRICK as usize;
         for column in 0..columns {
-            // What lies beyond the end repeats the last samples.
+            // Samples beyond the end of the volume repeat the last sample.
             let within = [column as u32 % BRICK, column as u32 / BRICK, 0];
             let at = UVec3::from(first) + UVec3::from(within);
             let at = at.min(UVec3::from(self.layout.size) - 1);

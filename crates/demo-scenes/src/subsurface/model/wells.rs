@@ -1,49 +1,54 @@
-//! Wells of the model: holes that leave the vertical and lean towards their target, shown as thin tubes.
+//! Wells of the model: thin tubes that start vertically and bend towards a target.
 
-use super::chance::{Chance, Part};
-use super::{DEPTH, HALF, Model, world};
+use super::Model;
+use super::extent::{DEPTH, HALF, world};
+use crate::random::{Random, Stream};
 use antumbra_scene::Geometry;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
-/// How many there are.
+/// Number of wells.
 const WELLS: usize = 4;
-/// Radius of the tubes in metres: far more than a real well's, which nobody would see.
+/// Radius of the tubes in metres: much larger than that of a real well, which would be invisible.
 const RADIUS: f64 = 9.0;
-/// Corners of a ring.
+/// Vertices of a ring.
 const SIDES: u32 = 8;
-/// Rings of a well of the full model.
+/// Rings of a well in the full model.
 const RINGS: f64 = 80.0;
-/// Metres between two points of the drilled way.
+/// Distance between two points of the well path, in metres.
 const STRIDE: f64 = 5.0;
 
 /// A well.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Well {
-    /// For people.
+    /// Its name.
     pub name: String,
-    /// Where the geometry's zero lies in the world: the well's head.
+    /// World position of the geometry's origin: the head of the well.
     pub origin: DVec3,
     /// A closed tube, with normals.
     pub geometry: Geometry,
 }
 
-pub(super) fn wells(model: &Model) -> Vec<Well> {
-    let chance = &mut Chance::new(model.options.seed, Part::Wells);
-    (1..=WELLS)
-        .map(|number| well(model, chance, number))
-        .collect()
+impl Model {
+    /// Makes the four wells.
+    #[must_use]
+    pub fn wells(&self) -> Vec<Well> {
+        let random = &mut Random::new(self.options.seed, Stream::Wells);
+        (1..=WELLS)
+            .map(|number| well(self, random, number))
+            .collect()
+    }
 }
 
-fn well(model: &Model, chance: &mut Chance, number: usize) -> Well {
-    let towards = DVec2::from_angle(chance.angle());
-    let aside = DVec2::new(chance.between(-0.25, 0.25), chance.between(-0.25, 0.25));
+fn well(model: &Model, random: &mut Random, number: usize) -> Well {
+    let towards = DVec2::from_angle(random.angle());
+    let aside = DVec2::new(random.between(-0.25, 0.25), random.between(-0.25, 0.25));
     let head = HALF * aside - towards * 900.0;
-    let lean = chance.between(35.0, 58.0).to_radians();
-    let [kick_off, build] = [chance.between(350.0, 800.0), chance.between(700.0, 1100.0)];
-    let target = DEPTH * chance.between(0.72, 0.88);
+    let lean = random.between(35.0, 58.0).to_radians();
+    let [kick_off, build] = [random.between(350.0, 800.0), random.between(700.0, 1100.0)];
+    let target = DEPTH * random.between(0.72, 0.88);
 
-    // The way lies in one vertical plane: metres outwards and down.
+    // The path lies in one vertical plane: metres outwards and down.
     let mut way = vec![DVec2::ZERO];
     let mut drilled = 0.0;
     let mut bit = DVec2::ZERO;
@@ -54,7 +59,7 @@ fn well(model: &Model, chance: &mut Chance, number: usize) -> Well {
         drilled += STRIDE;
         way.push(bit);
     }
-    let rings = ((RINGS * model.fineness()).round() as usize).max(6);
+    let rings = ((RINGS * model.options.relative_resolution()).round() as usize).max(6);
     let picked = (0..=rings).filter_map(|ring| way.get(ring * (way.len() - 1) / rings));
     let out = world(towards, 0.0);
     Well {
@@ -64,7 +69,7 @@ fn well(model: &Model, chance: &mut Chance, number: usize) -> Well {
     }
 }
 
-/// A closed tube around a way in the vertical plane of `out`, given as metres outwards and down.
+/// A closed tube around a path in the vertical plane of `out`; points are metres outwards and down.
 fn tube(way: &[DVec2], out: DVec3) -> Geometry {
     let at = |point: DVec2| out * point.x - DVec3::Y * point.y;
     let side = out.cross(DVec3::Y);

@@ -1,39 +1,39 @@
-//! What stands outdoors: benches, lamps, hydrants, bins, fountains and traffic lights.
+//! Street furniture: benches, lamps, hydrants, bins, fountains and traffic lights.
 
-use super::form::facing;
-use super::kit::{Piece, quarter_turn};
-use super::look::Look;
+use super::city_builder::{Prefab, quarter_rotation};
+use super::materials::MaterialKind;
+use super::shapes::along_z;
 use crate::solid::Solid;
 use glam::DVec3;
 
-pub(super) const BENCH: Piece = Piece {
+pub(super) const BENCH: Prefab = Prefab {
     name: "bench",
-    look: Look::Wood,
+    material: MaterialKind::Wood,
     make: bench,
 };
-pub(super) const STREET_LAMP: Piece = Piece {
+pub(super) const STREET_LAMP: Prefab = Prefab {
     name: "street lamp",
-    look: Look::Steel,
+    material: MaterialKind::Steel,
     make: street_lamp,
 };
-pub(super) const HYDRANT: Piece = Piece {
+pub(super) const HYDRANT: Prefab = Prefab {
     name: "hydrant",
-    look: Look::RedLacquer,
+    material: MaterialKind::RedLacquer,
     make: hydrant,
 };
-pub(super) const BIN: Piece = Piece {
+pub(super) const BIN: Prefab = Prefab {
     name: "litter bin",
-    look: Look::Black,
+    material: MaterialKind::Black,
     make: bin,
 };
-pub(super) const FOUNTAIN: Piece = Piece {
+pub(super) const FOUNTAIN: Prefab = Prefab {
     name: "fountain",
-    look: Look::Stone,
+    material: MaterialKind::Stone,
     make: fountain,
 };
-pub(super) const TRAFFIC_LIGHT: Piece = Piece {
+pub(super) const TRAFFIC_LIGHT: Prefab = Prefab {
     name: "traffic light",
-    look: Look::Black,
+    material: MaterialKind::Black,
     make: traffic_light,
 };
 
@@ -41,14 +41,14 @@ fn bench() -> Solid {
     let mut solid = Solid::default();
     for slat in 0..4 {
         let z = -0.14 + 0.1 * f64::from(slat);
-        solid.rounded([-0.85, 0.43, z], [0.85, 0.465, z + 0.085], 0.012, 1);
+        solid.rounded_box([-0.85, 0.43, z], [0.85, 0.465, z + 0.085], 0.012, 1);
     }
     for slat in 0..3 {
         let (y, z) = (
             0.56 + 0.12 * f64::from(slat),
             -0.2 - 0.035 * f64::from(slat),
         );
-        solid.rounded([-0.85, y, z], [0.85, y + 0.09, z + 0.03], 0.012, 1);
+        solid.rounded_box([-0.85, y, z], [0.85, y + 0.09, z + 0.03], 0.012, 1);
     }
     for x in [-0.65, 0.65] {
         solid.bar([x, -0.02, 0.2], [x, 0.44, 0.17], 0.03, 10);
@@ -66,7 +66,7 @@ fn bench() -> Solid {
     solid
 }
 
-/// Its arm reaches out towards +Z.
+/// A street lamp; its arm is towards +Z.
 fn street_lamp() -> Solid {
     let mut solid = Solid::default();
     let post = [
@@ -85,7 +85,7 @@ fn street_lamp() -> Solid {
         [-0.05, 0.19],
         [-0.05, 0.0],
     ];
-    solid.lathed([0.0; 3], &post, 20);
+    solid.revolve_upright([0.0; 3], &post, 20);
     let arm: Vec<DVec3> = (0..=10)
         .map(|i| {
             let part = f64::from(i) / 10.0;
@@ -105,7 +105,7 @@ fn street_lamp() -> Solid {
         [-0.2, 0.14],
         [-0.23, 0.0],
     ];
-    solid.lathed([0.0, 5.5, 0.92], &head, 24);
+    solid.revolve_upright([0.0, 5.5, 0.92], &head, 24);
     solid
 }
 
@@ -129,7 +129,7 @@ fn hydrant() -> Solid {
         [-0.02, 0.17],
         [-0.02, 0.0],
     ];
-    solid.lathed([0.0; 3], &body, 24);
+    solid.revolve_upright([0.0; 3], &body, 24);
     let cap = [
         [0.19, 0.0],
         [0.19, 0.025],
@@ -140,11 +140,11 @@ fn hydrant() -> Solid {
         [0.0, 0.05],
         [0.0, 0.0],
     ];
-    solid.knob([0.0, 0.5, 0.0], &cap, 18);
+    solid.revolve_forward([0.0, 0.5, 0.0], &cap, 18);
     for quarters in [1, 3] {
         let mut side = Solid::default();
-        side.knob([0.0, 0.55, 0.0], &cap, 14);
-        solid.add(&side, quarter_turn(quarters));
+        side.revolve_forward([0.0, 0.55, 0.0], &cap, 14);
+        solid.add(&side, quarter_rotation(quarters));
     }
     for bolt in 0..8 {
         let (sin, cos) = (f64::from(bolt) * 45.0_f64).to_radians().sin_cos();
@@ -167,9 +167,9 @@ fn bin() -> Solid {
         [-0.02, 0.19],
         [-0.02, 0.0],
     ];
-    solid.lathed([0.0; 3], &body, 24);
+    solid.revolve_upright([0.0; 3], &body, 24);
     for y in [0.25, 0.45, 0.65] {
-        solid.hoop([0.0, y, 0.0], 0.185 + 0.02 * y, 0.014, [6, 24]);
+        solid.upright_torus([0.0, y, 0.0], 0.185 + 0.02 * y, 0.014, [6, 24]);
     }
     solid
 }
@@ -198,11 +198,11 @@ fn fountain() -> Solid {
         [-0.05, 2.35],
         [-0.05, 0.0],
     ];
-    solid.lathed([0.0; 3], &profile, 48);
+    solid.revolve_upright([0.0; 3], &profile, 48);
     solid
 }
 
-/// It looks towards +Z.
+/// A traffic light that faces +Z.
 fn traffic_light() -> Solid {
     let mut solid = Solid::default();
     let post = [
@@ -213,8 +213,8 @@ fn traffic_light() -> Solid {
         [-0.03, 0.12],
         [-0.03, 0.0],
     ];
-    solid.lathed([0.0; 3], &post, 14);
-    solid.rounded([-0.16, 2.3, 0.04], [0.16, 3.2, 0.26], 0.03, 1);
+    solid.revolve_upright([0.0; 3], &post, 14);
+    solid.rounded_box([-0.16, 2.3, 0.04], [0.16, 3.2, 0.26], 0.03, 1);
     for lamp in 0..3 {
         let y = 2.46 + 0.29 * f64::from(lamp);
         let hood = [
@@ -224,10 +224,10 @@ fn traffic_light() -> Solid {
             [0.0, 0.12],
             [-0.02, 0.0],
         ];
-        solid.knob([0.0, y, 0.26], &hood, 18);
+        solid.revolve_forward([0.0, y, 0.26], &hood, 18);
         let mut ring = Solid::default();
         ring.band([-0.02, 0.14], [0.115, 0.125], 18);
-        solid.add(&ring, facing([0.0, y, 0.26]));
+        solid.add(&ring, along_z([0.0, y, 0.26]));
     }
     solid
 }

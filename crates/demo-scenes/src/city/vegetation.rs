@@ -1,43 +1,43 @@
-//! What grows: trees and hedges.
+//! Trees and hedges.
 
-use super::kit::Piece;
-use super::look::Look;
+use super::city_builder::{CityBuilder, Prefab, rotated_at};
+use super::materials::MaterialKind;
+use crate::random::Random;
 use crate::solid::Solid;
-use antumbra_scene::Geometry;
-use antumbra_scene::icosphere;
+use antumbra_scene::{EntityKey, Geometry, SceneError, icosphere};
 use glam::{DAffine3, DVec3, Vec3};
 
-pub(super) const TRUNK: Piece = Piece {
+pub(super) const TRUNK: Prefab = Prefab {
     name: "trunk",
-    look: Look::Wood,
+    material: MaterialKind::Wood,
     make: trunk,
 };
-/// Crowns of three growths, above the same trunk.
-pub(super) const CROWNS: [Piece; 3] = [
-    Piece {
+/// Crowns of three shapes for one trunk.
+pub(super) const CROWNS: [Prefab; 3] = [
+    Prefab {
         name: "crown",
-        look: Look::Green,
+        material: MaterialKind::Green,
         make: || crown(0),
     },
-    Piece {
+    Prefab {
         name: "broad crown",
-        look: Look::Green,
+        material: MaterialKind::Green,
         make: || crown(1),
     },
-    Piece {
+    Prefab {
         name: "tall crown",
-        look: Look::Green,
+        material: MaterialKind::Green,
         make: || crown(2),
     },
 ];
-/// Two metres long, along X.
-pub(super) const HEDGE: Piece = Piece {
+/// A hedge, two metres long along X.
+pub(super) const HEDGE: Prefab = Prefab {
     name: "hedge",
-    look: Look::Green,
+    material: MaterialKind::Green,
     make: hedge,
 };
 
-/// Two and a half metres up to the crown, its roots below the ground.
+/// A trunk, two and a half metres high up to the crown; its roots are below the ground.
 fn trunk() -> Solid {
     let mut solid = Solid::default();
     let stem = [
@@ -50,7 +50,7 @@ fn trunk() -> Solid {
         [-0.1, 0.34],
         [-0.15, 0.0],
     ];
-    solid.lathed([0.0; 3], &stem, 14);
+    solid.revolve_upright([0.0; 3], &stem, 14);
     for branch in 0..5 {
         let angle = f64::from(branch) * 2.4;
         let high = 2.2 + 0.2 * f64::from(branch);
@@ -65,7 +65,7 @@ fn trunk() -> Solid {
     solid
 }
 
-/// Lumps of leaves around a trunk's upper end.
+/// Lumps of leaves around the upper end of a trunk.
 fn crown(growth: usize) -> Solid {
     let (wide, high, lumps) = [(0.85, 0.9, 8), (1.05, 0.7, 9), (0.6, 1.35, 8)][growth];
     let mut solid = Solid::default();
@@ -108,9 +108,22 @@ fn hedge() -> Solid {
     solid.block([14, 8, 5], |u, v, w| {
         let place = DVec3::new(2.0 * (u - 0.5), 1.15 * v - 0.05, 0.6 * (w - 0.5));
         let bump = (place.x * 9.0).sin() + (place.y * 11.0 + 1.0).sin() + (place.z * 10.0).cos();
-        // Its ends stay flat: the next one joins on.
+        // The ends stay flat, so that hedges join.
         let flat = (4.0 * u * (1.0 - u)).min(0.4) / 0.4;
         place + DVec3::new(0.0, 0.03 * v, 0.05 * (w - 0.5)) * bump * flat
     });
     solid
+}
+
+/// Adds a tree at a random rotation.
+pub(super) fn tree(
+    city: &mut CityBuilder,
+    parent: EntityKey,
+    place: DAffine3,
+    random: &mut Random,
+) -> Result<(), SceneError> {
+    let place = place * rotated_at(0.0, 0.0, 0.0, random.between(0.0, 360.0));
+    let tree = city.node(parent, "tree", place)?;
+    city.put(tree, &TRUNK, DAffine3::IDENTITY)?;
+    city.put(tree, &CROWNS[random.pick(3)], DAffine3::IDENTITY)
 }

@@ -1,26 +1,26 @@
-//! Bookcases, and the books in them.
+//! Bookcases and books.
 
-use crate::city::kit::Piece;
-use crate::city::look::Look;
+use crate::city::city_builder::Prefab;
+use crate::city::materials::MaterialKind;
 use crate::solid::Solid;
 
-pub(in crate::city) const BOOKCASE: Piece = Piece {
+pub(in crate::city) const BOOKCASE: Prefab = Prefab {
     name: "bookcase",
-    look: Look::Wood,
+    material: MaterialKind::Wood,
     make: bookcase,
 };
-pub(in crate::city) const BOOKS: Piece = Piece {
+pub(in crate::city) const BOOKS: Prefab = Prefab {
     name: "books",
-    look: Look::Red,
+    material: MaterialKind::Red,
     make: || books(3),
 };
-pub(in crate::city) const OTHER_BOOKS: Piece = Piece {
+pub(in crate::city) const OTHER_BOOKS: Prefab = Prefab {
     name: "other books",
-    look: Look::Blue,
+    material: MaterialKind::Blue,
     make: || books(8),
 };
 
-/// Half the width, and where the shelves' upper sides lie.
+/// Half the width, and the heights of the upper sides of the shelves.
 const HALF: f64 = 0.5;
 const SHELVES: [f64; 6] = [0.1, 0.46, 0.82, 1.16, 1.49, 1.82];
 const DEEP: f64 = 0.32;
@@ -28,17 +28,17 @@ const DEEP: f64 = 0.32;
 fn bookcase() -> Solid {
     let mut solid = Solid::default();
     for x in [-HALF, HALF - 0.025] {
-        solid.rounded([x, 0.0, 0.0], [x + 0.025, 2.15, DEEP], 0.004, 1);
+        solid.rounded_box([x, 0.0, 0.0], [x + 0.025, 2.15, DEEP], 0.004, 1);
     }
     for y in SHELVES {
-        solid.rounded(
+        solid.rounded_box(
             [-HALF + 0.02, y - 0.025, 0.01],
             [HALF - 0.02, y, DEEP - 0.01],
             0.006,
             1,
         );
     }
-    solid.rounded(
+    solid.rounded_box(
         [-HALF - 0.02, 2.14, -0.001],
         [HALF + 0.02, 2.18, 0.35],
         0.012,
@@ -49,11 +49,11 @@ fn bookcase() -> Solid {
     solid
 }
 
-/// Rows of books of every height and thickness.
+/// Rows of books of different height and thickness.
 fn books(first: u32) -> Solid {
     let mut solid = Solid::default();
     let mut number = first;
-    // A small sequence of its own: the same books in every city.
+    // A generator of its own, so that books are the same in every city.
     let mut next = |of: u32| {
         number = (number * 73 + 41) % 1009;
         f64::from(number % of) / f64::from(of)

@@ -1,40 +1,42 @@
-//! Bathroom ware. The backs stand at z = 0.
+//! Bathroom fixtures. Their backs are at z = 0.
 
-use crate::city::form::{facing, oval};
-use crate::city::kit::Piece;
-use crate::city::look::Look;
+use crate::city::city_builder::Prefab;
+use crate::city::materials::MaterialKind;
+use crate::city::shapes::{along_z, superellipse};
 use crate::solid::Solid;
 
-pub(in crate::city) const TUB: Piece = Piece {
+pub(in crate::city) const TUB: Prefab = Prefab {
     name: "bath tub",
-    look: Look::White,
+    material: MaterialKind::White,
     make: tub,
 };
-pub(in crate::city) const BASIN: Piece = Piece {
+pub(in crate::city) const BASIN: Prefab = Prefab {
     name: "wash basin",
-    look: Look::White,
+    material: MaterialKind::White,
     make: basin,
 };
-pub(in crate::city) const TOILET: Piece = Piece {
+pub(in crate::city) const TOILET: Prefab = Prefab {
     name: "toilet",
-    look: Look::White,
+    material: MaterialKind::White,
     make: toilet,
 };
-pub(in crate::city) const MIRROR: Piece = Piece {
+pub(in crate::city) const MIRROR: Prefab = Prefab {
     name: "mirror cabinet",
-    look: Look::SilverLacquer,
+    material: MaterialKind::SilverLacquer,
     make: mirror,
 };
-pub(in crate::city) const WASHER: Piece = Piece {
+pub(in crate::city) const WASHER: Prefab = Prefab {
     name: "washing machine",
-    look: Look::White,
+    material: MaterialKind::White,
     make: washer,
 };
-/// A vessel: rings of [height, half width, half depth], from the foot up over the rim and down inside.
+/// A vessel from rings of [height, half width, half depth], from the foot up over the rim and down inside.
 fn vessel(solid: &mut Solid, middle: [f64; 2], rings: &[[f64; 3]], power: f64, sides: usize) {
     let sections: Vec<_> = rings
         .iter()
-        .map(|[y, wide, deep]| oval([middle[0], *y, middle[1]], [*wide, *deep], power, sides))
+        .map(|[y, wide, deep]| {
+            superellipse([middle[0], *y, middle[1]], [*wide, *deep], power, sides)
+        })
         .collect();
     solid.loft(&sections);
 }
@@ -98,7 +100,7 @@ fn basin() -> Solid {
             [0.0, 0.014],
             [0.0, 0.0],
         ];
-        solid.lathed([x, 0.82, 0.07], &handle, 8);
+        solid.revolve_upright([x, 0.82, 0.07], &handle, 8);
     }
     solid
 }
@@ -117,12 +119,12 @@ fn toilet() -> Solid {
         [0.22, 0.05, 0.07],
     ];
     vessel(&mut solid, [0.0, 0.46], &bowl, 2.3, 20);
-    solid.rounded([-0.2, 0.38, 0.0], [0.2, 0.78, 0.19], 0.03, 1);
-    solid.rounded([-0.21, 0.77, -0.002], [0.21, 0.81, 0.2], 0.015, 1);
+    solid.rounded_box([-0.2, 0.38, 0.0], [0.2, 0.78, 0.19], 0.03, 1);
+    solid.rounded_box([-0.21, 0.77, -0.002], [0.21, 0.81, 0.2], 0.015, 1);
     // The raised lid, and the button.
-    solid.rounded([-0.19, 0.43, 0.2], [0.19, 0.84, 0.23], 0.014, 1);
+    solid.rounded_box([-0.19, 0.43, 0.2], [0.19, 0.84, 0.23], 0.014, 1);
     solid.post([0.0, 0.805, 0.1], 0.03, 0.012, 14);
-    solid.rounded([-0.12, 0.1, 0.02], [0.12, 0.4, 0.35], 0.03, 1);
+    solid.rounded_box([-0.12, 0.1, 0.02], [0.12, 0.4, 0.35], 0.03, 1);
     solid
 }
 
@@ -130,7 +132,7 @@ fn mirror() -> Solid {
     let mut solid = Solid::default();
     solid.cuboid([-0.4, 1.2, 0.0], [0.4, 1.85, 0.12]);
     for x in [-0.4, 0.0] {
-        solid.rounded([x + 0.004, 1.2, 0.118], [x + 0.396, 1.85, 0.135], 0.006, 1);
+        solid.rounded_box([x + 0.004, 1.2, 0.118], [x + 0.396, 1.85, 0.135], 0.006, 1);
     }
     solid.bar([-0.3, 1.91, 0.08], [0.3, 1.91, 0.08], 0.025, 14);
     solid.cuboid([-0.05, 1.84, 0.04], [0.05, 1.9, 0.08]);
@@ -139,7 +141,7 @@ fn mirror() -> Solid {
 
 fn washer() -> Solid {
     let mut solid = Solid::default();
-    solid.rounded([-0.3, 0.01, 0.02], [0.3, 0.85, 0.6], 0.02, 2);
+    solid.rounded_box([-0.3, 0.01, 0.02], [0.3, 0.85, 0.6], 0.02, 2);
     let mut ring = Solid::default();
     ring.torus(0.0, 0.19, 0.03, [6, 18]);
     let glass = [
@@ -149,10 +151,10 @@ fn washer() -> Solid {
         [-0.03, 0.17],
         [-0.03, 0.0],
     ];
-    ring.turned(&glass, 18);
+    ring.revolve(&glass, 18);
     let knob = [[0.52, 0.0], [0.52, 0.025], [0.44, 0.03], [0.44, 0.0]];
-    solid.add(&ring, facing([0.0, 0.42, 0.6]));
-    solid.knob([0.15, 0.77, 0.12], &knob, 16);
-    solid.rounded([-0.27, 0.72, 0.59], [-0.05, 0.82, 0.612], 0.006, 1);
+    solid.add(&ring, along_z([0.0, 0.42, 0.6]));
+    solid.revolve_forward([0.15, 0.77, 0.12], &knob, 16);
+    solid.rounded_box([-0.27, 0.72, 0.59], [-0.05, 0.82, 0.612], 0.006, 1);
     solid
 }

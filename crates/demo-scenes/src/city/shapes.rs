@@ -1,10 +1,10 @@
-//! Forms that houses, furniture and vehicles are made of: rounded boxes, what stands on a lathe, flat walls with openings, lofts.
+//! Shapes of houses, furniture and vehicles: rounded boxes, solids of revolution, flat walls with openings, lofts.
 
 use crate::solid::{Sheet, Solid};
 use glam::{DAffine3, DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
-/// An opening in a wall: from and to, across and upwards.
+/// An opening in a wall: range across and range in height.
 #[derive(Clone, Copy)]
 pub(super) struct Opening {
     pub x: [f64; 2],
@@ -12,12 +12,12 @@ pub(super) struct Opening {
 }
 
 impl Solid {
-    /// Adds a box whose edges are cut off, shaded as if they were rounded.
-    pub(super) fn bevelled(&mut self, low: [f64; 3], high: [f64; 3], radius: f64) {
+    /// Adds a box with bevelled edges, whose normals make it look rounded.
+    pub(super) fn bevelled_box(&mut self, low: [f64; 3], high: [f64; 3], radius: f64) {
         let (low, high) = (DVec3::from(low), DVec3::from(high));
         let radius = radius.min(0.49 * (high - low).min_element());
         let axes = [DVec3::X, DVec3::Y, DVec3::Z];
-        // Each of the box's corners is one on each of three faces: number 3 * corner + axis.
+        // Each corner of the box is one vertex on each of three faces: number 3 * corner + axis.
         let mut corners = Vec::with_capacity(24);
         for corner in 0..8 {
             let upper = [1, 2, 4].map(|bit| corner & bit != 0);
@@ -45,7 +45,7 @@ impl Solid {
                 let ring = [side, side | b, side | b | c, side | c].map(|k| at(k, face));
                 quad(ring, side == 0);
             }
-            // Along this axis, the four edges between the two other faces.
+            // The four edges along this axis, between the two other faces.
             for (k, flip) in [(0, false), (b, true), (b | c, false), (c, true)] {
                 let edge = [at(k, next), at(k, last), at(k | a, last), at(k | a, next)];
                 quad(edge, flip);
@@ -63,16 +63,16 @@ impl Solid {
         self.patch(&corners, &triangles);
     }
 
-    /// Adds a box whose edges are rounded in `steps` steps, two at least; with one they are cut off.
-    pub(super) fn rounded(&mut self, low: [f64; 3], high: [f64; 3], radius: f64, steps: usize) {
+    /// Adds a box with edges rounded in `steps` steps (at least two); one step gives bevelled edges.
+    pub(super) fn rounded_box(&mut self, low: [f64; 3], high: [f64; 3], radius: f64, steps: usize) {
         if steps < 2 {
-            return self.bevelled(low, high, radius);
+            return self.bevelled_box(low, high, radius);
         }
         let steps = steps - 1;
         let (low, high) = (DVec3::from(low), DVec3::from(high));
         let radius = radius.min(0.49 * (high - low).min_element());
         let cells = 2 * steps + 1;
-        // How far from the edge's middle line a corner lies, so that its rays are evenly spread.
+        // Distance of a vertex from the middle of the edge, so that the angles between vertices are equal.
         let reach = |i: usize| radius * (FRAC_PI_4 * (steps - i) as f64 / steps as f64).tan();
         let along = |part: f64, low: f64, high: f64| {
             let i = (part * cells as f64).round() as usize;
@@ -93,24 +93,26 @@ impl Solid {
         });
     }
 
-    /// Adds what a lathe makes that stands upright at `foot`: [height, radius], the top first, both ends on the axis.
-    pub(super) fn lathed(&mut self, foot: [f64; 3], profile: &[[f64; 2]], sides: usize) {
+    /// Adds an upright solid of revolution at `foot`. The profile is [height, radius], the top first, both ends on
+    /// the axis.
+    pub(super) fn revolve_upright(&mut self, foot: [f64; 3], profile: &[[f64; 2]], sides: usize) {
         let mut solid = Solid::default();
-        solid.turned(profile, sides);
-        self.add(&solid, upright(foot));
+        solid.revolve(profile, sides);
+        self.add(&solid, along_y(foot));
     }
 
-    /// Adds what a lathe makes that lies along +Z from `back`: [distance, radius], the front first, both ends on the axis.
-    pub(super) fn knob(&mut self, back: [f64; 3], profile: &[[f64; 2]], sides: usize) {
+    /// Adds a solid of revolution along +Z from `back`. The profile is [distance, radius], the front first, both ends
+    /// on the axis.
+    pub(super) fn revolve_forward(&mut self, back: [f64; 3], profile: &[[f64; 2]], sides: usize) {
         let mut solid = Solid::default();
-        solid.turned(profile, sides);
-        self.add(&solid, facing(back));
+        solid.revolve(profile, sides);
+        self.add(&solid, along_z(back));
     }
 
     /// Adds an upright post between two heights.
     pub(super) fn post(&mut self, foot: [f64; 3], radius: f64, height: f64, sides: usize) {
         let profile = [[height, 0.0], [height, radius], [0.0, radius], [0.0, 0.0]];
-        self.lathed(foot, &profile, sides);
+        self.revolve_upright(foot, &profile, sides);
     }
 
     /// Adds a round bar.
@@ -118,15 +120,22 @@ impl Solid {
         self.tube(&[DVec3::from(from), DVec3::from(to)], radius, sides);
     }
 
-    /// Adds a ring of round section around the vertical at `middle`.
-    pub(super) fn hoop(&mut self, middle: [f64; 3], radius: f64, thick: f64, steps: [usize; 2]) {
+    /// Adds a torus around the vertical axis through `middle`.
+    pub(super) fn upright_torus(
+        &mut self,
+        middle: [f64; 3],
+        radius: f64,
+        thick: f64,
+        steps: [usize; 2],
+    ) {
         let mut solid = Solid::default();
         solid.torus(0.0, radius, thick, steps);
-        self.add(&solid, upright(middle));
+        self.add(&solid, along_y(middle));
     }
 
-    /// Adds a flat wall between two planes z, cut where `xs` and `ys` say, of the cells that `keep` names by their lower corner.
-    pub(super) fn cells(
+    /// Adds a flat wall between two planes z, divided into cells at `xs` and `ys`; only cells for which `keep` is
+    /// true, named by their lower corner.
+    pub(super) fn cell_wall(
         &mut self,
         xs: &[f64],
         ys: &[f64],
@@ -157,7 +166,13 @@ impl Solid {
     }
 
     /// Adds a flat wall with openings.
-    pub(super) fn pierced(&mut self, x: [f64; 2], y: [f64; 2], z: [f64; 2], openings: &[Opening]) {
+    pub(super) fn wall_with_openings(
+        &mut self,
+        x: [f64; 2],
+        y: [f64; 2],
+        z: [f64; 2],
+        openings: &[Opening],
+    ) {
         let cuts = |ends: [f64; 2], of: fn(&Opening) -> [f64; 2]| {
             let mut cuts: Vec<f64> = openings.iter().flat_map(of).chain(ends).collect();
             cuts.retain(|cut| (ends[0]..=ends[1]).contains(cut));
@@ -170,12 +185,13 @@ impl Solid {
             let middle = 0.5 * (cuts[i] + cuts[i + 1]);
             from < middle && middle < to
         };
-        self.cells(&xs, &ys, z, |i, j| {
+        self.cell_wall(&xs, &ys, z, |i, j| {
             !(openings.iter()).any(|hole| within(hole.x, &xs, i) && within(hole.y, &ys, j))
         });
     }
 
-    /// Adds a frame of four mitred bars around an opening: `wide` metres in the wall's plane, between two planes z.
+    /// Adds a frame of four mitred bars around an opening, `wide` metres in the plane of the wall, between two planes
+    /// z.
     pub(super) fn frame(&mut self, opening: Opening, wide: f64, z: [f64; 2]) {
         let Opening { x, y } = opening;
         let outer = [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]].map(DVec2::from);
@@ -190,8 +206,8 @@ impl Solid {
         }
     }
 
-    /// Adds what lies between sections, one after the other along +Y or any way for which their corners run counter-clockwise
-    /// seen from the last; both ends are closed flat.
+    /// Adds a loft between sections along +Y, or along any direction from whose end the vertices of a section run
+    /// counter-clockwise. Both ends are closed and flat.
     pub(super) fn loft(&mut self, sections: &[Vec<DVec3>]) {
         let (Some(first), Some(last)) = (sections.first(), sections.last()) else {
             return;
@@ -204,8 +220,8 @@ impl Solid {
         self.fan(&turned);
     }
 
-    /// Adds the same with flat sides and sharp edges.
-    pub(super) fn faceted(&mut self, sections: &[Vec<DVec3>]) {
+    /// Adds a loft with flat sides and sharp edges.
+    pub(super) fn faceted_loft(&mut self, sections: &[Vec<DVec3>]) {
         let (Some(first), Some(last)) = (sections.first(), sections.last()) else {
             return;
         };
@@ -222,9 +238,9 @@ impl Solid {
         self.fan(&turned);
     }
 
-    /// Adds a prism between two planes z over an outline that runs counter-clockwise seen from +Z and whose every corner is seen from
-    /// its middle.
-    pub(super) fn extruded(&mut self, outline: &[[f64; 2]], z: [f64; 2]) {
+    /// Adds a prism between two planes z. Its outline is star-shaped around its centre and runs counter-clockwise
+    /// seen from +Z.
+    pub(super) fn extrude(&mut self, outline: &[[f64; 2]], z: [f64; 2]) {
         let face = |z: f64| -> Vec<DVec3> {
             let corners = outline.iter().map(|&[x, y]| DVec3::new(x, y, z));
             corners.collect()
@@ -242,14 +258,15 @@ impl Solid {
         self.fan(&turned);
     }
 
-    /// Adds another solid at a place.
-    pub(super) fn with(&mut self, other: &Solid, place: [f64; 3]) {
+    /// Adds another solid at a position.
+    pub(super) fn add_at(&mut self, other: &Solid, place: [f64; 3]) {
         self.add(other, DAffine3::from_translation(place.into()));
     }
 }
 
-/// A ring of corners between a circle and a square (`power` 2 is an ellipse), counter-clockwise seen from above.
-pub(super) fn oval(
+/// Vertices of a superellipse, counter-clockwise seen from above; `power` 2 is an ellipse, larger powers approach a
+/// rectangle.
+pub(super) fn superellipse(
     middle: [f64; 3],
     [wide, deep]: [f64; 2],
     power: f64,
@@ -263,12 +280,12 @@ pub(super) fn oval(
     (0..sides).map(corner).collect()
 }
 
-/// Turns what lies along X to lie along Z.
-pub(super) fn facing(back: [f64; 3]) -> DAffine3 {
+/// The rotation from the X axis to the Z axis at a position.
+pub(super) fn along_z(back: [f64; 3]) -> DAffine3 {
     DAffine3::from_translation(back.into()) * DAffine3::from_rotation_y(-FRAC_PI_2)
 }
 
-/// Turns what lies along X to stand upright.
-pub(super) fn upright(foot: [f64; 3]) -> DAffine3 {
+/// The rotation from the X axis to the Y axis at a position.
+pub(super) fn along_y(foot: [f64; 3]) -> DAffine3 {
     DAffine3::from_translation(foot.into()) * DAffine3::from_rotation_z(FRAC_PI_2)
 }

@@ -1,24 +1,24 @@
-//! Lamps of rooms.
+//! Indoor lamps.
 
-use crate::city::form::upright;
-use crate::city::kit::Piece;
-use crate::city::look::Look;
+use crate::city::city_builder::Prefab;
+use crate::city::materials::MaterialKind;
+use crate::city::shapes::along_y;
 use crate::solid::Solid;
 
-pub(in crate::city) const FLOOR_LAMP: Piece = Piece {
+pub(in crate::city) const FLOOR_LAMP: Prefab = Prefab {
     name: "floor lamp",
-    look: Look::Cream,
+    material: MaterialKind::Cream,
     make: standing,
 };
-/// Hangs down from y = 0.
-pub(in crate::city) const PENDANT: Piece = Piece {
+/// Hangs from y = 0.
+pub(in crate::city) const PENDANT: Prefab = Prefab {
     name: "pendant lamp",
-    look: Look::RedLacquer,
+    material: MaterialKind::RedLacquer,
     make: pendant,
 };
 
 fn standing() -> Solid {
-    // Radius of the foot, height of the stem; radius and height of the shade.
+    // Radius of the foot, height of the stem, radius and height of the shade.
     let ([foot, stem], [shade, high]) = ([0.15, 1.25], [0.2, 0.3]);
     let mut solid = Solid::default();
     let profile = [
@@ -31,7 +31,7 @@ fn standing() -> Solid {
         [0.0, foot],
         [0.0, 0.0],
     ];
-    solid.lathed([0.0; 3], &profile, 14);
+    solid.revolve_upright([0.0; 3], &profile, 14);
     shell(&mut solid, [stem, stem + high], [shade, shade * 0.6]);
     bulb(&mut solid, stem + 0.45 * high);
     solid
@@ -54,12 +54,12 @@ fn pendant() -> Solid {
         [-0.78, 0.04],
         [-0.78, 0.0],
     ];
-    solid.lathed([0.0; 3], &profile, 20);
+    solid.revolve_upright([0.0; 3], &profile, 20);
     bulb(&mut solid, -0.85);
     solid
 }
 
-/// A thin shade open above and below.
+/// A thin shade, open at the top and the bottom.
 fn shell(solid: &mut Solid, y: [f64; 2], radius: [f64; 2]) {
     let mut ring = Solid::default();
     let thick = 0.004;
@@ -69,9 +69,9 @@ fn shell(solid: &mut Solid, y: [f64; 2], radius: [f64; 2]) {
         [y[1], radius[1]],
         [y[0], radius[0]],
     ];
-    // Upright, x is the height: counter-clockwise with the height to the right.
-    ring.ring(&profile, 20);
-    solid.add(&ring, upright([0.0; 3]));
+    // Upright, x is the height: the profile is counter-clockwise with the height to the right.
+    ring.revolve_closed(&profile, 20);
+    solid.add(&ring, along_y([0.0; 3]));
     for spoke in 0..3 {
         let (sin, cos) = (f64::from(spoke) * 120.0_f64).to_radians().sin_cos();
         let high = y[0] + 0.94 * (y[1] - y[0]);
@@ -96,5 +96,5 @@ fn bulb(solid: &mut Solid, y: f64) {
         [-0.052, 0.012],
         [-0.055, 0.0],
     ];
-    solid.lathed([0.0, y, 0.0], &profile, 10);
+    solid.revolve_upright([0.0, y, 0.0], &profile, 10);
 }

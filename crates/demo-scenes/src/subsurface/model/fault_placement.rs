@@ -1,39 +1,39 @@
-//! Where the faults are: drawn by chance, apart from each other, and wholly inside the volume.
+//! Placement of the faults: at random, with a distance between them, inside the volume.
 
-use super::chance::{Chance, Part};
+use super::extent::{DEPTH, HALF};
 use super::fault::{ModelFault, displace};
 use super::layers::Layers;
-use super::{DEPTH, HALF};
+use crate::random::{Random, Stream};
 use glam::DVec2;
 use std::f64::consts::TAU;
 
 /// Least and greatest throw in metres.
 const THROWS: [f64; 2] = [20.0, 150.0];
-/// How many places are tried for a fault; the one farthest from the other faults is taken.
+/// Number of places that are tried for a fault; the one farthest from the other faults is taken.
 const TRIES: usize = 24;
-/// Metres between a fault and the border of the volume.
+/// Distance between a fault and the border of the volume, in metres.
 const MARGIN: f64 = 60.0;
-/// Metres between the middle of a fault and another fault.
+/// Distance between the centre of a fault and another fault, in metres.
 const CLEARANCE: f64 = 100.0;
 
-/// The faults, oldest and greatest first.
+/// Places the faults, oldest and largest first.
 pub(super) fn faults(seed: u64, layers: &Layers, horizons: usize, count: usize) -> Vec<ModelFault> {
-    let chance = &mut Chance::new(seed, Part::Faults);
+    let random = &mut Random::new(seed, Stream::Faults);
     let mut faults: Vec<ModelFault> = Vec::with_capacity(count);
     for number in 0..count {
         let [least, greatest] = THROWS;
-        let share = (number as f64 + chance.between(0.1, 0.9)) / count as f64;
-        // Many small ones, few great ones.
+        let share = (number as f64 + random.between(0.1, 0.9)) / count as f64;
+        // Many faults are small, few are large.
         let throw = least + (greatest - least) * (1.0 - share) * (1.0 - share);
-        let mut fault = unplaced(chance, throw);
+        let mut fault = unplaced(random, throw);
         let room = (HALF - MARGIN - half_extent(&fault)).max(DVec2::ZERO);
         let mut best = f64::NEG_INFINITY;
         for _ in 0..TRIES {
             let centre = DVec2::new(
-                chance.between(-room.x, room.x),
-                chance.between(-room.y, room.y),
+                random.between(-room.x, room.x),
+                random.between(-room.y, room.y),
             );
-            let horizon = chance.pick(horizons);
+            let horizon = random.pick(horizons);
             let before = displace(&faults, centre, layers.depth(horizon, centre));
             let tried = ModelFault {
                 centre,
@@ -47,9 +47,9 @@ pub(super) fn faults(seed: u64, layers: &Layers, horizons: usize, count: usize) 
                 other.passes(centre, before.depth, CLEARANCE)
                     || tried.passes(other.centre, other.depth, CLEARANCE)
             };
-            // Next to the top or the bottom there is little room for a fault.
+            // Near the top and the bottom of the volume a fault has little room.
             let to_end = before.depth.min(DEPTH - before.depth);
-            if before.cut || to_end < DEPTH * 0.25 || faults.iter().any(meets) {
+            if before.in_gap || to_end < DEPTH * 0.25 || faults.iter().any(meets) {
                 apart -= DEPTH * 10.0;
             }
             if apart > best {
@@ -66,15 +66,15 @@ pub(super) fn faults(seed: u64, layers: &Layers, horizons: usize, count: usize) 
     faults
 }
 
-/// A fault of this greatest throw around nowhere yet.
-fn unplaced(chance: &mut Chance, throw: f64) -> ModelFault {
-    // Most run about north, some north-east.
-    let family: f64 = if chance.pick(4) == 0 { 52.0 } else { 8.0 };
-    let turned = if chance.pick(2) == 0 { 0.0 } else { 180.0 };
-    let strike: f64 = (family + turned + chance.between(-9.0, 9.0)).to_radians();
-    let dip = chance.between(52.0, 68.0).to_radians();
-    let half_length = 650.0 + throw * 9.0 + chance.between(0.0, 250.0);
-    let ripple = TAU / chance.between(500.0, 900.0);
+/// A fault with a throw of `throw` metres at its centre, not placed yet.
+fn unplaced(random: &mut Random, throw: f64) -> ModelFault {
+    // Most faults strike about north, some north-east.
+    let family: f64 = if random.pick(4) == 0 { 52.0 } else { 8.0 };
+    let reversed = if random.pick(2) == 0 { 0.0 } else { 180.0 };
+    let strike: f64 = (family + reversed + random.between(-9.0, 9.0)).to_radians();
+    let dip = random.between(52.0, 68.0).to_radians();
+    let half_length = 650.0 + throw * 9.0 + random.between(0.0, 250.0);
+    let ripple = TAU / random.between(500.0, 900.0);
     ModelFault {
         centre: DVec2::ZERO,
         depth: 0.0,
@@ -82,12 +82,12 @@ fn unplaced(chance: &mut Chance, throw: f64) -> ModelFault {
         strike,
         dip,
         half_length,
-        half_height: half_length * chance.between(0.5, 0.62),
+        half_height: half_length * random.between(0.5, 0.62),
         throw,
         reach: 220.0 + 2.6 * throw,
-        listric: chance.between(0.0, 1.4e-4),
-        bow: chance.between(-6e-5, 6e-5),
-        corrugation: [chance.between(4.0, 12.0), ripple, chance.angle()],
+        listric: random.between(0.0, 1.4e-4),
+        bow: random.between(-6e-5, 6e-5),
+        corrugation: [random.between(4.0, 12.0), ripple, random.angle()],
         axes: [
             DVec2::new(strike.sin(), strike.cos()),
             DVec2::new(strike.cos(), -strike.sin()),
@@ -96,7 +96,7 @@ fn unplaced(chance: &mut Chance, throw: f64) -> ModelFault {
     }
 }
 
-/// Half the extent of a fault in the plan, east and north, or a little more.
+/// Upper bound of half the extent of a fault in the plan, east and north, in metres.
 fn half_extent(fault: &ModelFault) -> DVec2 {
     let [along, across] = fault.axes;
     let down = fault.half_depth();

@@ -1,4 +1,4 @@
-//! The workshop that the engine stands in, as its metal reflects it: a room of one box, seen from the engine's middle.
+//! The environment map: a workshop, modelled as one box and seen from the engine's centre.
 
 use antumbra_scene::{Image, Sampler};
 use glam::{DVec2, DVec3};
@@ -6,34 +6,35 @@ use std::f64::consts::{PI, TAU};
 
 /// Pixels wide and high.
 const SIZE: [u32; 2] = [256, 128];
-/// Looks a pixel each way, so that edges are smooth.
-const LOOKS: u32 = 3;
+/// Samples per pixel along each axis, for smooth edges.
+const SAMPLES_PER_AXIS: u32 = 3;
 
-/// Metres from the engine's middle to the walls along X and Z, to the floor and to the ceiling.
+/// Distances in metres from the engine's centre to the walls along X and Z, to the floor and to the ceiling.
 const WALLS: [f64; 2] = [9.0, 7.0];
 const FLOOR: f64 = 2.2;
 const CEILING: f64 = 4.0;
 
-/// Where the four panels of light on the ceiling have their middles, and half of how large they are; metres.
+/// Centres of the four light panels on the ceiling, and half their size, in metres.
 const PANELS: [[f64; 2]; 4] = [[-3.2, 2.4], [3.2, 2.4], [-3.2, -2.4], [3.2, -2.4]];
 const PANEL: [f64; 2] = [2.2, 0.7];
 
-/// The room in all directions: equirectangular, its middle towards -Z.
+/// Renders the equirectangular map; its centre is the direction -Z.
 pub(super) fn workshop() -> Image {
     let [width, height] = SIZE;
     let mut rgba = Vec::with_capacity(width as usize * height as usize * 4);
     for y in 0..height {
         for x in 0..width {
-            let looks = (0..LOOKS * LOOKS).map(|look| {
-                let place = |pixel: u32, look: u32, of: u32| {
-                    (f64::from(pixel) + (f64::from(look) + 0.5) / f64::from(LOOKS)) / f64::from(of)
+            let samples = (0..SAMPLES_PER_AXIS * SAMPLES_PER_AXIS).map(|sample| {
+                let place = |pixel: u32, sample: u32, of: u32| {
+                    (f64::from(pixel) + (f64::from(sample) + 0.5) / f64::from(SAMPLES_PER_AXIS))
+                        / f64::from(of)
                 };
                 seen(towards(
-                    place(x, look % LOOKS, width),
-                    place(y, look / LOOKS, height),
+                    place(x, sample % SAMPLES_PER_AXIS, width),
+                    place(y, sample / SAMPLES_PER_AXIS, height),
                 ))
             });
-            let light = looks.sum::<DVec3>() / f64::from(LOOKS * LOOKS);
+            let light = samples.sum::<DVec3>() / f64::from(SAMPLES_PER_AXIS * SAMPLES_PER_AXIS);
             rgba.extend(light.to_array().map(encoded));
             rgba.push(255);
         }
@@ -47,14 +48,14 @@ pub(super) fn workshop() -> Image {
     }
 }
 
-/// The direction of a place in the image, 0 to 1 from its upper left corner.
+/// The direction of a point of the map, 0 to 1 from its upper left corner.
 fn towards(u: f64, v: f64) -> DVec3 {
     let (sin, cos) = ((u - 0.5) * TAU).sin_cos();
     let (below, up) = (v * PI).sin_cos();
     DVec3::new(below * sin, up, -below * cos)
 }
 
-/// The linear light that comes from a direction.
+/// Linear radiance from a direction.
 fn seen(towards: DVec3) -> DVec3 {
     let height = if towards.y > 0.0 { CEILING } else { FLOOR };
     let away = |along: f64, far: f64| far / along.abs().max(1e-9);
@@ -69,7 +70,12 @@ fn seen(towards: DVec3) -> DVec3 {
             floor(over)
         }
     } else if z < x {
-        long_wall(place.x, place.y, towards.z < 0.0)
+        let side = if towards.z < 0.0 {
+            LongWall::Far
+        } else {
+            LongWall::Near
+        };
+        long_wall(place.x, place.y, side)
     } else {
         DVec3::new(0.19, 0.19, 0.18) * shaded(place.y)
     }
@@ -80,7 +86,7 @@ fn ceiling(over: DVec2) -> DVec3 {
         let off = (over - DVec2::from(*panel)).abs();
         off.x < PANEL[0] && off.y < PANEL[1]
     });
-    // Beams across, two metres apart.
+    // Beams across the ceiling, two metres apart.
     let beam = (over.x / 2.0 + 0.5).rem_euclid(1.0) < 0.15;
     match (lit, beam) {
         (true, _) => DVec3::new(1.0, 0.98, 0.94),
@@ -89,7 +95,7 @@ fn ceiling(over: DVec2) -> DVec3 {
     }
 }
 
-/// Dark, with a painted line around where the engine stands.
+/// A dark floor with a painted line around the engine.
 fn floor(over: DVec2) -> DVec3 {
     let to_line = (over.abs() - DVec2::new(3.4, 2.9)).max_element().abs();
     if to_line < 0.08 {
@@ -99,25 +105,34 @@ fn floor(over: DVec2) -> DVec3 {
     }
 }
 
-/// Windows on the far side, a workbench with a dark board above it on the near one.
-fn long_wall(x: f64, y: f64, far: bool) -> DVec3 {
+/// A wall along X.
+#[derive(Clone, Copy)]
+enum LongWall {
+    /// At +Z.
+    Near,
+    /// At -Z.
+    Far,
+}
+
+/// Windows in the far wall; a workbench with a dark board above it at the near wall.
+fn long_wall(x: f64, y: f64, side: LongWall) -> DVec3 {
     let wall = DVec3::new(0.20, 0.20, 0.21) * shaded(y);
     let within = (x / 2.4 + 0.5).rem_euclid(1.0);
-    match far {
-        true if (0.4..3.0).contains(&y) && (0.1..0.9).contains(&within) => {
+    match side {
+        LongWall::Far if (0.4..3.0).contains(&y) && (0.1..0.9).contains(&within) => {
             DVec3::new(0.62, 0.74, 0.90)
         }
-        false if (-0.6..1.4).contains(&y) && x.abs() < 5.0 => DVec3::new(0.07, 0.09, 0.11),
+        LongWall::Near if (-0.6..1.4).contains(&y) && x.abs() < 5.0 => DVec3::new(0.07, 0.09, 0.11),
         _ => wall,
     }
 }
 
-/// Walls are darker towards the floor.
+/// Brightness of a wall, which decreases towards the floor.
 fn shaded(y: f64) -> f64 {
     0.45 + 0.55 * ((y + FLOOR) / (CEILING + FLOOR)).clamp(0.0, 1.0)
 }
 
-/// Linear light as an sRGB byte.
+/// Encodes linear light as an sRGB byte.
 fn encoded(light: f64) -> u8 {
     let value = if light <= 0.003_130_8 {
         light * 12.92

@@ -1,37 +1,37 @@
 //! Radiators, television sets, pot plants and carpets.
 
-use crate::city::kit::Piece;
-use crate::city::look::Look;
+use crate::city::city_builder::Prefab;
+use crate::city::materials::MaterialKind;
 use crate::solid::Solid;
 use glam::{DAffine3, DVec3};
 
-pub(in crate::city) const RADIATOR: Piece = Piece {
+pub(in crate::city) const RADIATOR: Prefab = Prefab {
     name: "radiator",
-    look: Look::White,
+    material: MaterialKind::White,
     make: radiator,
 };
-pub(in crate::city) const TELEVISION: Piece = Piece {
+pub(in crate::city) const TELEVISION: Prefab = Prefab {
     name: "television",
-    look: Look::Black,
+    material: MaterialKind::Black,
     make: television,
 };
-pub(in crate::city) const POT_PLANT: Piece = Piece {
+pub(in crate::city) const POT_PLANT: Prefab = Prefab {
     name: "pot plant",
-    look: Look::Green,
+    material: MaterialKind::Green,
     make: pot_plant,
 };
-pub(in crate::city) const CARPET: Piece = Piece {
+pub(in crate::city) const CARPET: Prefab = Prefab {
     name: "carpet",
-    look: Look::Red,
+    material: MaterialKind::Red,
     make: carpet,
 };
 
-/// Seven columns on two pipes, hung before the wall at z = 0.
+/// Seven columns on two pipes, in front of the wall at z = 0.
 fn radiator() -> Solid {
     let mut solid = Solid::default();
     for column in 0..7 {
         let x = -0.33 + 0.11 * f64::from(column);
-        solid.rounded([x - 0.04, 0.14, 0.05], [x + 0.045, 0.68, 0.16], 0.03, 1);
+        solid.rounded_box([x - 0.04, 0.14, 0.05], [x + 0.045, 0.68, 0.16], 0.03, 1);
     }
     for y in [0.2, 0.62] {
         solid.bar([-0.38, y, 0.105], [0.4, y, 0.105], 0.018, 4);
@@ -55,7 +55,7 @@ fn radiator() -> Solid {
         [0.0, 0.0],
     ];
     let mut turned = Solid::default();
-    turned.turned(&valve, 6);
+    turned.revolve(&valve, 6);
     solid.add(
         &turned,
         DAffine3::from_translation(DVec3::new(0.4, 0.62, 0.105)),
@@ -65,7 +65,7 @@ fn radiator() -> Solid {
 
 fn television() -> Solid {
     let mut solid = Solid::default();
-    solid.rounded([-0.7, 0.1, -0.2], [0.7, 0.5, 0.2], 0.012, 1);
+    solid.rounded_box([-0.7, 0.1, -0.2], [0.7, 0.5, 0.2], 0.012, 1);
     for x in [-0.6, 0.6] {
         for z in [-0.14, 0.14] {
             solid.post([x, 0.0, z], 0.02, 0.11, 8);
@@ -73,11 +73,11 @@ fn television() -> Solid {
     }
     for door in 0..3 {
         let x = -0.69 + 0.46 * f64::from(door);
-        solid.rounded([x + 0.004, 0.12, 0.195], [x + 0.456, 0.48, 0.212], 0.006, 1);
+        solid.rounded_box([x + 0.004, 0.12, 0.195], [x + 0.456, 0.48, 0.212], 0.006, 1);
     }
-    solid.rounded([-0.25, 0.495, -0.1], [0.25, 0.515, 0.1], 0.008, 1);
+    solid.rounded_box([-0.25, 0.495, -0.1], [0.25, 0.515, 0.1], 0.008, 1);
     solid.bar([0.0, 0.51, -0.03], [0.0, 0.7, -0.03], 0.025, 10);
-    solid.rounded([-0.6, 0.58, -0.03], [0.6, 1.28, 0.012], 0.012, 2);
+    solid.rounded_box([-0.6, 0.58, -0.03], [0.6, 1.28, 0.012], 0.012, 2);
     solid
 }
 
@@ -92,13 +92,13 @@ fn pot_plant() -> Solid {
         [0.0, 0.12],
         [0.0, 0.0],
     ];
-    solid.lathed([0.0; 3], &pot, 20);
+    solid.revolve_upright([0.0; 3], &pot, 20);
     for leaf in 0..14 {
         let turn = f64::from(leaf) * 137.5_f64.to_radians();
         let high = 0.45 + 0.6 * f64::from(leaf * 5 % 14) / 14.0;
         let out = 0.16 + 0.22 * f64::from(leaf * 3 % 14) / 14.0;
         let mut blade = Solid::default();
-        // A bow upwards and out, widest in its middle.
+        // A leaf curves upwards and outwards and is widest in its middle.
         blade.block([5, 1, 1], |u, v, w| {
             let wide = 0.008 + 0.16 * (u * (1.0 - u)).powf(0.8);
             DVec3::new(
@@ -114,7 +114,7 @@ fn pot_plant() -> Solid {
 
 fn carpet() -> Solid {
     let mut solid = Solid::default();
-    solid.rounded([-1.2, 0.002, -0.8], [1.2, 0.014, 0.8], 0.005, 1);
+    solid.rounded_box([-1.2, 0.002, -0.8], [1.2, 0.014, 0.8], 0.005, 1);
     // Fringes at both ends.
     for fringe in 0..24 {
         let z = -0.77 + 0.067 * f64::from(fringe);

@@ -1,35 +1,50 @@
-//! The outside of the casings: where things stand on it, and where there is no opening in the way.
+//! The outer surface of the casings: places for pipes and brackets, clear of openings.
 
 use super::assembly::shifted;
-use super::plan::{CORE_CASE, CORE_FLANGES, FAN_CASE, FAN_FLANGES, line};
-use crate::chance::Chance;
+use super::plan::{CORE_CASE, CORE_FLANGES, FAN_CASE, FAN_FLANGES, radius_at};
+use crate::random::Random;
 use glam::DAffine3;
 use std::f64::consts::FRAC_PI_2;
 
-/// One of the two stretches of casing that carry pipes and brackets.
+/// One of the two parts of the casing that carry pipes and brackets.
 #[derive(Clone, Copy)]
-pub(super) struct Skin {
-    /// [x, radius] of its outside.
+pub(super) struct CasingSurface {
+    /// Profile of its outside as [x, radius].
     pub outer: &'static [[f64; 2]],
-    /// From where to where things stand on it.
+    /// Axial range for parts.
     pub x: [f64; 2],
-    /// Degrees from and to, free of openings and boxes over the whole length.
+    /// Angular ranges in degrees that are free of openings and boxes over the whole length.
     lanes: &'static [[f64; 2]],
-    /// Where pipes may run around it: over and beside the flanges, where openings end before.
+    /// Axial positions of pipes that run around: over and beside the flanges, where the openings have ended.
     pub rounds: &'static [f64],
     flanges: &'static [f64],
-    /// A radius somewhere in the middle.
+    /// A typical radius.
     pub radius: f64,
 }
 
-/// Openings of the fan's casing: middles and half the width, in degrees.
-pub(super) const FAN_OPENINGS: ([f64; 2], f64) = ([90.0, 270.0], 24.0);
-/// Openings of the core's casings.
-pub(super) const CORE_OPENINGS: ([f64; 2], f64) = ([75.0, 285.0], 27.0);
+/// The two openings of a casing around the axis, in degrees.
+#[derive(Clone, Copy)]
+pub(super) struct OpeningAngles {
+    /// Angles of the centres.
+    pub middles: [f64; 2],
+    /// Half the width of an opening.
+    pub half_width: f64,
+}
 
-/// The fan's casing and the core's.
-pub(super) const SKINS: [Skin; 2] = [
-    Skin {
+/// Openings of the fan's casing.
+pub(super) const FAN_OPENINGS: OpeningAngles = OpeningAngles {
+    middles: [90.0, 270.0],
+    half_width: 24.0,
+};
+/// Openings of the core's casings.
+pub(super) const CORE_OPENINGS: OpeningAngles = OpeningAngles {
+    middles: [75.0, 285.0],
+    half_width: 27.0,
+};
+
+/// The fan casing and the core casing.
+pub(super) const CASING_SURFACES: [CasingSurface; 2] = [
+    CasingSurface {
         outer: &FAN_CASE,
         x: [-1.69, -1.02],
         lanes: &[
@@ -44,7 +59,7 @@ pub(super) const SKINS: [Skin; 2] = [
         flanges: &FAN_FLANGES,
         radius: 1.5,
     },
-    Skin {
+    CasingSurface {
         outer: &CORE_CASE,
         x: [-0.68, 1.6],
         lanes: &[[108.0, 252.0], [318.0, 402.0]],
@@ -57,16 +72,16 @@ pub(super) const SKINS: [Skin; 2] = [
     },
 ];
 
-/// Metres between neighbouring pipes.
+/// Distance between neighbouring pipes, in metres.
 const SPACING: f64 = 0.03;
-/// What stands on a casing keeps this far from flanges.
+/// Distance between parts and flanges, in metres.
 const CLEAR: f64 = 0.055;
 
-impl Skin {
-    /// An angle in radians at which there is casing from end to end.
-    pub fn angle(&self, chance: &mut Chance) -> f64 {
+impl CasingSurface {
+    /// A random angle in radians that is free of openings over the whole length.
+    pub fn angle(&self, random: &mut Random) -> f64 {
         let widths = self.lanes.iter().map(|[from, to]| to - from);
-        let mut along = chance.between(0.0, widths.sum());
+        let mut along = random.between(0.0, widths.sum());
         for [from, to] in self.lanes {
             if along <= to - from {
                 return (from + along).to_radians();
@@ -76,7 +91,7 @@ impl Skin {
         0.0
     }
 
-    /// Angles in radians at which pipes can run side by side from end to end.
+    /// Angles in radians for pipes that run side by side over the whole length.
     pub fn angles(&self) -> Vec<f64> {
         let lanes = self.lanes.iter().flat_map(|lane| {
             let [from, to] = lane.map(f64::to_radians);
@@ -86,7 +101,7 @@ impl Skin {
         lanes.collect()
     }
 
-    /// The place on the axis nearest to `x` that is clear of flanges.
+    /// The axial position nearest to `x` that is clear of flanges.
     pub fn beside_flanges(&self, x: f64) -> f64 {
         let near = self
             .flanges
@@ -95,26 +110,26 @@ impl Skin {
         near.map_or(x, |flange| flange + CLEAR.copysign(x - flange))
     }
 
-    /// The frame of what stands on it: Y away from the casing, X rearwards along it.
+    /// The transform of a part on the surface: Y away from the casing, X rearwards along it.
     pub fn upright(&self, x: f64, angle: f64) -> DAffine3 {
         upright(self.outer, x, angle, 0.0)
     }
 }
 
-/// The frame of what stands on a casing: Y away from it, X rearwards along it; `height` metres above it.
+/// The transform of a part `height` metres above a casing: Y away from it, X rearwards along it.
 pub(super) fn upright(outer: &[[f64; 2]], x: f64, angle: f64, height: f64) -> DAffine3 {
-    let rise = line(outer, x + 0.005) - line(outer, x - 0.005);
+    let rise = radius_at(outer, x + 0.005) - radius_at(outer, x - 0.005);
     DAffine3::from_rotation_x(angle)
-        * shifted(x, line(outer, x) + height)
+        * shifted(x, radius_at(outer, x) + height)
         * DAffine3::from_rotation_z((rise / 0.01).atan())
 }
 
-/// Turns what lies along X to stand along Y.
+/// The rotation from the X axis to the Y axis.
 pub(super) fn standing() -> DAffine3 {
     DAffine3::from_rotation_z(FRAC_PI_2)
 }
 
-/// Turns what lies along X to stand outwards at `x`.
+/// The rotation from the X axis to the Y axis at a position on the axis.
 pub(super) fn standing_at(x: f64) -> DAffine3 {
     shifted(x, 0.0) * standing()
 }

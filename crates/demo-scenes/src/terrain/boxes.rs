@@ -1,18 +1,12 @@
-//! Boxes of all sizes, spread over a terrain by chance: something to stand on the built-in landscape.
+//! Boxes of many sizes at random places on a terrain.
 
-use std::f64::consts::TAU;
-
+use crate::random::{Random, Stream};
 use antumbra_scene::{Aabb, Drawable, Geometry, Material, Mesh, Scene};
-use glam::{DAffine3, DQuat, DVec2, DVec3};
-use rand_pcg::Pcg32;
-use rand_pcg::rand_core::Rng;
-
 use antumbra_terrain::{Terrain, TerrainError, to_world};
+use glam::{DAffine3, DQuat, DVec2, DVec3};
 
-/// The sequence of chance that is for boxes.
-const FOR_BOXES: u64 = 7;
-
-/// Spreads boxes from 5 to 40 metres wide and 3 to 30 metres high, each turned somehow and a metre in the ground.
+/// Adds `count` boxes to the scene: 5 to 40 metres wide, 3 to 30 metres high, rotated at random, one metre in the
+/// ground.
 pub(crate) fn spread_boxes(
     scene: &mut Scene,
     terrain: &Terrain,
@@ -31,20 +25,21 @@ pub(crate) fn spread_boxes(
     });
     let root = scene.spawn(None, DAffine3::IDENTITY)?;
     scene.set_entity_name(root, "boxes")?;
-    let mut chance = Pcg32::new(seed, FOR_BOXES);
-    let mut number = |low: f64, high: f64| {
-        low + (high - low) * f64::from(chance.next_u32()) / f64::from(u32::MAX)
-    };
+    let mut random = Random::new(seed, Stream::Boxes);
     let [low, high] = terrain.field().plan_bounds();
     for at in 0..count {
-        let place = DVec2::new(number(low.x, high.x), number(low.y, high.y));
-        let size = DVec3::new(number(5.0, 40.0), number(3.0, 30.0), number(5.0, 40.0));
-        let turned = DQuat::from_rotation_y(number(0.0, TAU));
-        // In a hole, if there are any, it stands on what zero is.
+        let place = DVec2::new(random.between(low.x, high.x), random.between(low.y, high.y));
+        let size = DVec3::new(
+            random.between(5.0, 40.0),
+            random.between(3.0, 30.0),
+            random.between(5.0, 40.0),
+        );
+        let rotation = DQuat::from_rotation_y(random.angle());
+        // In a hole of the field a box stands at height 0.
         let ground = terrain.height(place).unwrap_or_default() - 1.0;
         let origin = terrain.field().origin();
-        let stands = to_world(place.extend(ground) + origin);
-        let local = DAffine3::from_scale_rotation_translation(size, turned, stands);
+        let position = to_world(place.extend(ground) + origin);
+        let local = DAffine3::from_scale_rotation_translation(size, rotation, position);
         let entity = scene.spawn(Some(root), local)?;
         scene.set_entity_name(entity, format!("box {at}"))?;
         scene.set_drawable(entity, Drawable { mesh, material })?;

@@ -1,51 +1,51 @@
-//! The city while it is put together: a tree of nodes, and pieces that are made once and placed as often as they occur.
+//! Construction of the city: a tree of nodes, and prefabs that are made once and placed any number of times.
 
-use super::look::{Look, sun};
+use super::materials::{MaterialKind, Sun, sun};
 use crate::solid::Solid;
 use antumbra_scene::{Drawable, EntityKey, MaterialKey, MeshKey, Scene, SceneError};
 use glam::{DAffine3, DMat3, DVec3};
 use std::collections::HashMap;
 
-/// Something that is placed as it is: its name, its look where no other is asked for, and how it is made.
-pub(super) struct Piece {
+/// A mesh with a name and a default material, and the function that makes it.
+pub(super) struct Prefab {
     pub name: &'static str,
-    pub look: Look,
+    pub material: MaterialKind,
     pub make: fn() -> Solid,
 }
 
-/// A scene that grows by nodes and pieces.
-pub(super) struct Kit {
+/// A scene under construction.
+pub(super) struct CityBuilder {
     scene: Scene,
     city: EntityKey,
     meshes: HashMap<String, MeshKey>,
-    looks: Vec<(Look, MaterialKey)>,
+    materials: Vec<(MaterialKind, MaterialKey)>,
 }
 
-impl Kit {
-    /// Only the sun.
+impl CityBuilder {
+    /// A scene with the root node and the sun.
     pub fn new(name: &str) -> Result<Self, SceneError> {
         let mut scene = Scene::new();
         scene.set_name(name);
         let city = scene.spawn(None, DAffine3::IDENTITY)?;
         scene.set_entity_name(city, name)?;
-        let (at, light) = sun();
-        let lamp = scene.spawn(None, at)?;
+        let Sun { transform, light } = sun();
+        let lamp = scene.spawn(None, transform)?;
         scene.set_entity_name(lamp, "sun")?;
         scene.set_light(lamp, light)?;
         Ok(Self {
             scene,
             city,
             meshes: HashMap::new(),
-            looks: Vec::new(),
+            materials: Vec::new(),
         })
     }
 
-    /// The node above all others.
+    /// The root node.
     pub fn city(&self) -> EntityKey {
         self.city
     }
 
-    /// An inner node.
+    /// Adds an inner node.
     pub fn node(
         &mut self,
         parent: EntityKey,
@@ -57,33 +57,33 @@ impl Kit {
         Ok(node)
     }
 
-    /// Places a piece.
+    /// Places a prefab.
     pub fn put(
         &mut self,
         parent: EntityKey,
-        piece: &Piece,
+        prefab: &Prefab,
         at: DAffine3,
     ) -> Result<(), SceneError> {
-        self.make(parent, piece.name, piece.look, at, piece.make)
+        self.make(parent, prefab.name, prefab.material, at, prefab.make)
     }
 
-    /// Places a piece with another look.
-    pub fn put_as(
+    /// Places a prefab with another material.
+    pub fn place_with_material(
         &mut self,
         parent: EntityKey,
-        piece: &Piece,
-        look: Look,
+        prefab: &Prefab,
+        material: MaterialKind,
         at: DAffine3,
     ) -> Result<(), SceneError> {
-        self.make(parent, piece.name, look, at, piece.make)
+        self.make(parent, prefab.name, material, at, prefab.make)
     }
 
-    /// Places what `solid` makes, or what it made under this name before.
+    /// Places the mesh of this name; `solid` makes it the first time.
     pub fn make(
         &mut self,
         parent: EntityKey,
         name: &str,
-        look: Look,
+        material: MaterialKind,
         at: DAffine3,
         solid: impl FnOnce() -> Solid,
     ) -> Result<(), SceneError> {
@@ -95,32 +95,34 @@ impl Kit {
                 mesh
             }
         };
-        let known = self.looks.iter().find(|(other, _)| *other == look);
-        let material = match known {
-            Some((_, material)) => *material,
-            None => {
-                let material = self.scene.add_material(look.material());
-                self.looks.push((look, material));
-                material
-            }
-        };
+        let material = self.material(material);
         let entity = self.scene.spawn(Some(parent), at)?;
         self.scene.set_drawable(entity, Drawable { mesh, material })
     }
 
-    /// The scene.
+    fn material(&mut self, kind: MaterialKind) -> MaterialKey {
+        let known = self.materials.iter().find(|(other, _)| *other == kind);
+        if let Some((_, key)) = known {
+            return *key;
+        }
+        let key = self.scene.add_material(kind.material());
+        self.materials.push((kind, key));
+        key
+    }
+
+    /// Ends the construction.
     pub fn finish(self) -> Scene {
         self.scene
     }
 }
 
-/// A place.
+/// A translation in metres.
 pub(super) fn at(x: f64, y: f64, z: f64) -> DAffine3 {
     DAffine3::from_translation(DVec3::new(x, y, z))
 }
 
-/// A turn about the vertical by whole quarters, exact; a quarter takes +Z to +X.
-pub(super) fn quarter_turn(quarters: i32) -> DAffine3 {
+/// An exact rotation about the Y axis by quarters; one quarter maps +Z to +X.
+pub(super) fn quarter_rotation(quarters: i32) -> DAffine3 {
     let (sin, cos) = match quarters.rem_euclid(4) {
         0 => (0.0, 1.0),
         1 => (1.0, 0.0),
@@ -135,7 +137,7 @@ pub(super) fn quarter_turn(quarters: i32) -> DAffine3 {
     DAffine3::from_mat3(turn)
 }
 
-/// A place turned about the vertical by degrees.
-pub(super) fn turned(x: f64, y: f64, z: f64, degrees: f64) -> DAffine3 {
+/// A translation and a rotation about the Y axis in degrees.
+pub(super) fn rotated_at(x: f64, y: f64, z: f64, degrees: f64) -> DAffine3 {
     at(x, y, z) * DAffine3::from_rotation_y(degrees.to_radians())
 }

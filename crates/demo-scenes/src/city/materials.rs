@@ -1,11 +1,11 @@
-//! What the city's surfaces look like, and its sun.
+//! Materials and sun of the city.
 
 use antumbra_scene::{Light, Material};
 use glam::{DAffine3, DQuat};
 
-/// A kind of surface.
+/// A material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Look {
+pub(super) enum MaterialKind {
     Cream,
     Ochre,
     Brick,
@@ -23,8 +23,8 @@ pub(super) enum Look {
     SilverLacquer,
 }
 
-impl Look {
-    /// Name, colour, and how metallic and how rough it is.
+impl MaterialKind {
+    /// The material: name, colour, metallic and roughness.
     pub fn material(self) -> Material {
         let (name, [r, g, b], [metallic, roughness]) = match self {
             Self::Cream => ("cream plaster", [0.72, 0.62, 0.44], [0.0, 0.9]),
@@ -53,12 +53,22 @@ impl Look {
     }
 }
 
-/// Late morning: where the sun's light comes from, and the light.
-pub(super) fn sun() -> (DAffine3, Light) {
+/// The city's directional light.
+pub(super) struct Sun {
+    /// Its orientation.
+    pub transform: DAffine3,
+    pub light: Light,
+}
+
+/// The sun in the late morning.
+pub(super) fn sun() -> Sun {
     let down = DQuat::from_euler(glam::EulerRot::YXZ, 0.65, -0.85, 0.0);
     let light = Light::Directional {
         colour: [1.0, 0.96, 0.88],
         illuminance: 3.0,
     };
-    (DAffine3::from_quat(down), light)
+    Sun {
+        transform: DAffine3::from_quat(down),
+        light,
+    }
 }

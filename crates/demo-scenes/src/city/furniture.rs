@@ -1,4 +1,4 @@
-//! What stands in rooms, a kind of thing a file. Pieces stand on y = 0 and face +Z; metres.
+//! Furniture, one file for each group. Prefabs stand on y = 0 and face +Z, in metres.
 
 pub(super) mod bath;
 pub(super) mod bed;

@@ -1,10 +1,10 @@
-//! What kinds of parts look like, and the lamps they are seen by.
+//! Materials of the engine and lights of the workshop.
 
 use antumbra_scene::{Light, Material};
 
-/// A kind of surface, one a kind of part.
+/// A material, one for each kind of part.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Look {
+pub(super) enum MaterialKind {
     FanBlade,
     Spinner,
     Composite,
@@ -33,8 +33,8 @@ pub(super) enum Look {
     Liner,
 }
 
-impl Look {
-    /// Name, colour, and how metallic and how rough it is.
+impl MaterialKind {
+    /// The material: name, colour, metallic and roughness.
     pub fn material(self) -> Material {
         let (name, [r, g, b], [metallic, roughness]) = match self {
             Self::FanBlade => ("titanium, polished", [0.52, 0.55, 0.60], [1.0, 0.2]),
@@ -74,22 +74,30 @@ impl Look {
     }
 }
 
-/// Four lamps of a workshop: two under the ceiling on one side, one on the other, and one low on a stand. Name, place in metres, light.
-pub(super) fn lamps() -> [(&'static str, [f64; 3], Light); 4] {
-    let lamp = |colour, intensity| Light::Point {
-        colour,
-        intensity,
-        range: None,
-    };
+/// A light of the workshop.
+pub(super) struct Lamp {
+    pub name: &'static str,
+    /// Position in metres.
+    pub position: [f64; 3],
+    pub light: Light,
+}
+
+/// Four lights of the workshop: two at the ceiling on one side, one at the ceiling on the other side, and one on a low stand.
+pub(super) fn lamps() -> [Lamp; 4] {
     let (warm, cold) = ([1.0, 0.94, 0.86], [0.88, 0.94, 1.0]);
     [
-        ("ceiling lamp, front", [-3.2, 3.2, 3.0], lamp(cold, 1600.0)),
-        ("ceiling lamp, rear", [3.2, 3.2, 2.6], lamp(cold, 1400.0)),
-        (
-            "ceiling lamp, far side",
-            [0.4, 3.4, -3.4],
-            lamp(warm, 1500.0),
-        ),
-        ("lamp on a stand", [-3.4, -0.6, -2.8], lamp(warm, 1100.0)),
+        ("ceiling lamp, front", [-3.2, 3.2, 3.0], cold, 1600.0),
+        ("ceiling lamp, rear", [3.2, 3.2, 2.6], cold, 1400.0),
+        ("ceiling lamp, far side", [0.4, 3.4, -3.4], warm, 1500.0),
+        ("lamp on a stand", [-3.4, -0.6, -2.8], warm, 1100.0),
     ]
+    .map(|(name, position, colour, intensity)| Lamp {
+        name,
+        position,
+        light: Light::Point {
+            colour,
+            intensity,
+            range: None,
+        },
+    })
 }

@@ -1,4 +1,4 @@
-//! What comes off a lathe: solids of revolution around the axis X, and prisms along it.
+//! Solids of revolution around the axis X, and prisms along it.
 //!
 //! Profiles are [x, radius] in metres, counter-clockwise with x to the right and the radius upwards.
 
@@ -6,12 +6,12 @@ use super::solid::{Sheet, Solid, polar};
 use glam::DVec2;
 use std::f64::consts::TAU;
 
-/// Cosine of the bend from which on an edge of a profile is sharp: 35 degrees.
+/// Cosine of the angle from which an edge of a profile is sharp: 35 degrees.
 const CREASE: f64 = 0.819;
 
 impl Solid {
     /// Adds the ring that a closed profile sweeps.
-    pub fn ring(&mut self, profile: &[[f64; 2]], sides: usize) {
+    pub fn revolve_closed(&mut self, profile: &[[f64; 2]], sides: usize) {
         let count = profile.len();
         let edges: Vec<usize> = (0..count)
             .filter(|&i| {
@@ -21,7 +21,7 @@ impl Solid {
             .collect();
         if edges.is_empty() {
             let sheet = Sheet {
-                rows_meet: true,
+                rows_wrap: true,
                 ..Sheet::round(count, sides)
             };
             self.sheet(sheet, |row, side| on_circle(profile[row], side, sides));
@@ -35,8 +35,8 @@ impl Solid {
         }
     }
 
-    /// Adds the solid that a profile sweeps which begins and ends on the axis, its rear end first.
-    pub fn turned(&mut self, profile: &[[f64; 2]], sides: usize) {
+    /// Adds the solid that an open profile sweeps. The profile begins and ends on the axis, its rear end first.
+    pub fn revolve(&mut self, profile: &[[f64; 2]], sides: usize) {
         let mut from = 0;
         for to in 1..profile.len() {
             let last = to + 1 == profile.len();
@@ -50,21 +50,21 @@ impl Solid {
         }
     }
 
-    /// Adds a cylinder between two places on the axis.
+    /// Adds a cylinder between two positions on the axis.
     pub fn cylinder(&mut self, radius: f64, x: [f64; 2], sides: usize) {
         let [front, rear] = x;
         let profile = [[rear, 0.0], [rear, radius], [front, radius], [front, 0.0]];
-        self.turned(&profile, sides);
+        self.revolve(&profile, sides);
     }
 
     /// Adds a ring of rectangular section.
     pub fn band(&mut self, x: [f64; 2], radius: [f64; 2], sides: usize) {
         let ([front, rear], [inner, outer]) = (x, radius);
         let profile = [[front, inner], [rear, inner], [rear, outer], [front, outer]];
-        self.ring(&profile, sides);
+        self.revolve_closed(&profile, sides);
     }
 
-    /// Adds a ring of round section.
+    /// Adds a torus.
     pub fn torus(&mut self, x: f64, radius: f64, thick: f64, steps: [usize; 2]) {
         let [section, sides] = steps;
         let profile: Vec<[f64; 2]> = (0..section)
@@ -73,10 +73,10 @@ impl Solid {
                 [x + thick * cos, radius + thick * sin]
             })
             .collect();
-        self.ring(&profile, sides);
+        self.revolve_closed(&profile, sides);
     }
 
-    /// Adds a prism with flat sides between two places on the axis.
+    /// Adds a prism with flat sides between two positions on the axis.
     pub fn prism(&mut self, radius: f64, x: [f64; 2], sides: usize) {
         let [front, rear] = x;
         let corner = |x: f64, side: usize| on_circle([x, radius], side % sides, sides);
@@ -97,7 +97,7 @@ fn on_circle(point: [f64; 2], side: usize, sides: usize) -> glam::DVec3 {
     polar(x, radius, TAU * side as f64 / sides as f64)
 }
 
-/// Whether a profile bends so much at the middle one of three points that it shows as an edge.
+/// Whether the angle of a profile at the second of three points makes a sharp edge.
 fn sharp(points: [[f64; 2]; 3]) -> bool {
     let [before, here, after] = points.map(DVec2::from);
     let [into, out] = [here - before, after - here].map(DVec2::normalize_or_zero);
