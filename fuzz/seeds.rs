@@ -1,4 +1,4 @@
-//! Writes the small files that the fuzzers start from into `corpus/loaders` and `corpus/surfaces`.
+//! Writes the seed files of the fuzzers into `corpus/loaders` and `corpus/surfaces`.
 
 #[path = "../crates/formats/tests/common/mod.rs"]
 mod common;
@@ -80,7 +80,7 @@ fn surfaces() -> std::io::Result<()> {
     write(&folder, seeds.into_iter())
 }
 
-/// Each file behind the byte that picks its format.
+/// Writes each file after the byte that selects its format.
 fn write(folder: &Path, files: impl Iterator<Item = (u8, Vec<u8>)>) -> std::io::Result<()> {
     for (i, (format, file)) in files.enumerate() {
         std::fs::write(

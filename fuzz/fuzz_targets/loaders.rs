@@ -1,8 +1,8 @@
-//! Whatever the bytes are, a loader answers with a scene or an error: no panic, no endless loop, bounded memory. The first
-//! byte picks the format, the rest is the file.
+//! Every input gives a scene or an error: no panic, no endless loop, bounded memory. The first byte selects the
+//! format, the rest is the file.
 #![no_main]
 
-use antumbra_formats::{SceneFormat, LoadOptions, load_slice};
+use antumbra_formats::{LoadOptions, SceneFormat, load_slice};
 use antumbra_scene::ProxyOptions;
 use libfuzzer_sys::fuzz_target;
 

@@ -1,5 +1,5 @@
-//! Whatever the bytes are, a reader of sub-surface files answers with surfaces that can be prepared or with an error: no panic, no endless
-//! loop, bounded memory. The first byte picks the ending, the rest is the file.
+//! Every input gives surfaces that can be prepared, or an error: no panic, no endless loop, bounded memory. The first
+//! byte selects the file extension, the rest is the file.
 #![no_main]
 
 use antumbra_subsurface::read::{ReadOptions, property_from_bytes, surfaces_from_bytes};

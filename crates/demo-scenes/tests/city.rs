@@ -1,5 +1,5 @@
-//! The built-in city: as many triangles as it says under every seed, a tree as an architect's file has it, closed pieces that look
-//! outwards, walls that hide what is behind them but for windows and doors, and vehicles on the road.
+//! The built-in city: its number of triangles under every seed, its hierarchy, closed parts that face outwards, walls
+//! that hide everything except behind windows and doors, and vehicles on the road.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 #[path = "turbine/ray.rs"]
@@ -13,9 +13,9 @@ use antumbra_scene::{Aabb, EntityKey, Light, Scene};
 use glam::{DAffine3, DVec3};
 use std::collections::HashSet;
 
-/// As many as the city of Staneker, Bartz and Straßer had.
+/// Triangles of the city of Staneker, Bartz and Straßer.
 const TRIANGLES: f64 = 64_898_464.0;
-/// Half a block's width, and half a roadway's.
+/// Half the edge of a block, and half the width of a roadway.
 const BLOCK: f64 = 35.0;
 const ROADWAY: f64 = 6.0;
 
@@ -25,7 +25,7 @@ fn built(size: u32, seed: u64) -> Scene {
     scene
 }
 
-/// The nodes of which a word is the name, or its beginning before a number.
+/// The nodes whose name is a word, or starts with it before a number.
 fn named<'a>(scene: &'a Scene, word: &'a str) -> impl Iterator<Item = EntityKey> + 'a {
     scene.entities().filter(move |entity| {
         let rest = scene.entity_name(*entity).strip_prefix(word);

@@ -1,5 +1,5 @@
-//! The built-in engine: as many parts and triangles as it says, closed parts that look outwards, openings one can see through, and
-//! about a third of the parts seen from outside.
+//! The built-in engine: its number of parts and triangles, closed parts that face outwards, openings that show the
+//! inside, and about a third of the parts visible from outside.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 #[path = "turbine/picture.rs"]
@@ -26,12 +26,12 @@ fn engine(size: u32, seed: u64) -> Scene {
     scene
 }
 
-/// The name of what a part belongs to.
+/// The name of the parent of a part.
 fn module(scene: &Scene, part: EntityKey) -> &str {
     scene.entity_name(scene.parent(part).unwrap())
 }
 
-/// Corners of every part as placed.
+/// Vertices of every part as placed.
 fn places(scene: &Scene) -> impl Iterator<Item = (EntityKey, DVec3)> {
     scene.drawables().flat_map(|(part, drawable)| {
         let world = scene.world(part).unwrap();
@@ -160,7 +160,7 @@ fn everything_lies_where_an_engine_has_it() {
         for (part, place) in places(&scene) {
             let (away, name) = (radius(place), scene.entity_name(part));
             assert!(away < 1.75, "{name} is {away} m from the axis");
-            // Inside the casing, whose radius is the least at x = 0.28.
+            // Inside the casing, whose radius is smallest at x = 0.28.
             let within = match module(&scene, part) {
                 "fan blades" => 1.44,
                 "compressor blades" => 0.75,
@@ -182,7 +182,7 @@ fn everything_lies_where_an_engine_has_it() {
     }
 }
 
-/// Where openings begin and end along the axis, and their middles around it in degrees.
+/// Axial ranges of openings, and the angles of their centres in degrees.
 const OPENINGS: [([f64; 2], [f64; 2]); 5] = [
     ([-1.66, -1.12], [90.0, 270.0]),
     ([-0.52, -0.23], [75.0, 285.0]),
@@ -241,7 +241,7 @@ fn from_outside_a_fifth_to_a_half_of_the_parts_is_seen() {
         let scene = engine(size, 1);
         let bounds = scene.bounds().unwrap();
         let fov_y = 45_f64.to_radians();
-        // As far as the sphere around the engine needs, and 20 degrees up.
+        // The camera's distance fits the bounding sphere of the engine; it looks from 20 degrees above.
         let away = 1.05 * bounds.half_extents().length() / (0.5 * fov_y).sin();
         for eighth in [0, 1, 3, 6] {
             let (sin, cos) = (TAU * f64::from(eighth) / 8.0).sin_cos();

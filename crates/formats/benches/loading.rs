@@ -1,5 +1,5 @@
-//! Reading a real assembly: `ANTUMBRA_ENGINE_GLB` names the file (2CylinderEngine.glb, 1.8 MB); without it there is nothing
-//! to measure. And proxies for all of its meshes.
+//! Loading of a real assembly, and proxies for all of its meshes. `ANTUMBRA_ENGINE_GLB` names the file
+//! (2CylinderEngine.glb, 1.8 MB); without it nothing is measured.
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use antumbra_formats::{LoadOptions, load};

@@ -1,4 +1,5 @@
-//! What others keep in a scene's file: it comes back as it was, and what is wrong with it harms nothing else.
+//! Attachments in glTF files: they are read back unchanged, and an invalid attachment does not affect the rest of the
+//! scene.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_formats::{
@@ -97,7 +98,7 @@ fn attachments_that_no_file_can_hold_are_refused() {
     assert!(error.contains("not in the scene"), "{error}");
 }
 
-/// A scene of one node with another beside it, and an extension.
+/// A scene of one node, a further node, and an extension.
 fn with(extension: &str) -> LoadedScene {
     let text = format!(
         r#"{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{{}},{{}}],

@@ -1,4 +1,4 @@
-//! CityJSON: what is in it comes out, upright, closed and where it is.
+//! CityJSON: the content of files is read, with +Y up, closed, and at its position.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod common;
@@ -26,7 +26,7 @@ fn named(scene: &Scene, name: &str) -> EntityKey {
     entity
 }
 
-/// The levels of the one mesh an entity is drawn as.
+/// The levels of detail of an entity's mesh.
 fn levels<'a>(scene: &'a Scene, name: &str) -> &'a [Geometry] {
     let drawable = scene.drawable(named(scene, name)).unwrap();
     &scene.mesh(drawable.mesh).unwrap().levels
@@ -39,13 +39,13 @@ fn area(geometry: &Geometry) -> f64 {
         .sum()
 }
 
-/// Positive when the faces look outwards.
+/// Volume of a mesh; positive if its faces point outwards.
 fn volume(geometry: &Geometry) -> f64 {
     let triangles = geometry.triangles().map(|t| geometry.corners(t).unwrap());
     triangles.map(|[a, b, c]| a.dot(b.cross(c)) / 6.0).sum()
 }
 
-/// How far the triangles' normals are from those of their vertices, at worst; slivers face anywhere.
+/// Largest angle between a triangle's normal and those of its vertices; slivers are ignored.
 fn least_agreement(geometry: &Geometry) -> f64 {
     let triangles = geometry.triangles().filter_map(|t| {
         let [a, b, c] = geometry.corners(t).unwrap();
@@ -105,7 +105,7 @@ fn levels_come_finest_first_with_holes_normals_and_tints() {
     let tint = |i: usize| fine.colours[i];
     assert!(roof.iter().all(|i| tint(*i) == tint(roof[0])));
     assert_ne!(tint(roof[0]), tint(0), "the roof is not the ground");
-    // The walls, one of which is said to be nothing, are as the building is.
+    // The walls, one of which has no semantics, take the material of the building.
     assert_eq!(tint(4), [255; 4]);
     assert_eq!(tint(16), [255; 4]);
 }
@@ -152,7 +152,7 @@ fn every_kind_of_solid_and_surface_is_read() {
     }
 }
 
-/// One bridge with this geometry over the vertices of [`common::CITY`].
+/// A bridge with this geometry over the vertices of [`common::CITY`].
 fn with_geometry(geometry: &str) -> String {
     let (head, feature) = common::CITY.split_once('\n').unwrap();
     let vertices = feature.find(r#""vertices""#).unwrap();
@@ -209,8 +209,8 @@ fn children_alone_say_who_hangs_where() {
     assert_eq!(scene.parent(named(&scene, "a-0")), Some(named(&scene, "a")));
 }
 
-/// Real buildings: their volumes are those that their makers computed before they
-/// rounded, at every level.
+/// Real buildings: volumes equal those that their authors computed before they rounded the coordinates, at every
+/// level.
 #[test]
 fn the_sample_of_delft_has_its_makers_volumes() {
     let file = concat!(
@@ -246,8 +246,8 @@ fn the_sample_of_delft_has_its_makers_volumes() {
 }
 
 proptest! {
-    /// Whichever way a polygon with a hole lies and turns, its triangles cover it once and face where it runs
-    /// counter-clockwise.
+    /// In every orientation of a polygon with a hole, its triangles cover it once and face the side from which it
+    /// runs counter-clockwise.
     #[test]
     fn polygons_are_covered_once(
         radii in prop::collection::vec(2.0..10.0_f64, 3..40),

@@ -1,4 +1,4 @@
-//! OBJ, PLY and STL: what is in them comes out, and built-in scenes are what their names promise.
+//! OBJ, PLY and STL: the content of files is read; built-in scenes survive a round trip.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod common;

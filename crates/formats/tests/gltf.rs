@@ -1,4 +1,4 @@
-//! What a glTF means: each feature in a file made for it, down to the numbers.
+//! glTF: each feature in a small file, checked down to the numbers.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod common;
@@ -114,9 +114,9 @@ fn only_the_vertices_that_are_used_are_kept() {
 
 #[test]
 fn quantised_strided_and_sparse_accessors_mean_their_numbers() {
-    // Four shorts a vertex, the last one padding.
+    // Four shorts per vertex, the last one padding.
     let mut binary = shorts(&[0, 0, 0, 0, 32767, 0, 0, 0, 0, 0x8000, 0, 0]);
-    // Vertex 2 is replaced; the replacement is as wide as the original without padding.
+    // Vertex 2 is replaced; the replacement has no padding.
     binary.extend([2, 0]);
     binary.extend(shorts(&[0, 0x8001, 16384]));
     // Colours: bytes 255, 128, 0 for each.
@@ -244,7 +244,7 @@ fn extras_say_what_is_not_tested() {
         let all = scene.entities().filter(|e| !scene.is_tested(*e));
         all.filter(drawn).count()
     };
-    // Both primitives of the first node, and of the three instances; what hangs below speaks for itself.
+    // Both primitives of the first node and of the three instances; child nodes keep their own settings.
     assert_eq!(untested(r#"{"tested":false}"#), 2 + 6);
     assert_eq!(untested(r#" { "by":"hand", "tested" : false } "#), 2 + 6);
     for other in [

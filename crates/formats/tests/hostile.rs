@@ -1,4 +1,4 @@
-//! Files that lie, each with the error it gets: what, where, and no memory taken for what is not there.
+//! Malformed files and their errors: the cause, the location, and no memory allocated for absent data.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod common;
@@ -161,7 +161,7 @@ fn buffers_views_and_accessors_cannot_reach_beyond_their_bytes() {
 
 #[test]
 fn memory_is_not_taken_for_what_has_no_bytes() {
-    // An accessor without a view is all zeros and as long as it likes.
+    // An accessor without a view is all zeros and may have any length.
     let file = primitive(
         r#"{"attributes":{"POSITION":0},"mode":0}"#,
         "",
@@ -219,7 +219,8 @@ fn numbers_that_are_not_finite_are_named() {
         );
     }
     let huge = scene(r#"{"name":"far","scale":[1e39,1,1],"mesh":0}"#, "");
-    // No f32 holds it: the JSON reader or the node's own check says so, by how exactly the reader was built to read.
+    // The number exceeds f32. The JSON reader or the check of nodes reports it, depending on the reader's precision
+    // feature.
     let problem = gltf(&huge);
     assert!(
         matches!(
@@ -252,7 +253,7 @@ fn numbers_that_are_not_finite_are_named() {
     }
     let short = scene(r#"{"name":"turned","rotation":[0,0,0,1e-60]}"#, "");
     assert_problem!(gltf(&short), LoadProblem::BadNode { .. }, "no length");
-    // A node as an array of its members, which the JSON reader would take for one.
+    // A node as an array of its members, which the JSON reader would accept as a struct.
     let array = scene(
         "[null,null,null,null,null,0,null,[0,0,0,1],null,null,null,null]",
         "",
@@ -455,7 +456,7 @@ fn counts_in_headers_are_held_against_the_bytes() {
         LoadProblem::Truncated { .. },
         "\"vertex\""
     );
-    // No properties, no bytes, but an element each all the same.
+    // Elements without properties take no bytes, but still count.
     let ply = "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nend_header\n";
     assert_problem!(
         refused(SceneFormat::Ply, ply.as_bytes()),
@@ -527,7 +528,7 @@ fn what_does_not_follow_the_format_says_where() {
     );
 }
 
-/// Found by the fuzzer: the crate that reads OBJ files overflows on such corners and unwraps such colours.
+/// Found by the fuzzer: the OBJ crate overflows on such corners and unwraps such colours.
 #[test]
 fn wild_obj_corners_and_colours_do_no_harm() {
     let with =

@@ -1,4 +1,4 @@
-//! CityJSON that lies: each with the error it gets, which names the line, or without harm.
+//! Malformed CityJSON: each file gives an error that names the line, or loads without harm.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod common;
@@ -30,7 +30,7 @@ fn assert_says(problem: &LoadProblem, parts: &[&str]) {
     assert!(text.len() < 600, "{text}");
 }
 
-/// It loads, with this many triangles, and nothing in it is broken.
+/// Asserts that the file loads with this many triangles and valid meshes.
 #[track_caller]
 fn assert_harmless(text: &str, triangles: u64) {
     let mut scene = read(text, &LoadOptions::default()).unwrap();
@@ -112,10 +112,10 @@ fn versions_and_transforms_are_checked() {
 fn scales_that_flatten_do_no_harm() {
     let all = |scale: &str| changed("[0.001,0.001,0.001]", scale);
     assert_harmless(&all("[0,0,0]"), 0);
-    // Standing walls only.
+    // Vertical walls only.
     assert_harmless(&all("[0.001,0,0.001]"), 4);
     assert_harmless(&all("[1e-200,1e-200,1e-200]"), 0);
-    // A world in a mirror.
+    // A mirroring transform.
     assert_harmless(&all("[-0.001,0.001,0.001]"), 18);
     assert_harmless(&all("[1e25,1e25,1e25]"), 18);
 }
@@ -158,7 +158,7 @@ fn lists_of_another_depth_than_the_type_are_refused() {
     ] {
         assert_says(&refused(&changed(from, to)), &["line 2"]);
     }
-    // Nobody reads that.
+    // The loader does not read this member.
     assert_harmless(&changed("1652", &deep), 18);
 }
 
@@ -170,10 +170,10 @@ fn rings_that_enclose_nothing_are_left_out() {
         ("[4,5,6,7],[8,11,10,9]", "", 10),
         ("[4,5,6,7],[8,11,10,9]", "[4,5,6,7],[8,11]", 12),
         ("[4,5,6,7],[8,11,10,9]", "[4,5,6,7],[]", 12),
-        // There and back again.
+        // A path to a point and back.
         ("[4,5,6,7],[8,11,10,9]", "[4,5,4,5]", 10),
         ("[4,5,6,7],[8,11,10,9]", "[4,4,4,4]", 10),
-        // Its first corner said again.
+        // The first corner is repeated.
         ("[4,5,6,7],[8,11,10,9]", "[4,5,6,7,4]", 12),
     ] {
         assert_harmless(&changed(from, to), triangles);
@@ -183,7 +183,7 @@ fn rings_that_enclose_nothing_are_left_out() {
 #[test]
 fn rings_that_touch_or_cross_themselves_do_no_harm() {
     for ring in [
-        // A bow tie, a figure of eight, a spike, a hole outside, a hole that is the ring.
+        // A bow tie, a figure of eight, a spike, a hole outside the ring, a hole equal to the ring.
         "[4,6,5,7]",
         "[4,5,8,6,7,8]",
         "[4,5,6,10,6,7]",
@@ -224,19 +224,19 @@ fn families_that_go_in_circles_are_refused() {
 #[test]
 fn relatives_that_are_not_there_do_no_harm() {
     assert_harmless(
-        &changed(r#""parents":["a"]"#, r#""parents":["nobody","a"]"#),
+        &changed(r#""parents":["a"]"#, r#""parents":["missing","a"]"#),
         18,
     );
     assert_harmless(
         &changed(
             r#""children":["a-0"]"#,
-            r#""children":["a-0","a-0","nobody"]"#,
+            r#""children":["a-0","a-0","missing"]"#,
         ),
         18,
     );
-    let orphan = changed(r#""parents":["a"]"#, r#""parents":["nobody"]"#)
+    let orphan = changed(r#""parents":["a"]"#, r#""parents":["missing"]"#)
         .replace(r#""children":["a-0"],"#, "");
-    // The footprint is all that the building has, then.
+    // The building then has only its footprint.
     assert_harmless(&orphan, 20);
 }
 
@@ -313,7 +313,7 @@ fn what_is_counted_is_one_line_at_a_time() {
     assert_says(&problem, &["max_json_objects"]);
 }
 
-/// A surface whose triangulation would take for ever is refused; long names and numbers are cut in messages.
+/// A surface whose triangulation would take too long is rejected; long names and numbers are shortened in messages.
 #[test]
 fn lines_without_end_are_refused_shortly() {
     let ring = (0..20_000)

@@ -1,4 +1,4 @@
-//! Rasters out of NumPy archives; what is read of Esri grids and GeoTIFFs is tested where surfaces are made of them.
+//! Rasters from NumPy archives. The readers of Esri grids and GeoTIFFs are tested in the crate subsurface.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::io::{Cursor, Write};
@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
-/// An array as NumPy writes it.
+/// An array in NumPy's format.
 fn npy(kind: &str, shape: &str, data: &[u8]) -> Vec<u8> {
     let header =
         format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}          \n");

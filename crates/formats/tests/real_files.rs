@@ -1,6 +1,6 @@
-//! Files that other programs wrote. They are not part of the repository: without the git-ignored folder `data/` these tests
-//! say so and pass. `apt-get download assimp-testmodels && dpkg -x assimp-testmodels_*.deb data/assimp` fills it, and
-//! `scripts/data.sh city`.
+//! Files written by other programs. They are not part of the repository: without the git-ignored folder `data/` these
+//! tests print a note and pass. `apt-get download assimp-testmodels && dpkg -x assimp-testmodels_*.deb data/assimp`
+//! and `scripts/data.sh city` fetch them.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_formats::{LoadOptions, LoadProblem, SceneFormat, load};
@@ -35,7 +35,7 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Every file gives a scene with something in it, or an error that names the file; the readable ones are most of them.
+/// Every file gives a scene with content or an error that names the file; most files are readable.
 #[test]
 fn every_file_gives_a_scene_or_a_reason() {
     let Some(folder) = models() else { return };
@@ -68,7 +68,7 @@ fn every_file_gives_a_scene_or_a_reason() {
         all.len(),
         refused.join("\n")
     );
-    // A third of the collection is old, broken on purpose, or compressed.
+    // A third of the collection is outdated, broken on purpose, or compressed.
     assert!(refused.len() * 5 < all.len() * 2, "too many refused");
 }
 
@@ -124,7 +124,7 @@ fn delft_has_the_buildings_and_triangles_it_is_known_to_have() {
     scene.update();
     assert_eq!(scene.roots().count(), 1115);
     assert_eq!((scene.len(), scene.drawable_count()), (2231, 1116));
-    // What polygons with holes make: corners and twice the holes, less two each.
+    // Triangles of polygons with holes: corners plus twice the holes, minus two each.
     let known = [109_101, 59_472, 40_592];
     let mut triangles = [0; 3];
     let mut open = 0;
@@ -138,7 +138,7 @@ fn delft_has_the_buildings_and_triangles_it_is_known_to_have() {
                 all += area;
                 size += area.length();
             }
-            // What a closed surface shows to one side it shows to the other.
+            // The areas of a closed surface towards opposite sides are equal.
             open += usize::from(all.length() > size * 1e-4);
         }
     }

@@ -1,4 +1,4 @@
-//! What is saved is read back as it was, and other readers accept it.
+//! Saved scenes are read back unchanged, and other readers accept them.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 #[path = "save/any.rs"]
@@ -284,7 +284,7 @@ fn trees_and_transforms_come_back() {
     let transforms = document.nodes().map(|node| node.transform());
     let matrices =
         transforms.filter(|transform| matches!(transform, gltf::scene::Transform::Matrix { .. }));
-    // The crate gives nodes without any transform as decomposed.
+    // The `gltf` crate reports nodes without a transform as decomposed.
     assert_eq!(matrices.count(), 1);
 }
 
@@ -309,7 +309,7 @@ fn coordinates_come_back_to_the_bit() {
     let mut scene = Scene::new();
     let far = DVec3::new(456_000.123_456_789, -1_234.567_89, -5_926_000.987_654_321);
     let root = scene.spawn(None, DAffine3::from_translation(far)).unwrap();
-    // Numbers whose seventeen digits a hasty reader takes for the next f64.
+    // Numbers whose seventeen digits an imprecise reader rounds to the next f64.
     let mut odd = 0x9E37_79B9_7F4A_7C15_u64;
     let mut number = || {
         odd = odd.wrapping_mul(0x5851_F42D_4C95_7F2D).wrapping_add(1);
@@ -416,14 +416,14 @@ fn lights_and_cameras_come_back() {
     let (mut again, document, _folder) = round_trip(&scene);
     again.update();
     assert_eq!(document.cameras().count(), 3);
-    // One node more for each camera that stands beside its entity.
+    // One more node for each camera beside its entity.
     assert_eq!(again.len(), scene.len() + 2);
     let seen =
         |scene: &Scene| -> Vec<Camera> { scene.cameras().map(|(_, camera)| camera).collect() };
     let (was, is) = (seen(&scene), seen(&again));
     assert_eq!(was.len(), is.len());
     for was in was {
-        // What it sees: a box two metres before the eye, and which of its corners are inside.
+        // A box two metres ahead of the camera, and which of its corners are inside the frustum.
         let same = |is: &&Camera| {
             let turned = is.rotation.dot(was.rotation).abs() > 1.0 - 1e-6;
             let off = is.position - was.position;

@@ -1,5 +1,5 @@
-//! A million boxes against a frustum: blocks of 64 in registers and on all cores, against a plain loop over `Vec<Aabb>` that
-//! stops at the first plane that rejects. Once in the order of their places, as scenes come, and once shuffled.
+//! Frustum culling of a million boxes: blocks of 64 with SIMD on all cores, against a plain loop over `Vec<Aabb>`
+//! that stops at the first plane that rejects a box. Measured in spatial order and shuffled.
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use antumbra_scene::{Aabb, BoxArray, Camera, Frustum, Projection};
@@ -27,7 +27,7 @@ fn boxes(shuffled: bool) -> Vec<Aabb> {
     boxes
 }
 
-/// What one would write first: the corner farthest along each plane's normal, and out at the first plane it is behind.
+/// The plain version: tests the farthest corner along each plane's normal, and stops at the first plane it is behind.
 fn plain(frustum: &Frustum, boxes: &[Aabb], out: &mut Vec<u32>) {
     'boxes: for (i, bounds) in boxes.iter().enumerate() {
         for plane in frustum.planes() {

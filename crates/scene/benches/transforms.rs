@@ -1,5 +1,5 @@
-//! Bringing a million entities' transforms and boxes up to date: all of them, and one in a hundred, against a recursion over
-//! a hash map that knows no dirty flags.
+//! Update of the transforms and boxes of a million entities: all of them, and one in a hundred, against a recursion
+//! over a hash map without dirty flags.
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use antumbra_scene::{Aabb, Drawable, EntityKey, Material, Mesh, Scene, icosphere};
@@ -10,7 +10,7 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 const ENTITIES: usize = 1_000_000;
-/// Children an entity has.
+/// Children per entity.
 const BRANCHES: usize = 8;
 
 fn local(i: usize) -> DAffine3 {
@@ -58,7 +58,7 @@ fn recurse(nodes: &mut HashMap<usize, Naive>, node: usize, above: DAffine3, own:
     bounds
 }
 
-/// The time of the updates alone, without that of the changes before each.
+/// Time of the updates alone, without the changes before them.
 fn timed(scene: &mut Scene, times: u64, mut change: impl FnMut(&mut Scene)) -> Duration {
     let update = |_| {
         change(scene);
@@ -95,7 +95,7 @@ fn transforms(c: &mut Criterion) {
         b.iter_custom(|times| {
             timed(&mut scene, times, |scene| {
                 turn += 1;
-                // Leaves and what is just above them, as where things move and buildings do not.
+                // Leaves and their parents change, as in a scene with moving objects and static buildings.
                 let movers = (turn % 100..ENTITIES).step_by(100);
                 for i in movers.filter(|i| *i > ENTITIES / 100) {
                     scene.set_local(entities[i], local(i + turn)).unwrap();

@@ -7,8 +7,7 @@
 //! - [`Camera`], [`Stereo`] and [`Frustum`] give views. [`Frustum::cull`] tests many boxes ([`BoxArray`]) at once.
 //! - [`hierarchy`] has trees of boxes for culling whole subtrees.
 //! - [`Mesh`], [`Geometry`] and [`Raster`] are plain arrays. With the feature `simplify` (meshoptimizer, C++) a mesh
-//!   gets a
-//! low-resolution proxy for visibility tests.
+//!   gets a low-resolution proxy for visibility tests.
 //!
 //! ```
 //! use antumbra_scene::{Camera, Drawable, Material, Mesh, Projection, Scene, icosphere};

@@ -1,4 +1,4 @@
-//! Cameras and frusta: never a box away that has a point in the picture, one at a time or a million at once.
+//! Cameras and frusta: no box with a point inside the image is culled, one at a time or a million at once.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_scene::{Aabb, BoxArray, Camera, CameraError, Frustum, Projection};
@@ -43,7 +43,7 @@ fn camera() -> impl Strategy<Value = Camera> {
     )
 }
 
-/// A box around a point that is `distance` from the camera in any direction; sizes from 1 mm to 1 km.
+/// A box around a point at `distance` from the camera in any direction; sizes from 1 mm to 1 km.
 fn around(camera: &Camera, direction: DVec3, distance: f64, size: DVec3) -> Aabb {
     let half = (size * 3.0).to_array().map(|s| 10_f64.powf(s));
     Aabb::from_centre(
@@ -52,13 +52,13 @@ fn around(camera: &Camera, direction: DVec3, distance: f64, size: DVec3) -> Aabb
     )
 }
 
-/// Where a point is relative to the camera's axes: right, up, ahead.
+/// Position of a point in the camera's axes: right, up, ahead.
 fn seen_at(camera: &Camera, point: DVec3) -> DVec3 {
     let v = camera.rotation.conjugate() * (point - camera.position);
     DVec3::new(v.x, v.y, -v.z)
 }
 
-/// Half the height of what is seen this far ahead.
+/// Half the height of the view at this distance ahead.
 fn side_limit(camera: &Camera, ahead: f64) -> f64 {
     match camera.projection {
         Projection::Perspective { fov_y, .. } | Projection::OffAxis { fov_y, .. } => {
@@ -68,7 +68,7 @@ fn side_limit(camera: &Camera, ahead: f64) -> f64 {
     }
 }
 
-/// Where the middle of what is seen this far ahead lies off the axis: right, up.
+/// Offset of the view's centre from the camera's axis at this distance ahead: right, up.
 fn middle(camera: &Camera, ahead: f64) -> DVec2 {
     match camera.projection {
         Projection::OffAxis { shift, .. } => shift * ahead,
@@ -76,7 +76,7 @@ fn middle(camera: &Camera, ahead: f64) -> DVec2 {
     }
 }
 
-/// Whether a point relative to the camera's axes lies between the sides.
+/// Whether a point in the camera's axes lies between the side planes.
 fn between_sides(camera: &Camera, at: DVec3, ahead: f64) -> bool {
     let off = (at.truncate() - middle(camera, ahead)).abs();
     let limit = side_limit(camera, ahead);
@@ -151,7 +151,7 @@ proptest! {
         }
     }
 
-    /// The matrix the GPU gets and the planes of the CPU mean the same window.
+    /// The GPU's matrix and the CPU's planes describe the same window.
     #[test]
     fn what_projects_into_the_picture_is_inside_the_frustum(
         camera in camera(),
@@ -169,13 +169,13 @@ proptest! {
         let projected: Vec4 = matrix * relative.as_vec3().extend(1.0);
         let projected = projected.truncate() / projected.w;
         let off = (projected.truncate().as_dvec2() - DVec2::from_array(clip)).abs().max_element();
-        // In f32, and the narrower the window beside what it is shifted by, the fewer places are left.
+        // The matrix is f32: a window that is narrow relative to its offset has fewer significant digits.
         let places = 1.0 + relative.length() / half.y;
         prop_assert!(off < 2e-6 * places, "{projected} instead of {clip:?}");
         let slack = DVec3::splat(camera.position.abs().max_element() * 1e-14 + 1e-12);
         let point = Aabb::from_centre(camera.position + relative, slack);
         prop_assert!(camera.frustum(ASPECT).intersects(&point));
-        // And on the other side of each edge it is not.
+        // On the other side of each edge the point is outside.
         for (side, sign) in [(DVec2::X, 1.0), (DVec2::X, -1.0), (DVec2::Y, 1.0), (DVec2::Y, -1.0)] {
             let at = middle(&camera, ahead) + half * sign * side * 1.01 + half * DVec2::from_array(clip) * (DVec2::ONE - side);
             let relative = camera.right() * at.x + camera.up() * at.y + camera.forward() * ahead;
@@ -187,7 +187,7 @@ proptest! {
         }
     }
 
-    /// Even in the window's farthest corner.
+    /// Also in the farthest corner of the window.
     #[test]
     fn a_small_box_on_the_near_plane_crosses_it(
         camera in camera(),
@@ -276,7 +276,7 @@ proptest! {
     }
 }
 
-/// The indices ascend, the bits say the same, and only rounding parts them from the boxes one by one.
+/// Indices ascend, bits agree with them, and both agree with testing one box at a time, except for rounding.
 fn check(frustum: &Frustum, plain: &[Aabb], array: &BoxArray) {
     let mut out = vec![77];
     frustum.cull(array, &mut out);
@@ -319,7 +319,7 @@ fn large_arrays_are_the_same_in_parallel() {
     let mut array = BoxArray::new();
     let plain: Vec<Aabb> = (0..100_003)
         .map(|i| {
-            // Some blocks are close together, so that whole blocks are settled at once.
+            // Some blocks are close together, so that whole blocks are decided at once.
             let spread = if (i / 64) % 2 == 0 { 100.0 } else { 1.0 };
             let middle = DVec3::new(f64::from(i / 64 % 40) - 20.0, 0.0, 0.0);
             let centre = middle + DVec3::new(random(), random(), random()) * spread;
@@ -342,7 +342,7 @@ fn boxes_that_are_not_finite_are_kept_and_empty_ones_are_not() {
         min: DVec3::NAN,
         max: DVec3::NAN,
     };
-    // Before the camera, were it not inside out.
+    // In front of the camera, but inside out.
     let inverted = Aabb {
         min: DVec3::new(9.0, 1.0, 1.0),
         max: DVec3::new(7.0, -1.0, -1.0),

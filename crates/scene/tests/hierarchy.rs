@@ -1,4 +1,4 @@
-//! The scene against a plain model of it: random histories of changes, compared after every update.
+//! The scene against a simple model: random sequences of changes, compared after every update.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_scene::{
@@ -28,7 +28,7 @@ struct Twin {
 
 fn local(numbers: [i8; 3]) -> DAffine3 {
     let [x, y, z] = numbers.map(f64::from);
-    // A few are flat: scales of zero must work.
+    // A few have a scale of zero, which must work.
     let scale = DVec3::new(1.0, if y > 100.0 { 0.0 } else { 1.0 }, 0.5);
     DAffine3::from_scale_rotation_translation(
         scale,
@@ -269,7 +269,8 @@ proptest! {
     }
 }
 
-/// Large enough, and changed little enough, that the paths for few changes, for many, and the new layout are all taken.
+/// The scene is large enough and the changes small enough that the paths for few changes, for many changes, and for a
+/// new layout are all taken.
 #[test]
 fn large_scenes_take_every_path() {
     let mut pair = Pair::new();
@@ -326,13 +327,14 @@ fn a_tree_as_deep_as_it_has_entities_is_no_deeper_than_the_stack() {
     assert_eq!(scene.update().removed, [deepest]);
 }
 
-/// An entity that hangs elsewhere but stands where it stood still counts in its new parent's box, and no longer in the old one's.
+/// An entity that gets another parent without moving counts in the box of its new parent, and no longer in that of
+/// the old one.
 #[test]
 fn boxes_follow_an_entity_that_does_not_move() {
     let mut scene = Scene::new();
     let material = scene.add_material(Material::default());
     let mesh = scene.add_mesh(mesh(1.0)).unwrap();
-    // Enough bystanders that a change of one entity is a small one.
+    // Enough unchanged entities, so that the change of one entity counts as small.
     for _ in 0..100 {
         scene.spawn(None, DAffine3::IDENTITY).unwrap();
     }

@@ -1,4 +1,5 @@
-//! Boxes, meshes and proxies: what is widened never shrinks, what is refused is named, what stands in has fewer triangles.
+//! Boxes, meshes and proxies: extending a box never shrinks it, errors name their cause, proxies have fewer triangles
+//! than their meshes.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_scene::{
@@ -50,7 +51,7 @@ proptest! {
         prop_assert_eq!(bounds.contains(p), bounds.distance(p) == 0.0);
     }
 
-    /// Any triangles at all, good or degenerate.
+    /// Arbitrary triangles, also degenerate ones.
     #[test]
     fn a_proxy_has_never_more_triangles_and_lies_in_the_same_box(
         positions in prop::collection::vec(prop::array::uniform3(-4_i8..4), 1..60),
@@ -64,11 +65,11 @@ proptest! {
             ..Geometry::default()
         };
         let options = ProxyOptions { ratio, min_triangles: 4, ..ProxyOptions::default() };
-        let stand_in = proxy(&geometry, &options);
-        prop_assert_eq!(stand_in.problem(), None);
-        prop_assert!(stand_in.triangle_count() <= geometry.triangle_count());
-        prop_assert_eq!(&stand_in, &proxy(&geometry, &options), "the same every time");
-        if let Some(bounds) = stand_in.bounds() {
+        let proxy = proxy(&geometry, &options);
+        prop_assert_eq!(proxy.problem(), None);
+        prop_assert!(proxy.triangle_count() <= geometry.triangle_count());
+        prop_assert_eq!(&proxy, &proxy(&geometry, &options), "the same every time");
+        if let Some(bounds) = proxy.bounds() {
             prop_assert!(geometry.bounds().unwrap().contains_box(&bounds));
         }
     }
@@ -88,7 +89,7 @@ fn a_sphere_s_proxy_is_a_coarser_sphere() {
         "{}",
         coarse.triangle_count()
     );
-    // Collapsing edges cuts corners off; closed as it is, it is grown back, but never beyond what was lost.
+    // Collapsing edges cuts corners off. A closed proxy is grown to compensate, at most by what was lost.
     let lengths = coarse.positions.iter().map(|p| Vec3::from(*p).length());
     let (least, most) = lengths.fold((f32::MAX, 0.0f32), |(least, most), length| {
         (least.min(length), most.max(length))
@@ -110,7 +111,7 @@ fn a_proxy_at_the_end_of_f32_stays_finite() {
     assert_eq!(coarse.problem(), None);
 }
 
-/// What a closed surface encloses, as a sum over tetrahedra from the origin.
+/// Volume of a closed surface, as a sum over tetrahedra from the origin.
 fn volume(geometry: &Geometry) -> f64 {
     let parts = geometry.triangles().map(|triangle| {
         let [a, b, c] = geometry.corners(triangle).unwrap();
@@ -370,7 +371,7 @@ fn the_boxes_of_entities_hold_the_proxies_that_their_meshes_are_given() {
     let after = scene.world_bounds(entity).unwrap();
     let proxy = scene.mesh(mesh).unwrap().proxy.as_ref().unwrap();
     let reach = proxy.bounds().unwrap().max.max_element() * 3.0;
-    // A closed proxy is grown: it reaches out of its mesh.
+    // A closed proxy is grown, so that it extends beyond its mesh.
     assert!(reach > before.max.max_element(), "{reach} and {before:?}");
     assert!(
         after.max.max_element() >= reach * 0.999_999,

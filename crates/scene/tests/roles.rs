@@ -1,4 +1,4 @@
-//! Entities that are not tested, images that change, and what surrounds the scene: all are told to whoever follows it.
+//! Entities that are not tested, images that change, and the environment: each change is reported by the update.
 #![allow(clippy::unwrap_used)]
 
 use antumbra_scene::{

@@ -1,4 +1,5 @@
-//! Two eyes: where their pictures agree, how they part before and behind, and what is refused.
+//! Stereo cameras: where the two images agree, how they differ in front of and behind the convergence plane, and
+//! which settings are rejected.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_scene::{Camera, CameraError, Projection, Stereo, StereoError};
@@ -17,7 +18,7 @@ fn camera(shift: DVec2) -> Camera {
     Camera::look_at(eye, DVec3::new(-4.0, 1.0, 0.5), DVec3::Y, projection).unwrap()
 }
 
-/// Where a point lands in the picture, -1 to 1 across and upwards.
+/// Position of a point in the image, -1 to 1 across and upwards.
 fn lands(camera: &Camera, point: DVec3) -> DVec2 {
     let view = DMat4::from_quat(camera.rotation.conjugate());
     let clip =
@@ -26,8 +27,8 @@ fn lands(camera: &Camera, point: DVec3) -> DVec2 {
 }
 
 proptest! {
-    /// On the convergence plane alike, nearer crossed (farther right in the left eye), farther uncrossed; never higher in one
-    /// eye than in the other.
+    /// A point on the convergence plane has one position in both images, a nearer point is crossed (farther right in
+    /// the left eye), a farther point uncrossed; heights are equal.
     #[test]
     fn the_eyes_agree_at_the_convergence_distance_and_part_before_and_behind(
         interocular in 0.01..0.5_f64,
@@ -78,7 +79,7 @@ fn eyes_in_one_place_are_the_camera_to_the_bit() {
         fov_y: 1.0,
         near: 0.1,
     };
-    // The least happy place: a sum would turn -0 into 0 in one eye alone.
+    // The critical case: a sum would change -0 to 0 in one eye only.
     let place = DVec3::new(-0.0, 1.0, -0.0);
     for middle in [
         camera(DVec2::ZERO),
@@ -113,7 +114,7 @@ fn distances_that_cannot_be_are_refused_with_their_range() {
             "{text}"
         );
     }
-    // The fields are open, so eyes() asks again.
+    // The fields are public, so eyes() checks again.
     let unchecked = Stereo {
         interocular: 0.1,
         convergence: 0.0,
@@ -143,7 +144,7 @@ fn cameras_without_eyes_say_so() {
         stereo.eyes(&lost),
         Err(StereoError::Camera(CameraError::NotFinite { .. }))
     ));
-    // Allowed distances whose window lies beyond all numbers.
+    // Valid distances whose window is not finite.
     let extreme = Stereo::new(1e300, 1e-300).unwrap();
     assert!(matches!(
         extreme.eyes(&camera(DVec2::ZERO)),

@@ -1,4 +1,5 @@
-//! The tree of boxes: everything once, every box around what it contains, whatever came, went and moved; and bad trees refused.
+//! The bounding volume hierarchy: each leaf occurs once, every box contains its children after insertions, removals
+//! and moves, and invalid trees are rejected.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_scene::Aabb;
@@ -18,7 +19,7 @@ fn cube(at: DVec3, half: f64) -> Aabb {
     Aabb::from_centre(at, DVec3::splat(half))
 }
 
-/// Whether the tree is whole and holds just these leaves.
+/// Whether the tree is valid and contains exactly these leaves.
 fn check(tree: &Hierarchy, leaves: &BTreeMap<u32, Aabb>) {
     let mut found = Vec::new();
     for (node, number) in tree.nodes().iter().zip(0u32..) {
@@ -67,7 +68,7 @@ proptest! {
         later in prop::collection::vec((0..100u32, prop::option::of(boxes())), 0..40),
         shape in prop::sample::select(HierarchyShape::ALL.to_vec()),
     ) {
-        // A group lies in one before it, or in none.
+        // The parent of a group is a group before it, or none.
         let groups: Vec<u32> = around.iter().enumerate().map(|(i, at)| match at.index(i + 1) {
             0 => NONE,
             before => before as u32 - 1,
@@ -127,7 +128,7 @@ fn a_flat_scene_is_divided_and_a_nested_one_is_not() {
     let (children, _) = widest(HierarchyShape::Divided);
     assert!(children <= HierarchyShape::MAX_UNDIVIDED);
     assert_eq!(widest(HierarchyShape::Divided), widest(HierarchyShape::Bvh));
-    // Eight of each group stay as they are.
+    // Eight leaves of each group do not change.
     let nested: Vec<GroupedLeaf> = (0..80).map(|leaf| grouped_leaf(leaf, leaf % 10)).collect();
     let branches = GroupTree {
         groups: &[NONE; 10],
@@ -139,7 +140,7 @@ fn a_flat_scene_is_divided_and_a_nested_one_is_not() {
 
 #[test]
 fn neighbours_come_together() {
-    // Two clouds far apart, their leaves in turns.
+    // Two distant clouds of leaves, alternating.
     let leaves: Vec<GroupedLeaf> = (0..64).map(|leaf| grouped_leaf(leaf, NONE)).collect();
     let bounds = |leaf: u32| {
         cube(
@@ -197,7 +198,7 @@ fn what_is_no_tree_is_refused_by_number() {
         Hierarchy::new(GroupTree { groups, leaves }, HierarchyShape::Divided, fine).unwrap_err()
     };
     assert_eq!(refused(&[0], &[]), HierarchyError::Cycle { group: 0 });
-    // 3 and 4 lie in each other; 0 lies in 3 and is no part of the ring.
+    // 3 and 4 are parents of each other; 0 is a child of 3 and not part of the cycle.
     let error = refused(&[3, NONE, 1, 4, 3], &[(0, 0)]);
     assert!(
         matches!(error, HierarchyError::Cycle { group: 3 | 4 }),
@@ -245,7 +246,7 @@ fn what_is_no_tree_is_refused_by_number() {
             "{error}"
         );
     }
-    // Nothing to draw is nothing wrong.
+    // An empty tree is valid.
     let branches = GroupTree {
         groups: &[NONE, 0],
         leaves: &[grouped_leaf(3, 1)],

@@ -4,13 +4,11 @@
 //! Geo-Scientific Applications*, 2004.
 //!
 //! - `read` (feature `read`, on by default) reads surfaces and cell properties from files. A [`Surface`] is a horizon
-//!   or a
-//! fault at full resolution, from any source.
+//!   or a fault at full resolution, from any source.
 //! - [`prepare_surface`] cuts horizons into tiles with levels of detail and a proxy for visibility tests.
-//! [`PreparedSurface::spawn`] adds them to a scene.
+//!   [`PreparedSurface::spawn`] adds them to a scene.
 //! - [`VolumeFile`] and [`BrickCache`] read seismic volumes of any size within a memory budget. [`Slice`] and
-//!   [`Lens`] show
-//! sections of them, [`VolumeSections`] shows several.
+//!   [`Lens`] show sections of them, [`VolumeSections`] shows several.
 //!
 //! ```
 //! use antumbra_scene::{Raster, Scene};

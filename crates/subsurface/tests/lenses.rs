@@ -1,4 +1,4 @@
-//! Lenses: what they show, in which order, and which bricks are read for it.
+//! Lenses: their content, their draw order, and which bricks they read.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod volume_rule;
@@ -48,7 +48,7 @@ impl Stage {
         self.scene.mesh(drawable.mesh).unwrap().full().unwrap()
     }
 
-    /// The corners of the triangles in the order in which they are drawn, in the world and in the image.
+    /// The corners of the triangles in draw order, in the world and in the image.
     fn drawn(&self) -> Vec<(DVec3, [f32; 2])> {
         let world = self.scene.world(self.lens.entity()).unwrap();
         let geometry = self.geometry();
@@ -67,7 +67,7 @@ impl Stage {
     }
 }
 
-/// Steps that are neither perpendicular nor as long as each other, turning either way.
+/// Steps that are neither perpendicular nor equally long, of either handedness.
 fn skewed(mirrored: bool) -> VolumeLayout {
     let time = DVec3::new(0.5, -4.0, 0.25) * if mirrored { -1.0 } else { 1.0 };
     VolumeLayout {
@@ -132,7 +132,7 @@ fn from_each_of_six_sides_the_farthest_is_drawn_first() {
 fn only_a_change_of_side_is_a_change() {
     let mut stage = stage(&LensOptions::default());
     let above = stage.middle() + DVec3::new(10.0, 3000.0, -20.0);
-    // It is made to be looked at from above.
+    // It is made for a view from above.
     assert!(!stage.lens.orient_to(&mut stage.scene, above).unwrap());
     stage.scene.update();
     assert!(
@@ -145,7 +145,7 @@ fn only_a_change_of_side_is_a_change() {
     let below = stage.middle() - DVec3::new(10.0, 3000.0, -20.0);
     assert!(stage.lens.orient_to(&mut stage.scene, below).unwrap());
     assert_eq!(stage.scene.update().added, [stage.lens.entity()]);
-    // From its middle, or from no place at all, no side is better than the one it shows.
+    // From its centre, or from an undefined position, the current side stays.
     let middle = stage.middle();
     for eye in [middle, DVec3::NAN, DVec3::INFINITY] {
         assert!(!stage.lens.orient_to(&mut stage.scene, eye).unwrap());
@@ -189,7 +189,7 @@ fn a_lens_blends_and_is_tested_by_its_box() {
         .clone()
         .unwrap();
     assert_eq!(proxy.triangle_count(), 12);
-    // Closed and looking outwards: its volume is that of the box.
+    // The box is closed and faces outwards: its volume is positive.
     let volume: f64 = (proxy.triangles())
         .map(|triangle| {
             let [a, b, c] = proxy.corners(triangle).unwrap();
@@ -208,13 +208,13 @@ fn a_lens_blends_and_is_tested_by_its_box() {
     assert_eq!(stage.geometry().bounds(), proxy.bounds());
 }
 
-/// Where a corner of the lens' geometry lies, in samples.
+/// Position of a corner of the lens's geometry, in samples.
 fn sample_of(layout: &VolumeLayout, place: DVec3) -> DVec3 {
     let [x, y, z] = layout.steps;
     glam::DMat3::from_cols(x, y, z).inverse() * (place - layout.origin)
 }
 
-/// How opaque a pixel is that the drawable's image has at a place.
+/// Opacity of the drawable's image at a position.
 fn alpha_at(stage: &Stage, uv: [f64; 2]) -> u8 {
     let drawable = stage.scene.drawable(stage.lens.entity()).unwrap();
     let material = stage.scene.material(drawable.material).unwrap();
@@ -226,12 +226,13 @@ fn alpha_at(stage: &Stage, uv: [f64; 2]) -> u8 {
         uv[0] * f64::from(image.width),
         uv[1] * f64::from(image.height),
     ];
-    // The middle of a pixel, not its border.
+    // The centre of a pixel, not its border.
     assert!((x.fract() - 0.5).abs() < 0.01 && (y.fract() - 0.5).abs() < 0.01);
     image.rgba[(y as usize * image.width as usize + x as usize) * 4 + 3]
 }
 
-/// The corners of every section lie at samples, and their pixels are what these samples look like; how many sections each axis has.
+/// Checks that the corners of every section lie at samples and that their pixels show these samples; returns the
+/// number of sections along each axis.
 fn check_corners(stage: &mut Stage) -> [usize; 3] {
     let paged = (stage
         .lens
@@ -259,7 +260,7 @@ fn check_corners(stage: &mut Stage) -> [usize; 3] {
     sections
 }
 
-/// Whether a sample is to be seen at a threshold of a half.
+/// Whether a sample is visible at a threshold of one half.
 fn shown(layout: &VolumeLayout, sample: u8) -> bool {
     (layout.value(sample)).is_some_and(|value| value.abs() > 0.5 * 2.0)
 }
@@ -284,7 +285,7 @@ fn a_box_that_does_not_fit_its_images_is_thinned_and_stays_where_it_is() {
         max: [199, 99, 149],
     };
     let rule = Rule::new([200, 100, 150], 16);
-    // One brick at a time is room enough.
+    // A budget of one brick is enough.
     let mut stage = stage_of(rule, area, 4096, &STARK);
     let sections = check_corners(&mut stage);
     for (sections, samples) in sections.into_iter().zip(area.samples()) {
@@ -375,7 +376,7 @@ fn a_moved_lens_shows_what_is_there() {
         .page(&mut stage.scene, &mut stage.bricks, &|_| false)
         .unwrap();
     assert_eq!(paged.updated, 3);
-    // As a lens that was made there.
+    // The same as a lens created there.
     let mut scene = Scene::new();
     let mut other = Lens::spawn(
         &mut scene,
@@ -401,7 +402,7 @@ fn a_moved_lens_shows_what_is_there() {
 
 #[test]
 fn sections_farther_apart_cover_more() {
-    // Down it is 4 m from sample to sample, along the inlines' axis 25.
+    // Samples are 4 m apart in depth and 25 m along the inline axis.
     let layout = layout([20, 15, 25], 4);
     let rule = Rule {
         layout,
@@ -563,7 +564,7 @@ proptest! {
         let eye = middle + direction.normalize() * 5000.0;
         lens.orient_to(&mut scene, eye).unwrap();
         let stage = Stage { scene, rule, bricks, lens };
-        // How far each section's plane is from the eye.
+        // Distance of each section's plane from the eye.
         let drawn = stage.drawn();
         let distances: Vec<f64> = drawn.chunks(6).map(|quad| {
             let [a, b, c] = [0, 1, 2].map(|i| quad[i].0);

@@ -1,4 +1,4 @@
-//! The built-in model's shape: how large it is, that its layers never cross, and that its faults throw what they say.
+//! The shape of the built-in model: its size, layers that never cross, and the throw of its faults.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_demo_scenes::subsurface::{Model, ModelOptions};
@@ -23,7 +23,7 @@ fn surfaces(model: &Model) -> Vec<Surface> {
     horizons.chain(faults).map(Result::unwrap).collect()
 }
 
-/// Places all over the field, on no node of any size.
+/// Places all over the field that are nodes at no resolution.
 fn places() -> impl Iterator<Item = DVec2> {
     let share = |at: u32| (f64::from(at) + 0.37) / 90.0 * 2.0 - 1.0;
     (0..90).flat_map(move |x| (0..90).map(move |y| HALF * DVec2::new(share(x), share(y))))
@@ -84,7 +84,7 @@ fn faults_throw_horizons_by_what_they_say() {
         .unwrap();
         for (number, fault) in model.faults().iter().enumerate() {
             let towards = DVec2::new(fault.strike.cos(), -fault.strike.sin());
-            // The first place on a side where there is something of the horizon, and by how much it sank there.
+            // The first place on a side where the horizon exists, and its displacement there.
             let edge = |towards: DVec2| {
                 let places = (0..400).map(|at| fault.centre + towards * f64::from(at) * 0.5);
                 let mut known =
@@ -99,7 +99,7 @@ fn faults_throw_horizons_by_what_they_say() {
                 "{seed}: fault {number} of {} throws {throw}",
                 fault.throw
             );
-            // The gap is what the fault's slope makes of the throw.
+            // The gap follows from the slope of the fault and its throw.
             let heave = low.distance(high) / (fault.throw / fault.dip.tan());
             assert!(
                 (0.7..1.4).contains(&heave),
@@ -274,7 +274,7 @@ fn what_cannot_be_is_refused() {
         surfaces(&model);
         assert!(!model.flight().is_empty());
     }
-    // Two cells a side, and faults through all of them.
+    // Two cells per side, each crossed by faults.
     let coarse = ModelOptions {
         nodes_per_side: 3,
         faults: 64,

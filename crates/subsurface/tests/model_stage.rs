@@ -1,4 +1,4 @@
-//! How the built-in model is shown: wells, colours, lamps, views and the flight.
+//! Presentation of the built-in model: wells, colours, lights, viewpoints and the flight.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_demo_scenes::subsurface::{FlightPoint, Model, ModelLight, ModelOptions};

@@ -1,4 +1,4 @@
-//! The built-in model's seismic volume: reflections lie where the horizons are.
+//! The seismic volume of the built-in model: reflections lie at the horizons.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_demo_scenes::subsurface::{Model, ModelOptions, ModelVolume};
@@ -30,7 +30,7 @@ fn trace(volume: &ModelVolume, [inline, crossline]: [u32; 2]) -> Vec<f32> {
     trace
 }
 
-/// The place of the strongest sample in a range.
+/// Index of the strongest sample in a range.
 fn strongest(trace: &[f32], range: std::ops::Range<usize>) -> usize {
     let within = range.start.min(trace.len())..range.end.min(trace.len());
     within
@@ -43,7 +43,7 @@ fn the_strongest_samples_lie_at_the_horizons() {
     let model = model(ModelOptions::default().nodes_per_side);
     let volume = model.volume();
     let mut columns = vec![[5, 7], [100, 400], [262, 237], [517, 60]];
-    // On both sides of the greatest fault, through the horizon that it throws the most.
+    // On both sides of the largest fault, through the horizon with its largest throw.
     let fault = model.faults()[0];
     let towards = DVec2::new(fault.strike.cos(), -fault.strike.sin());
     let column = |place: DVec2| {

@@ -1,4 +1,4 @@
-//! Preparation: tiles hold the whole horizon and nothing else, meet without cracks at every level, and stand-ins cover what they stand for.
+//! Preparation: tiles contain exactly the horizon, join without cracks at every level, and proxies cover their tiles.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::collections::{HashMap, HashSet};
@@ -11,7 +11,7 @@ use antumbra_subsurface::{
 use glam::{DVec2, Vec3};
 use proptest::prelude::*;
 
-/// Hills on `side` x `side` nodes 10 m apart, with a hole where `hole` says.
+/// Hills on `side` x `side` nodes 10 m apart, with a hole where `hole` is true.
 fn hills(side: u32, hole: impl Fn(u32, u32) -> bool) -> Surface {
     let height = |column: u32, row: u32| {
         let (x, y) = (f64::from(column) / 9.0, f64::from(row) / 7.0);
@@ -45,7 +45,7 @@ fn bits(position: [f32; 3]) -> Point {
     position.map(|v| (v + 0.0).to_bits())
 }
 
-/// Edges that have a triangle on one side only, over all meshes together.
+/// Edges with a triangle on one side only, over all meshes.
 fn borders<'a>(meshes: impl Iterator<Item = &'a Geometry>) -> HashSet<(Point, Point)> {
     let mut edges: HashMap<(Point, Point), i32> = HashMap::new();
     for mesh in meshes {
@@ -121,7 +121,7 @@ fn stand_ins_are_small_cover_their_horizon_and_lie_right_way_up() {
         let full = prepared.triangles() as f64;
         let uncut = prepare_surface(&surface, &options(1, decimation)).unwrap();
         assert!((uncut.proxy_triangles() as f64) <= full / decimation * 1.3);
-        // Cutting along the borders adds to each triangle that it crosses, and no more than that.
+        // Cutting along a border adds triangles only where it crosses one.
         assert!(prepared.proxy_triangles() < uncut.proxy_triangles() + 12 * 100);
         let covered = plan_area(proxies(&prepared)) / plan_area(high(&prepared));
         assert!((0.97..=1.0001).contains(&covered), "{covered}");
@@ -135,7 +135,7 @@ fn every_level_of_a_tile_has_the_same_border() {
     let prepared = prepare_surface(&surface, &options(3, 100.0)).unwrap();
     for tile in &prepared.tiles {
         let levels = &tile.mesh.levels;
-        // One that would be little else than its border is not worth having.
+        // A version that would consist mostly of its border is not kept.
         assert!(levels.len() > 1, "{}", tile.mesh.name);
         let border = borders(std::iter::once(&levels[0]));
         for pair in levels.windows(2) {
@@ -182,7 +182,7 @@ fn thinning_keeps_neighbours_together() {
     let prepared = prepare_surface(&surface, &thinned).unwrap();
     let left = prepared.triangles() as f64 / surface.geometry.triangle_count() as f64;
     assert!((0.38..=0.45).contains(&left), "{left}");
-    // The outline of a height field without holes: one closed line, no border within.
+    // The outline of a height field without holes: one closed line, no border inside.
     let outline = borders(high(&prepared));
     let bounds = surface.geometry.bounds().unwrap();
     let on_outline = |point: &Point| {
@@ -246,15 +246,16 @@ fn a_surface_that_does_not_fit_together_is_refused_by_name() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Low-resolution tiles meet as the uncut low-resolution version does: whatever border there is was one before the cut, or lies on
-    /// the outline.
+    /// Low-resolution tiles join as in the undivided low-resolution version: every border edge was one before the
+    /// division, or lies on the outline.
     #[test]
     fn stand_ins_meet_without_cracks(side in 12u32..50, tiles in 1u32..13, decimation in 2.0f64..60.0) {
         let surface = hills(side, |c, r| c % 17 == 5 && r % 13 < 4);
         let prepared = prepare_surface(&surface, &options(tiles, decimation)).unwrap();
-        // A tile without a triangle of the horizon is left out, and with it its part of the low-resolution version.
+        // A tile without a triangle of the horizon is dropped, and with it its part of the low-resolution version.
         prop_assume!(prepared.tiles.len() == (tiles * tiles) as usize);
-        // Along the cut each piece of an edge must have its twin: what is left is the outline alone, which is as long as the uncut one's.
+        // Along a cut each part of an edge has a counterpart: only the outline is left, which is as long as that of
+        // the undivided version.
         let length = |edges: HashSet<(Point, Point)>| -> f64 {
             edges
                 .iter()

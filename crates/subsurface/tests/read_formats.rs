@@ -45,7 +45,8 @@ fn normals(surface: &Surface) -> Vec<DVec3> {
     faces.map(|[a, b, c]| (b - a).cross(c - a)).collect()
 }
 
-/// The 4 x 3 nodes of the small rasters, the undefined one (1, 1) with the two cells that keep a triangle around it.
+/// The 4 x 3 nodes of the small rasters: the undefined node (1, 1), and the two cells that keep a triangle next to
+/// it.
 fn assert_field(surface: &Surface, step_north: f64) {
     assert_eq!(surface.kind, SurfaceKind::Horizon);
     assert_eq!(surface.geometry.positions.len(), 11);
@@ -108,7 +109,7 @@ fn a_raster_may_be_told_to_be_positive_the_other_way() {
 #[test]
 fn irap_surfaces_turn_around_their_first_node() {
     let surface = &surfaces("a.gri", &files::irap(4, 3, &files::depths(), 90.0))[0];
-    // East has become north, north west; the f32 of the file knows half a metre there.
+    // East becomes north, north becomes west; the file's f32 is precise to half a metre there.
     let there = |point: DVec3| points(surface).iter().any(|p| p.distance(point) < 1.0);
     assert!(there(DVec3::new(WEST, -1503.0, -(SOUTH + 60.0))));
     assert!(there(DVec3::new(WEST - 50.0, -1508.0, -SOUTH)));
@@ -286,7 +287,7 @@ fn faultroom_triangles_are_gathered_by_fault_welded_and_wound_alike() {
     );
 }
 
-/// A grid of picks 10 m apart for each of two surfaces, with a hole of 8 x 8 in the middle of the first.
+/// A grid of picks 10 m apart for two surfaces; the first has a hole of 8 x 8 picks in its centre.
 fn picks(separator: char) -> String {
     let mut text = format!("Easting{separator}NORTHING{separator}z{separator}Surface\n");
     for (name, z) in [("Top", -1500.0), ("Base", -1600.0)] {
@@ -302,7 +303,7 @@ fn picks(separator: char) -> String {
     text
 }
 
-/// Whether a triangle lies over a place, metres from the south-west corner.
+/// Whether a triangle covers a place, in metres from the south-west corner.
 fn covers(surface: &Surface, east: f64, north: f64) -> bool {
     let points = points(surface);
     let at = DVec3::new(WEST + east, 0.0, -(SOUTH + north));

@@ -1,4 +1,5 @@
-//! Corner-point grids: faults are gaps, inactive cells holes, every way of writing the same; properties fill volumes.
+//! Corner-point grids: faults are gaps, inactive cells are holes, every encoding gives the same result; properties
+//! fill volumes.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -39,7 +40,7 @@ fn level(_: [i32; 3], [_, _, k]: [i32; 3]) -> f64 {
     -2000.0 + 10.0 * f64::from(k)
 }
 
-/// The same, thrown down 30 m from column 2 on.
+/// The same with a throw of 30 m downwards from column 2 on.
 fn faulted(cell: [i32; 3], node: [i32; 3]) -> f64 {
     level(cell, node) - if cell[0] >= 2 { 30.0 } else { 0.0 }
 }
@@ -82,7 +83,7 @@ fn each_layer_border_is_a_horizon_from_the_top_down() {
 fn a_faults_throw_is_a_gap() {
     let surfaces = surfaces(&GridFile::new([4, 3, 1]).write(faulted));
     for surface in &surfaces {
-        // The pillars of the fault, twice.
+        // The pillars of the fault have two nodes each.
         let points = points(surface);
         assert_eq!(points.len(), 5 * 4 + 4);
         let on_fault = points
@@ -137,7 +138,7 @@ fn every_way_of_writing_says_the_same() {
 
 #[test]
 fn a_border_shows_the_top_of_what_is_below_it() {
-    // Layers apart by 2 m: only eight heights a node, or two, can say so.
+    // Layers are 2 m apart: only two or eight heights per node can express this.
     let apart = |cell: [i32; 3], node| level(cell, node) + 2.0 * f64::from(cell[2]);
     for split in [2, 8] {
         let surfaces = surfaces(
@@ -182,7 +183,7 @@ fn inactive_cells_are_holes_and_their_active_neighbours_still_shown() {
 
 #[test]
 fn corners_slide_along_slanted_pillars() {
-    // 1000 m of pillar lean 500 m east: 10 m up are 5 m east.
+    // A pillar of 1000 m leans 500 m east: 10 m up is 5 m east.
     let surfaces = surfaces(
         &GridFile {
             slant: 500.0,
@@ -313,7 +314,7 @@ fn a_sample_has_the_value_of_the_cell_it_lies_in() {
             known += 1;
         }
     }
-    // 11 columns of 100 samples in the plan, 20 of the box's 50 metres in each.
+    // 11 columns of 100 samples in plan, 20 samples per 50 metres of the box.
     assert_eq!(known, 11 * 100 * 20);
 }
 

@@ -1,4 +1,4 @@
-//! Files that are truncated, lie about their size or are plain noise: an error that says where, and never a panic.
+//! Files that are truncated, declare a wrong size or contain noise give an error with a location, and never a panic.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -58,7 +58,7 @@ fn all() -> Vec<(&'static str, Vec<u8>)> {
     ]
 }
 
-/// What no surface may be, however it was read.
+/// Asserts what holds for every surface from every reader.
 fn assert_sound(surfaces: &[Surface]) {
     assert!(!surfaces.is_empty());
     for surface in surfaces {
@@ -84,11 +84,11 @@ fn a_truncated_binary_file_is_an_error_wherever_it_ends() {
     for (name, bytes) in all() {
         assert_sound(&read(name, &bytes).unwrap());
         let is_text = std::str::from_utf8(&bytes).is_ok();
-        // Of a ROFF file the last word says nothing new.
+        // The last word of a ROFF file carries no data.
         let ends = bytes.len() - if bytes.starts_with(b"roff-bin") { 7 } else { 0 };
         for end in 0..ends {
             match read(name, &bytes[..end]) {
-                // Half a table of picks is a table of picks.
+                // A truncated table of picks is still a table of picks.
                 Ok(surfaces) if is_text => assert_sound(&surfaces),
                 Ok(_) => panic!("{name} was read from its first {end} bytes"),
                 Err(error) => assert!(matches!(error, SubsurfaceError::Format { .. })),
@@ -396,7 +396,7 @@ proptest! {
             };
             let areas: Vec<_> = geometry.triangles().map(area).collect();
             prop_assert!(areas.iter().all(|area| *area > 0.0));
-            // Together no more than the box: each place is covered once.
+            // In sum no more than the box: each place is covered once.
             let bounds = geometry.bounds().unwrap();
             let size = bounds.max - bounds.min;
             prop_assert!(areas.iter().sum::<f64>() <= size.x * size.z * 1.001);

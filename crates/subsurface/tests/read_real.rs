@@ -1,4 +1,4 @@
-//! The real files of `data/` (`make data`), where they are: what is known of them is what is read.
+//! The real files of `data/` (`make data`), if present: surfaces agree with what is known of the files.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -8,7 +8,7 @@ use antumbra_subsurface::read::{self, ReadOptions};
 use antumbra_subsurface::{BrickSource, Surface, SurfaceKind};
 use glam::DVec3;
 
-/// `None`, said aloud, where the file has not been fetched.
+/// `None`, with a printed note, if the file has not been fetched.
 fn real(name: &str) -> Option<PathBuf> {
     let path = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data")).join(name);
     if !path.exists() {
@@ -58,7 +58,7 @@ fn surfaces(name: &str) -> Option<Vec<Surface>> {
     Some(surfaces)
 }
 
-/// Drogon lies where its files say it does.
+/// Drogon lies at the position that its files declare.
 fn assert_in_drogon(surface: &Surface) {
     let low = DVec3::new(455_000.0, -2100.0, -5_940_000.0);
     let high = DVec3::new(468_000.0, -1400.0, -5_926_000.0);
@@ -78,7 +78,7 @@ fn drogons_grid_has_66_horizons_of_93_by_147_pillars() {
             assert!((i - i.round()).abs() < 1e-3 && (j - j.round()).abs() < 1e-3);
         }
     }
-    // The uppermost layer is active as a whole; its faults split some 450 pillars, by 100 m at the most.
+    // The top layer is completely active; its faults split about 450 pillars, by at most 100 m.
     let top = &surfaces[0];
     let mut heights: Vec<_> = std::iter::zip(&top.plan, &top.geometry.positions)
         .map(|(plan, position)| (plan.map(f32::to_bits), position[1]))
@@ -120,7 +120,7 @@ fn drogons_porosity_fills_as_much_as_its_cells() {
     let known = places.filter(|at| volume.sample(*at) != Some(0)).count();
     let sample = volume.layout().steps.iter().map(|step| step.length());
     let sampled = known as f64 * sample.product::<f64>();
-    // A cell's volume: its mean height over the area of its middle.
+    // Volume of a cell: its mean height times its area at mid-height.
     let [nx, ny, nz] = grid.size();
     let cells = (0..nx).flat_map(|i| (0..ny).flat_map(move |j| (0..nz).map(move |k| [i, j, k])));
     let valued = |&[i, j, k]: &[u32; 3]| {
@@ -134,7 +134,7 @@ fn drogons_porosity_fills_as_much_as_its_cells() {
         height * ((ne - sw).cross(nw - se).y / 2.0).abs()
     });
     let filled = filled.sum::<f64>();
-    // Along its faults some of Drogon's cells overlap, by some 2.5 % of all.
+    // Along its faults about 2.5 % of Drogon's cells overlap.
     let share = sampled / filled;
     assert!((0.96..=1.0).contains(&share), "{share}");
 }
@@ -185,7 +185,7 @@ fn drogons_map_has_572_by_645_nodes() {
         let [i, j] = [f64::from(plan[0]) * 571.0, f64::from(plan[1]) * 644.0];
         assert!((i - i.round()).abs() < 1e-3 && (j - j.round()).abs() < 1e-3);
     }
-    // 20 m apart both ways.
+    // 20 m apart along both axes.
     assert_eq!(maps[0].geometry.positions.len(), 188_024);
 }
 
@@ -202,7 +202,7 @@ fn claudius_has_four_horizons_of_some_5200_picks() {
         names,
         ["strati 250.0", "strati 330.0", "strati 0.0", "strati 60.0"]
     );
-    // 5268, 5219, 5259 (19 of them twins) and 5277, less those far from all others.
+    // 5268, 5219, 5259 (19 of them duplicates) and 5277, without those far from all others.
     let points = horizons
         .iter()
         .map(|horizon| horizon.geometry.positions.len());

@@ -1,4 +1,4 @@
-//! Slices: where they lie, what their tiles show, and which bricks are read for it.
+//! Slices: their positions, the content of their tiles, and which bricks they read.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod volume_rule;
@@ -48,7 +48,7 @@ impl Stage {
         (slice.page(&mut self.scene, &mut self.bricks, is_hidden)).unwrap()
     }
 
-    /// Where a tile's corners lie in the world, with their texture coordinates.
+    /// World positions of a tile's corners, with their texture coordinates.
     fn corners(&self, tile: &SliceTile) -> Vec<(DVec3, [f32; 2])> {
         let drawable = self.scene.drawable(tile.entity()).unwrap();
         let geometry = self.scene.mesh(drawable.mesh).unwrap().full().unwrap();
@@ -105,13 +105,13 @@ fn the_tiles_cover_the_section_and_nothing_else() {
         for tile in slice.tiles() {
             let corners = stage.corners(tile);
             for (corner, uv) in &corners {
-                // The steps are perpendicular here, so that places can be told by products.
+                // The steps are perpendicular here, so that positions follow from dot products.
                 let [u, v] =
                     [right, down].map(|step| (*corner - first).dot(step) / step.length_squared());
                 assert!((*corner - first - right * u - down * v).length() < 1e-3);
                 assert!(u > -1e-6 && u < across + 1e-6, "{u}");
                 assert!(v > -1e-6 && v < along + 1e-6, "{v}");
-                // The middles of pixels are samples.
+                // Pixel centres are samples.
                 for ((at, uv), range) in [u, v].into_iter().zip(*uv).zip(tile.area()) {
                     let pixel = f64::from(uv) * range.len() as f64;
                     assert!((pixel - 0.5 + f64::from(range.start) - at).abs() < 1e-4);
@@ -120,7 +120,7 @@ fn the_tiles_cover_the_section_and_nothing_else() {
             let [a, b, d] = [0, 1, 3].map(|i| corners[i].0);
             area += (b - a).length() * (d - a).length();
         }
-        // Without gaps, since no two overlap: each takes what is nearest to its samples.
+        // Without gaps, because tiles do not overlap: each covers the area nearest to its samples.
         let whole = right.length() * across * down.length() * along;
         assert!((area / whole - 1.0).abs() < 1e-6, "{area} {whole}");
     }
@@ -169,7 +169,7 @@ fn the_bricks_of_hidden_tiles_are_not_read() {
     assert_eq!(stage.scene.image(slice.tiles()[0].image()).cloned(), before);
     assert_eq!(slice.tiles()[0].shown_section(), None);
 
-    // They come when they are seen, and nothing else is read again.
+    // Tiles are read when they become visible; nothing else is read again.
     let paged = stage.page(&mut slice, &seen);
     assert_eq!((paged.updated, paged.skipped), (3, 0));
     let mut expected: Vec<_> = (slice.tiles().iter().step_by(2))
@@ -188,10 +188,10 @@ fn only_what_a_move_makes_wrong_is_read() {
     stage.rule.take_asked();
     let tiles = slice.tiles().len();
 
-    // To where it is: nothing.
+    // To its current position: nothing is read.
     slice.move_to(&mut stage.scene, 4).unwrap();
     assert_eq!(stage.page(&mut slice, &seen), PagingReport::default());
-    // Within the same bricks: other pixels, no reading.
+    // Within the same bricks: pixels change, nothing is read.
     slice.move_to(&mut stage.scene, 7).unwrap();
     let paged = stage.page(&mut slice, &seen);
     assert_eq!(
@@ -203,7 +203,7 @@ fn only_what_a_move_makes_wrong_is_read() {
         }
     );
     assert!(stage.rule.take_asked().is_empty());
-    // Away, unseen, and back: nothing.
+    // Away while hidden, and back: nothing is read.
     slice.move_to(&mut stage.scene, 12).unwrap();
     let paged = stage.page(&mut slice, &|_| true);
     assert_eq!(

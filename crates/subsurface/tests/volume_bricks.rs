@@ -1,4 +1,4 @@
-//! Bricks in memory: right to the sample, never above the budget, never read twice without need.
+//! The brick cache: every sample is correct, the budget is kept, no brick is read again without need.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod volume_rule;
@@ -42,7 +42,7 @@ proptest! {
 fn memory_stays_within_the_budget_and_every_sample_is_right() {
     let rule = Arc::new(Rule::new([41, 23, 37], 5));
     let brick = rule.layout.brick_bytes();
-    // A volume of 9 x 5 x 8 bricks, and room for a tenth of them and a bit.
+    // A volume of 9 x 5 x 8 bricks, with a budget of slightly more than a tenth of them.
     let budget = brick * 36 + brick / 2;
     let mut bricks = BrickCache::new(rule, budget).unwrap();
     for (x, y, z) in
@@ -65,7 +65,7 @@ fn what_was_not_used_for_longest_goes_first() {
     for x in [0, 2, 0, 4, 0, 2] {
         bricks.sample([x, 0, 0]).unwrap();
     }
-    // 2 made room for 4, 0 was used in between; then 4 made room for 2.
+    // 2 was evicted for 4, 0 was used between; then 4 was evicted for 2.
     assert_eq!(
         *rule.asked.lock().unwrap(),
         [[0, 0, 0], [1, 0, 0], [2, 0, 0], [1, 0, 0]]

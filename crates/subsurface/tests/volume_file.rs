@@ -1,4 +1,4 @@
-//! Volume files: what was written comes back, and a file that is none is refused in words.
+//! Volume files: written volumes are read back, and invalid files are rejected with a message.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod volume_rule;
@@ -9,7 +9,7 @@ use antumbra_subsurface::{BrickSource, SubsurfaceError, VolumeFile, VolumeLayout
 use proptest::prelude::*;
 use volume_rule::{Rule, layout};
 
-/// Where the numbers of the header lie.
+/// Offsets of the numbers in the header.
 const VERSION: usize = 8;
 const NAME_LENGTH: usize = 12;
 const SIZE: usize = 16;
@@ -32,7 +32,7 @@ fn written(rule: &Rule, name: &str) -> Written {
     Written { folder, path }
 }
 
-/// What is said about a file whose bytes were changed.
+/// The message for a file whose bytes were changed.
 fn refused(change: impl FnOnce(&mut Vec<u8>)) -> String {
     let file = written(&Rule::new([9, 5, 3], 4), "small");
     let mut bytes = std::fs::read(&file.path).unwrap();
@@ -73,7 +73,7 @@ proptest! {
         let mut bytes = std::fs::read(&file.path).unwrap();
         bytes[start..start + garbage.len()].copy_from_slice(&garbage);
         std::fs::write(&file.path, bytes).unwrap();
-        // Some garbage changes nothing that could be told from a good file; whatever opens has to be readable to its last brick.
+        // Some changes cannot be detected; a file that opens must be readable to its last brick.
         if let Ok(opened) = VolumeFile::open(&file.path) {
             let last = opened.layout().bricks().map(|count| count - 1);
             opened.read(last, &mut vec![0; opened.layout().brick_bytes()]).unwrap();
@@ -108,7 +108,7 @@ fn a_file_begins_as_its_description_says() {
     assert_eq!(bytes.len(), HEADER + 3 * 2 * 64);
 }
 
-/// A source that stops in the middle.
+/// A source that fails in the middle.
 struct Broken(VolumeLayout);
 
 impl BrickSource for Broken {

@@ -1,5 +1,5 @@
-//! A volume file larger than the budget for its bricks does not stay in memory behind the budget's back. Alone in its process, since it asks the
-//! system what the process holds.
+//! A volume file larger than the brick budget does not stay in memory beyond the budget. The test runs alone in its
+//! process, because it reads the memory that the process holds from the system.
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -11,7 +11,7 @@ use std::sync::Arc;
 use antumbra_subsurface::{Axis, BrickCache, VolumeFile, write_volume};
 use volume_rule::{Rule, sample_at};
 
-/// Bytes of a mapped file that are in memory on this process' account.
+/// Bytes of a mapped file that are resident in this process.
 fn mapped(path: &Path) -> usize {
     let maps = std::fs::read_to_string("/proc/self/smaps").unwrap();
     let path = path.to_str().unwrap();
@@ -41,7 +41,7 @@ fn a_file_ten_times_the_budget_stays_within_it() {
         assert!(bricks.stats().bytes <= budget);
     }
     assert!(bricks.stats().peak_bytes <= budget);
-    // The header's page, and what the system maps around it.
+    // The header's page, and the pages that the system maps around it.
     let held = mapped(&path);
     assert!(
         held <= 64 << 10,

@@ -1,9 +1,10 @@
-//! A picture in plain code: which entity is seen at each pixel, so that what a view shows can be tested without a GPU.
+//! A software rasteriser that gives the visible entity of each pixel, so that the content of a view can be tested
+//! without a GPU.
 
 use antumbra_scene::{EntityKey, Scene};
 use glam::DVec3;
 
-/// A camera outside the scene, and the picture's size in pixels.
+/// A camera outside the scene, and the image size in pixels.
 pub struct View {
     pub eye: DVec3,
     pub target: DVec3,
@@ -12,7 +13,8 @@ pub struct View {
     pub size: [usize; 2],
 }
 
-/// Row by row from the top, whose face turned towards the eye is the nearest. Nothing may lie behind the eye.
+/// The visible entity of each pixel, row by row from the top: the one with the nearest front face. Nothing may lie
+/// behind the eye.
 pub fn picture(scene: &Scene, view: &View) -> Vec<Option<EntityKey>> {
     let [width, height] = view.size;
     let ahead = (view.target - view.eye).normalize();
@@ -36,12 +38,12 @@ pub fn picture(scene: &Scene, view: &View) -> Vec<Option<EntityKey>> {
         let corners: Vec<DVec3> = geometry.positions.iter().map(seen).collect();
         for triangle in geometry.triangles() {
             let [a, b, c] = triangle.map(|i| corners[i as usize]);
-            // y runs downwards: what is counter-clockwise has a negative area.
+            // y points down: a counter-clockwise triangle has a negative area.
             let area = (b - a).truncate().perp_dot((c - a).truncate());
             if area >= 0.0 {
                 continue;
             }
-            // Pixels whose middles lie between two places.
+            // Pixels whose centres lie between two positions.
             let range = |low: f64, high: f64, most: usize| {
                 let first = (low - 0.5).ceil().max(0.0) as usize;
                 first..((high + 0.5).floor().max(0.0) as usize).min(most)

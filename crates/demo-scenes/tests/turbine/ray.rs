@@ -1,9 +1,9 @@
-//! A ray in plain code: what lies first on a straight way through a scene.
+//! A ray caster: the first hit on a straight line through a scene.
 
 use antumbra_scene::{EntityKey, Scene};
 use glam::{DMat3, DVec3};
 
-/// The first entity that a ray meets, from either side, and how many metres away. The scene is up to date.
+/// The first entity that a ray hits, from either side, and its distance in metres. The scene is up to date.
 pub fn first_on(scene: &Scene, from: DVec3, along: DVec3) -> Option<(EntityKey, f64)> {
     let boxes = scene.drawables().filter(|(entity, _)| {
         let bounds = scene.world_bounds(*entity).unwrap();

@@ -1,10 +1,10 @@
-//! The closed shells that a geometry is made of, corners at one place taken as one.
+//! The closed shells of a geometry; vertices at one position count as one.
 
 use antumbra_scene::{Geometry, Mesh};
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// How many edges of triangles have no counterpart that runs the other way.
+/// Number of triangle edges without an opposite edge.
 fn open_edges(geometry: &Geometry) -> usize {
     let names = welded(geometry);
     let mut edges: HashMap<(u32, u32), i32> = HashMap::new();
@@ -18,7 +18,7 @@ fn open_edges(geometry: &Geometry) -> usize {
     edges.values().filter(|sum| **sum != 0).count()
 }
 
-/// The volume of each shell in cubic metres: positive when its triangles look outwards.
+/// Volume of each shell in cubic metres; positive if its triangles face outwards.
 fn volumes(geometry: &Geometry) -> Vec<f64> {
     let names = welded(geometry);
     let mut above: Vec<u32> = (0..geometry.positions.len() as u32).collect();
@@ -46,19 +46,20 @@ fn top(above: &mut [u32], mut name: u32) -> u32 {
     name
 }
 
-/// For each position the first one at the same place.
+/// For each position the first one equal to it.
 fn welded(geometry: &Geometry) -> Vec<u32> {
     let mut first = HashMap::new();
     let places = geometry.positions.iter().enumerate();
     let named = places.map(|(i, position)| {
-        // Adding zero makes -0 a 0.
+        // Adding zero changes -0 to 0.
         let place = position.map(|p| (p + 0.0).to_bits());
         *first.entry(place).or_insert(i as u32)
     });
     named.collect()
 }
 
-/// Asserts that a mesh is closed, every shell of it and every normal looks outwards, and no triangle is without area.
+/// Asserts that a mesh is closed, that every shell and every normal faces outwards, and that every triangle has an
+/// area.
 pub fn assert_closed_and_outward(mesh: &Mesh) {
     mesh.validate().unwrap();
     let (name, geometry) = (&mesh.name, mesh.full().unwrap());

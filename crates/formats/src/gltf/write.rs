@@ -25,16 +25,13 @@ use tempfile::NamedTempFile;
 /// Saves a scene as a binary glTF. [`load`](crate::load) reads back:
 ///
 /// - every entity with its name, its place in the tree and its transform. Transforms are written as f64, though most
-///   readers
-/// keep f32. A transform that is no translation, rotation and scale is written as a matrix;
+///   readers keep f32. A transform that is no translation, rotation and scale is written as a matrix;
 /// - the meshes of entities, once per material: level 0, then the further levels, and last the proxy, as nodes of
-///   MSFT_lod.
-/// If there are levels but no proxy, the full geometry is listed again as the last one, since a reader takes the last
-/// one for the proxy;
+///   MSFT_lod. If there are levels but no proxy, the full geometry is listed again as the last one, since a reader
+///   takes the last one for the proxy;
 /// - the materials and images they use, images as PNG; KHR_texture_transform, KHR_materials_unlit;
 /// - lights (KHR_lights_punctual) and cameras. A camera that is not at its entity's origin, and an orthographic one
-///   whose
-/// near plane is behind it, becomes a child node of its entity;
+///   whose near plane is behind it, becomes a child node of its entity;
 /// - whether a test may cull an entity, as `"tested": false` in the node's extras.
 ///
 /// The environment is not written, since glTF has none. Geometry without indices is not written either; an entity

@@ -1,4 +1,4 @@
-//! Small files made on the spot: what the loaders' tests break and the fuzzer starts from.
+//! Small files for the tests of the loaders and as seeds of the fuzzer.
 #![allow(dead_code, reason = "every user takes some of them")]
 
 /// A binary glTF of these chunks.
@@ -59,7 +59,7 @@ pub fn primitive(primitive: &str, views: &str, accessors: &str, binary: &[u8]) -
     glb(&json, binary)
 }
 
-/// An OBJ of one square with everything a vertex can have.
+/// An OBJ of one square with all vertex attributes.
 pub const OBJ: &str = "mtllib none.mtl\no square\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 1\nvt 0 0\nvt 1 1\nvn 0 0 1\nusemtl red\nf 1/1/1 2/1/1 3/2/1 4/2/1\nf -1 -2 -3\n";
 
 /// An ASCII PLY of one square.
@@ -89,7 +89,8 @@ pub fn stl_binary(header: &[u8], triangles: u32) -> Vec<u8> {
     file
 }
 
-/// A CityJSON sequence of one building, whose part is a cube of 10 m at level 1 and one with a square hole in its roof at level 2.
+/// A CityJSON sequence of one building, whose part is a cube of 10 m at level 1 and a cube with a square hole in its
+/// roof at level 2.
 pub const CITY: &str = concat!(
     r#"{"type":"CityJSON","version":"2.0","transform":{"scale":[0.001,0.001,0.001],"translate":[85000.0,446000.0,-2.0]},"CityObjects":{},"vertices":[]}"#,
     "\n",
@@ -103,7 +104,7 @@ pub const CITY: &str = concat!(
     "\n"
 );
 
-/// A PNG of two by one pixels: red, then half-transparent green.
+/// A PNG of 2 x 1 pixels: red, and half-transparent green.
 pub const PNG: &[u8] = &[
     137, 80, 78, 71, 13, 10, 26, 10, 0, 0, 0, 13, 73, 72, 68, 82, 0, 0, 0, 2, 0, 0, 0, 1, 8, 6, 0,
     0, 0, 244, 34, 127, 138, 0, 0, 0, 15, 73, 68, 65, 84, 120, 156, 99, 248, 207, 192, 240, 31, 8,

@@ -1,4 +1,4 @@
-//! Whatever a scene is made of, it comes back.
+//! Arbitrary scenes survive saving and loading.
 
 use super::same::{assert_same, round_trip};
 use super::spawn;
@@ -23,7 +23,7 @@ prop_compose! {
         more in prop::collection::vec(0..count as u32, 6),
         topology in Just([Topology::Triangles, Topology::Lines, Topology::Points][topology as usize]),
     ) -> Geometry {
-        // Every vertex is used: a reader need not keep others.
+        // Every vertex is used, because a reader may drop others.
         let mut indices: Vec<u32> = (0..positions.len() as u32).collect();
         indices.extend(&more);
         indices.truncate(positions.len().next_multiple_of(topology.indices_per_primitive()));

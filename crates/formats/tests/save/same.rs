@@ -1,11 +1,11 @@
-//! Saving and loading in one, and whether two scenes are the same.
+//! A round trip through a file, and the comparison of two scenes.
 
 use antumbra_formats::{LoadOptions, load, save_glb};
 use antumbra_scene::{Drawable, EntityKey, Light, Material, Scene};
 use std::path::PathBuf;
 use tempfile::TempDir;
 
-/// Saves, checks with the `gltf` crate, and loads again; the folder goes with the test.
+/// Saves a scene, checks the file with the `gltf` crate, and loads it; removes the folder.
 pub fn round_trip(scene: &Scene) -> (Scene, gltf::Gltf, TempDir) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(format!("{}.glb", scene.name()));
@@ -24,7 +24,8 @@ pub fn round_trip(scene: &Scene) -> (Scene, gltf::Gltf, TempDir) {
     (scene, document, folder)
 }
 
-/// Compares two scenes all the way down. Translations are the same to the bit; turns and scales may differ by what taking them apart does.
+/// Compares two scenes completely. Translations are equal to the bit; rotations and scales may differ by the rounding
+/// of their decomposition.
 pub fn assert_same(a: &Scene, b: &Scene) {
     assert_eq!(a.name(), b.name());
     assert_eq!(a.len(), b.len());

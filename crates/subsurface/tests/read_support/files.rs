@@ -1,11 +1,11 @@
-//! Small valid files of every format, written as the formats' own descriptions have them.
+//! Small valid files of every format, written from the descriptions of the formats.
 
 use std::io::Cursor;
 
 use tiff::encoder::{TiffEncoder, colortype::Gray32Float};
 use tiff::tags::Tag;
 
-/// Where the small rasters lie: metres east and north, as a real field's.
+/// Origin of the small rasters: metres east and north, like that of a real field.
 pub const WEST: f64 = 460_000.0;
 pub const SOUTH: f64 = 5_930_000.0;
 
@@ -22,7 +22,7 @@ fn record(bytes: &[u8]) -> Vec<u8> {
     [&length[..], bytes, &length].concat()
 }
 
-/// Steps of 20 m east and 25 m north before it is turned.
+/// Steps of 20 m east and 25 m north before the rotation.
 pub fn irap(columns: i32, rows: i32, values: &[f32], degrees: f32) -> Vec<u8> {
     let floats = |values: &[f32]| {
         values
@@ -58,7 +58,7 @@ pub fn irap_ascii() -> String {
     )
 }
 
-/// The same field as elevations, north row first, 20 m both ways.
+/// The same field as elevations, north row first, 20 m along both axes.
 pub fn esri() -> String {
     let rows: Vec<_> = (0..3)
         .rev()
@@ -76,7 +76,7 @@ pub fn esri() -> String {
     )
 }
 
-/// Again the same, a pixel around each node. `keys` is the directory of GeoTIFF's own keys.
+/// The same as a GeoTIFF with one pixel around each node. `keys` is the GeoTIFF key directory.
 pub fn geotiff(keys: &[u16]) -> Vec<u8> {
     let mut file = Cursor::new(Vec::new());
     let mut encoder = TiffEncoder::new(&mut file).unwrap();
@@ -116,7 +116,7 @@ pub fn gocad() -> String {
         .into()
 }
 
-/// Two faults; the first one's triangles share an edge and are wound against each other.
+/// Two faults; the triangles of the first share an edge and have opposite windings.
 pub fn faultroom() -> String {
     let feature = |fault: &str, corners: [[f64; 3]; 3]| {
         let ring = [corners[0], corners[1], corners[2], corners[0]];

@@ -1,6 +1,6 @@
 //! ROFF files, in binary of either byte order and in ASCII.
 
-/// How a file is written.
+/// The encoding of a file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Way {
     Little,
@@ -84,13 +84,13 @@ impl Roff {
     }
 }
 
-/// A grid of cells 100 m wide and long, whose heights are a rule.
+/// A grid of cells 100 m wide and long, whose heights are computed.
 pub struct GridFile {
     pub way: Way,
     pub size: [i32; 3],
-    /// Heights written at each node: 1, 2, 4 or 8; 0 for no `splitEnz` at all.
+    /// Number of heights per node: 1, 2, 4 or 8; 0 omits `splitEnz`.
     pub split: i32,
-    /// How far a pillar's top lies east of its bottom.
+    /// Offset of a pillar's top to the east of its bottom.
     pub slant: f64,
     pub scale_x: f64,
     pub active: Option<fn([i32; 3]) -> bool>,
@@ -108,7 +108,7 @@ impl GridFile {
         }
     }
 
-    /// The third coordinate of the node at (i, j, k) as the cell has it, in metres up; pillars go from -2000 to -1000.
+    /// Height in metres of the node (i, j, k) as the cell has it; pillars extend from -2000 to -1000.
     pub fn write(&self, z: impl Fn([i32; 3], [i32; 3]) -> f64) -> Vec<u8> {
         let mut roff = Roff::new(self.way, "grid");
         let [nx, ny, nz] = self.size;

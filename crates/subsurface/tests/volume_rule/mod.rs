@@ -1,4 +1,4 @@
-//! A volume whose samples follow from their places, and that remembers who asked for which brick.
+//! A volume whose samples are computed from their positions, and that records which bricks are read.
 #![allow(dead_code)] // Each test file uses its part.
 
 use std::sync::Mutex;
@@ -28,7 +28,7 @@ impl Rule {
     }
 }
 
-/// A survey that is turned in plan, with time going down.
+/// A survey that is rotated in plan; time points down.
 pub fn layout(size: [u32; 3], brick: u32) -> VolumeLayout {
     VolumeLayout {
         size,
@@ -43,7 +43,7 @@ pub fn layout(size: [u32; 3], brick: u32) -> VolumeLayout {
     }
 }
 
-/// The sample at a place: near ones differ, and 0 is among them.
+/// The sample at a position: neighbours differ, and 0 occurs.
 pub fn sample_at([x, y, z]: [u32; 3]) -> u8 {
     let mixed = x
         .wrapping_mul(0x9e37_79b1)
