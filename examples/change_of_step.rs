@@ -74,17 +74,29 @@ fn main() -> Result<(), Box<dyn Error>> {
         before = step;
         // Slow for sixty frames, then fast for sixty: the controller goes to the fastest step and back.
         if frame % 60 == 59 {
-            reported = if reported > BUDGET { BUDGET * 0.6 } else { BUDGET * 1.2 };
+            reported = if reported > BUDGET {
+                BUDGET * 0.6
+            } else {
+                BUDGET * 1.2
+            };
         }
         stage.note_time(reported);
     }
-    println!("{strategy}, {size}, {} entities, {} steps", per_side.pow(3), visited.len());
+    println!(
+        "{strategy}, {size}, {} entities, {} steps",
+        per_side.pow(3),
+        visited.len()
+    );
     for (what, times) in [
         ("without a change", &mut still),
         ("to a new step", &mut new),
         ("back to a step", &mut back),
     ] {
-        println!("{what}: {:.2} ms (median of {})", median(times), times.len());
+        println!(
+            "{what}: {:.2} ms (median of {})",
+            median(times),
+            times.len()
+        );
     }
     Ok(())
 }

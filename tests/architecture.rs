@@ -46,7 +46,10 @@ fn imports() -> Arrows {
         for file in files {
             let text = fs::read_to_string(file).unwrap();
             let code = text.split("#[cfg(test)]").next().unwrap();
-            for line in code.lines().filter(|line| !line.trim_start().starts_with("//")) {
+            for line in code
+                .lines()
+                .filter(|line| !line.trim_start().starts_with("//"))
+            {
                 for other in crates.keys().filter(|other| *other != name) {
                     let item = format!("antumbra_{}::", other.replace('-', "_"));
                     let module = format!("antumbra::{}", other.replace('-', "_"));
@@ -99,14 +102,22 @@ fn no_arrow_runs_back_and_none_is_there_that_the_page_does_not_list() {
     let page = fs::read_to_string(root().join("docs/architecture.md")).unwrap();
     let arrows = imports();
     for (from, to) in &arrows {
-        assert!(!far(&arrows, from).contains(from), "{from} depends on itself");
+        assert!(
+            !far(&arrows, from).contains(from),
+            "{from} depends on itself"
+        );
         // The table of rooms: | `crate` | what is in it | `a`, `b` |
-        let row = page.lines().find(|line| line.starts_with(&format!("| `{from}` |")));
+        let row = page
+            .lines()
+            .find(|line| line.starts_with(&format!("| `{from}` |")));
         let row = row.unwrap_or_else(|| panic!("{from} is not in the page's table of crates"));
         let last = row.trim_end_matches('|').rsplit('|').next().unwrap();
         let allowed: BTreeSet<&str> = last.split('`').skip(1).step_by(2).collect();
         let found: BTreeSet<&str> = to.iter().map(String::as_str).collect();
-        assert_eq!(found, allowed, "{from}: what it imports, and what the page's table lists");
+        assert_eq!(
+            found, allowed,
+            "{from}: what it imports, and what the page's table lists"
+        );
     }
 }
 
@@ -115,7 +126,10 @@ fn a_crate_depends_on_what_it_imports_and_on_no_other_crate_of_ours() {
     let arrows = imports();
     for (name, folder) in crates() {
         let manifest = fs::read_to_string(folder.join("Cargo.toml")).unwrap();
-        let depends = manifest.split("\n[dependencies]\n").nth(1).unwrap_or_default();
+        let depends = manifest
+            .split("\n[dependencies]\n")
+            .nth(1)
+            .unwrap_or_default();
         let depends = depends.split("\n[").next().unwrap();
         let named: BTreeSet<&str> = depends
             .lines()

@@ -25,7 +25,7 @@ pub struct ProxySource {
 pub struct ProxyLimits {
     /// Most pixels of the view's image by which a proxy may deviate from its mesh; infinity: any.
     pub deviation: f64,
-    /// What meshes that cross the near plane do as occluders.
+    /// What proxies of meshes that cross the near plane do as occluders; full meshes as occluders always hide.
     pub at_near_plane: AtNearPlane,
 }
 

@@ -14,13 +14,14 @@ use crate::view_nodes::ViewNodes;
 
 /// A culling strategy: a plug-in that adds nodes to the graph and says what the shaded pass draws.
 ///
-/// A strategy [declares](Self::declare) its nodes once a view whenever a plan is compiled: at the start, when the scene outgrows its buffers, and when a
-/// budget changes its settings. What it keeps between frames belongs into host values that its nodes update.
+/// A strategy [declares](Self::declare) its nodes once per view whenever a plan is compiled: at the start, for another scene, when the scene's layout changes (it outgrows its
+/// buffers, or gains transparency, lights with a place or an environment), and when a budget goes to a step that has no plan yet. State between frames belongs in host values that
+/// its nodes update. `docs/architecture.md` defines the words: node, host value, slot, reference.
 ///
 /// ```no_run
 /// use antumbra_cull::*;
 ///
-/// /// Draws entities nearer than a distance.
+/// /// Draws entities nearer than this many metres, and those that must not be tested.
 /// struct Nearby(f64);
 ///
 /// impl Strategy for Nearby {
@@ -30,8 +31,9 @@ use crate::view_nodes::ViewNodes;
 ///     fn declare(&mut self, g: &mut FrameGraph<'_>, view: &mut ViewNodes) -> Result<VisibleSet, DeclareError> {
 ///         let candidates = g.in_frustum(view);
 ///         let reach = self.0;
-///         Ok(g.visible_by(view, candidates, move |table, view, slot| {
-///             if table.bounds(slot).distance(view.camera.position) < reach { Verdict::Visible } else { Verdict::BelowThreshold }
+///         Ok(g.visible_by(view, candidates, move |table, frame, slot| {
+///             let near = table.bounds(slot).distance(frame.camera.position) < reach;
+///             if near || !table.is_tested(slot) { Verdict::Visible } else { Verdict::BelowThreshold }
 ///         }))
 ///     }
 /// }
@@ -43,15 +45,17 @@ pub trait Strategy: Send {
     /// What it does, in a sentence.
     fn summary(&self) -> &str;
 
-    /// Whether, with its present settings, it never culls an entity that owns a pixel of the reference.
+    /// Whether, with its present settings, it never culls an entity that owns a pixel of the reference: one that is in front at any pixel when everything in the frustum is drawn
+    /// at full detail.
     fn conservative(&self) -> bool;
 
-    /// When the results of its queries are used; `None` for a strategy without queries.
+    /// When the results of its visibility tests (queries or counts) are used; `None` for a strategy without such tests. [`Latency::SameFrame`] is refused in
+    /// [`Mode::Embedded`](antumbra_graph::Mode::Embedded).
     fn latency(&self) -> Option<Latency> {
         None
     }
 
-    /// What it is for in a comparison.
+    /// What it is for in a comparison: a contender, or one of the yardsticks that others are measured by.
     fn role(&self) -> Role {
         Role::Contender
     }
@@ -61,7 +65,7 @@ pub trait Strategy: Send {
         false
     }
 
-    /// Its settings and its steps between accuracy and speed; `None`: it has neither.
+    /// Its settings and its steps between accuracy and speed; `None`: it has neither. Override this together with [`Self::tuning_mut`].
     fn tuning(&self) -> Option<&dyn Tunable> {
         None
     }
@@ -74,7 +78,8 @@ pub trait Strategy: Send {
     /// Adds its nodes for one view, and says what that view draws.
     ///
     /// # Errors
-    /// [`DeclareError`] when its settings exclude each other, or the device lacks what they need.
+    /// [`DeclareError`] when its settings exclude each other, or the device lacks what they need. The caller gets it as [`StageError::Declare`](crate::StageError::Declare), from
+    /// [`Stage::new`](crate::Stage::new) or from the frame that compiles a new plan.
     fn declare(
         &mut self,
         g: &mut FrameGraph<'_>,
@@ -96,7 +101,7 @@ pub enum Role {
 }
 
 impl Role {
-    /// Whether others are measured by it: it is neither audited nor given a budget.
+    /// Whether others are measured by it: a comparison neither audits it nor gives it a budget.
     pub fn is_yardstick(self) -> bool {
         self != Self::Contender
     }
@@ -148,7 +153,7 @@ impl dyn Strategy + '_ {
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum DeclareError {
-    /// Two settings exclude each other.
+    /// It cannot run as it is set: settings exclude each other, a budget cannot be kept with them, or a reference is missing.
     #[error("strategy '{strategy}': {conflict}")]
     Settings {
         /// The strategy.
@@ -172,7 +177,7 @@ pub enum DeclareError {
 #[derive(Debug, Clone, Copy)]
 pub struct VisibleSet {
     pub(crate) verdicts: VerdictSource,
-    /// The candidates before and after the strategy before narrowed them, in a chain.
+    /// In a chain: the candidates before and after the outer strategy removed some.
     pub(crate) narrowing: Option<Narrowing>,
 }
 
@@ -209,7 +214,7 @@ impl VisibleSet {
     }
 
     /// A set that the GPU chose, whose passes the strategy has added itself: a candidate is drawn if its count of visible samples passes the rule, or if no
-    /// test may judge it. `counts` are by slot.
+    /// test may judge it. `counts` must be [`CountLayout::BySlot`](crate::CountLayout::BySlot).
     pub fn on_gpu(
         candidates: Host<Candidates>,
         counts: crate::Counts,

@@ -45,7 +45,7 @@ pub trait Tunable {
     /// Sets one.
     ///
     /// # Errors
-    /// [`SettingError`] for a name that no setting has, or a value out of range.
+    /// [`SettingError`] for a name that no setting has, a value out of range, or a strategy's name that is unknown.
     fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError>;
 
     /// How the strategy trades accuracy for speed when it is given a [`Budget`](crate::Budget): its steps from the most accurate, which is
@@ -84,7 +84,7 @@ pub struct Setting {
     pub value: Value,
     /// What values it takes.
     pub range: Range,
-    /// What its number counts: `px`, `%`, `frames`; empty for a bare number and for what is no number.
+    /// The unit of its number: `px`, `%`, `frames`; empty for a bare number and for words. Shown beside the value.
     pub unit: &'static str,
     /// What it does, in a sentence.
     pub meaning: &'static str,

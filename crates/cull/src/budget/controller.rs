@@ -63,8 +63,7 @@ impl BudgetController {
             }
         }
         if !fit.first().is_some_and(|(_, conservative)| *conservative) {
-            let why =
-                "its conservative step waits within the frame, and this frame belongs to the host";
+            let why = "it has no conservative step to begin with (in a host's frame, steps that wait are left out)";
             return Err(refused(strategy, why));
         }
         let steps: Vec<Step> = fit.into_iter().map(|(step, _)| step).collect();
