@@ -1,4 +1,4 @@
-//! Two eyes where the command line asks for them: how far apart, and at which distance their windows meet.
+//! Stereo on the command line: the distance between the eyes, and the distance at which their views converge.
 
 use std::sync::Arc;
 
@@ -11,32 +11,36 @@ use clap::Args as ClapArgs;
 
 use crate::failure::Failure;
 
-/// Eyes closer together than this share of the convergence distance are looked at with ease: the "1/30 rule" of stereo
+/// The distance between the eyes, as a share of the convergence distance, that is comfortable to view: the "1/30 rule" of stereo
 /// photography.
 const INTEROCULAR_SHARE: f64 = 1.0 / 30.0;
 
-/// Arguments of two views. Naming a distance asks for them, too.
+/// Arguments of two views. Each distance implies them.
 #[derive(Debug, Clone, Copy, ClapArgs)]
 pub struct StereoArgs {
-    /// Draw two views, a left and a right eye's
+    /// Draw two views, for the left and the right eye
     #[arg(long)]
     pub stereo: bool,
-    /// Metres between the eyes, for --stereo; a thirtieth of the convergence distance where none is named
+    /// Metres between the eyes; by default a thirtieth of the convergence distance. Implies --stereo
     #[arg(long, value_name = "METRES", allow_negative_numbers = true, value_parser = interocular)]
     pub interocular: Option<f64>,
-    /// Metres from the eyes to what lies in the screen's plane, for --stereo; as far as the scene's middle is from the first
-    /// pose where none is named
+    /// Metres from the eyes to the plane of the screen; by default the distance from the first pose to the scene's middle. Implies --stereo
     #[arg(long, value_name = "METRES", allow_negative_numbers = true, value_parser = convergence)]
     pub convergence: Option<f64>,
 }
 
 impl StereoArgs {
-    /// The eyes to draw, if any: with the distances that fit the scene where none are named.
+    /// Whether two views are drawn.
+    pub fn are_asked_for(&self) -> bool {
+        self.stereo || self.interocular.is_some() || self.convergence.is_some()
+    }
+
+    /// The two eyes, if they are drawn. Distances that are not given are chosen to suit the scene.
     ///
     /// # Errors
     /// [`Failure::Stereo`] for a path whose cameras have no eyes; [`Failure::Usage`] where a distance has to be named.
     pub fn choose(&self, bounds: &Aabb, path: &CameraPath) -> Result<Option<Stereo>, Failure> {
-        if !self.stereo && self.interocular.is_none() && self.convergence.is_none() {
+        if !self.are_asked_for() {
             return Ok(None);
         }
         let Some(camera) = path.cameras().next() else {
@@ -57,10 +61,10 @@ impl StereoArgs {
     }
 }
 
-/// What a stage is told of these views. With an oracle, also who owns their pixels.
+/// A stage's inputs for these views. With an oracle, each has the entities that own its pixels.
 ///
 /// # Errors
-/// When the oracle cannot look.
+/// When the oracle fails.
 pub fn inputs(
     mut oracle: Option<&mut Oracle>,
     scene: &GpuScene,

@@ -1,4 +1,4 @@
-//! Why the program ends without its work done, and the exit status that says which kind it was.
+//! Why the program ends before its work is done, and the exit status for it.
 
 use std::path::PathBuf;
 
@@ -12,7 +12,7 @@ use antumbra::subsurface::SubsurfaceError;
 use antumbra::terrain::TerrainError;
 use thiserror::Error;
 
-/// What went wrong, for a person to read.
+/// What went wrong, in words for the user.
 #[derive(Debug, Error)]
 pub enum Failure {
     /// The command line asks for something that does not exist.
@@ -30,13 +30,16 @@ pub enum Failure {
     /// A terrain.
     #[error(transparent)]
     Terrain(#[from] TerrainError),
-    /// A scene file.
-    #[error("{}: {error}", path.display())]
-    Load {
+    /// A scene file. The message names it.
+    #[error(transparent)]
+    Load(#[from] LoadError),
+    /// A file whose surface is no terrain.
+    #[error("{}: {error}", file.display())]
+    Field {
         /// The file.
-        path: PathBuf,
+        file: PathBuf,
         /// What is wrong with it.
-        error: LoadError,
+        error: TerrainError,
     },
     /// A raster file.
     #[error(transparent)]
@@ -44,7 +47,7 @@ pub enum Failure {
     /// A scene could not be written.
     #[error(transparent)]
     Save(#[from] SaveError),
-    /// Two eyes that cannot be.
+    /// Two eyes at impossible distances.
     #[error(transparent)]
     Stereo(#[from] StereoError),
     /// The device.
@@ -59,6 +62,12 @@ pub enum Failure {
     /// The measuring, or a path or report file.
     #[error(transparent)]
     Measure(#[from] MeasureError),
+    /// Standard output cannot be written.
+    #[error("cannot write to standard output: {0}")]
+    Print(std::io::Error),
+    /// The reader of standard output has closed its end.
+    #[error("the reader of standard output is gone")]
+    ClosedPipe,
 }
 
 impl From<SettingError> for Failure {
@@ -68,9 +77,15 @@ impl From<SettingError> for Failure {
 }
 
 impl Failure {
-    /// 2 for wrong usage, 1 for failed work.
+    /// Whether it ends the program without a message.
+    pub fn is_silent(&self) -> bool {
+        matches!(self, Self::ClosedPipe)
+    }
+
+    /// The exit status: 2 for wrong usage, 1 for failed work, 0 for a reader that has read enough.
     pub fn status(&self) -> u8 {
         match self {
+            Self::ClosedPipe => 0,
             Self::Usage(_)
             | Self::Registry(_)
             | Self::Builtin(_)

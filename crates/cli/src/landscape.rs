@@ -1,16 +1,16 @@
-//! Terrains out of what a command line names: rasters and meshes made fields, the built-in landscape, and how long it takes.
+//! Terrains of what the command line names: fields of rasters and meshes, and the built-in landscape, with progress.
 
 use std::path::Path;
 
 use antumbra::demo_scenes::terrain::TerrainSceneOptions;
 use antumbra::formats::load_raster;
 use antumbra::formats::{LoadOptions, RasterFormat, SceneFormat, load};
-use antumbra::terrain::{Field, PreparedScene, RasterDetail, Terrain, TerrainOptions};
+use antumbra::terrain::{Field, PreparedScene, RasterDetail, Terrain, TerrainError, TerrainOptions};
 
 use crate::failure::Failure;
 use crate::progress;
 
-/// Vertices of a field over a raster where nothing else is asked for; every post of a smaller one.
+/// The default number of vertices of a field over a raster; a smaller raster has a vertex for every post.
 pub const VERTICES: usize = 100_000;
 
 /// Whether a file's ending is a raster's.
@@ -34,9 +34,16 @@ fn ending(file: &Path) -> Option<&str> {
 /// # Errors
 /// What is wrong with the file; [`Failure::Usage`] for a detail of a mesh.
 pub fn field(file: &Path, detail: Option<RasterDetail>) -> Result<Field, Failure> {
+    let named = |error| match error {
+        TerrainError::Setting { .. } => Failure::Terrain(error),
+        _ => Failure::Field {
+            file: file.to_owned(),
+            error,
+        },
+    };
     if is_raster(file) {
         let detail = detail.unwrap_or(RasterDetail::Vertices(VERTICES));
-        return Ok(Field::from_raster(&load_raster(file)?, detail)?);
+        return Field::from_raster(&load_raster(file)?, detail).map_err(named);
     }
     if detail.is_some() {
         return Err(Failure::Usage(format!(
@@ -44,11 +51,8 @@ pub fn field(file: &Path, detail: Option<RasterDetail>) -> Result<Field, Failure
             file.display()
         )));
     }
-    let scene = load(file, &LoadOptions::default()).map_err(|error| Failure::Load {
-        path: file.to_owned(),
-        error,
-    })?;
-    Ok(Field::from_scene(&scene)?)
+    let scene = load(file, &LoadOptions::default())?;
+    Field::from_scene(&scene).map_err(named)
 }
 
 /// Prepares a field.

@@ -1,6 +1,10 @@
-//! The command line: compare, sweep, render, graph, prepare, doctor.
+//! The program `antumbra`: compare, sweep, render, graph, prepare, strategies, doctor.
 //!
-//! Exit status: 0, 1 when the work failed, 2 for wrong usage.
+//! It is the library on the command line, and adds nothing to it: `args` is what is typed, `input` makes a scene, views and a camera path of
+//! it, `contenders` and `vary` the strategies to measure, `outputs` refuses to overwrite what is read, and `commands` has a file for each
+//! command. All text goes through `print`.
+//!
+//! Exit status: 0, also where a pipe's reader is gone; 1 when the work failed; 2 for wrong usage.
 
 mod args;
 mod commands;
@@ -10,6 +14,8 @@ mod failure;
 mod input;
 mod landscape;
 mod measuring;
+mod outputs;
+mod print;
 mod progress;
 mod strategies;
 mod vary;
@@ -19,6 +25,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use crate::args::{Args, Command};
+use crate::print::warn;
 
 fn main() -> ExitCode {
     let filter = tracing_subscriber::EnvFilter::try_from_env("ANTUMBRA_LOG")
@@ -34,12 +41,15 @@ fn main() -> ExitCode {
         Command::Render(args) => commands::render::run(args),
         Command::Graph(args) => commands::graph::run(args),
         Command::Prepare(args) => commands::prepare::run(args),
+        Command::Strategies(args) => commands::strategies::run(args),
         Command::Doctor => commands::doctor::run(),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("antumbra: {failure}");
+            if !failure.is_silent() {
+                warn(&failure);
+            }
             ExitCode::from(failure.status())
         }
     }

@@ -1,4 +1,4 @@
-//! Runs a comparison for the verbs that need one, with its progress on the terminal.
+//! Runs a comparison for the commands that need one, with its progress on the terminal.
 
 use antumbra::draw::Gpu;
 use antumbra::measure::compare::{CompareOptions, Comparison, Contender, Script, compare_scripted};
@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::input::{FaceLenses, Input};
 use crate::progress::Bars;
 
-/// Compares the contenders on the input, lenses turned to each pose. The report knows the command line and the seeds.
+/// Compares the contenders on the input, lenses rotated to face each pose. The report has the command line and the seeds.
 ///
 /// # Errors
 /// What stopped it; nothing was written.
@@ -17,7 +17,6 @@ pub fn measure(
     mut input: Input,
     contenders: &[Contender],
     view: &ViewArgs,
-    quiet: bool,
 ) -> Result<Comparison, Failure> {
     let options = CompareOptions {
         size: input.size,
@@ -26,7 +25,7 @@ pub fn measure(
         scene_name: input.name,
         ..CompareOptions::default()
     };
-    let mut bars = Bars::new(quiet);
+    let mut bars = Bars::new(view.quiet);
     let mut lenses = input.sections.as_mut().map(FaceLenses);
     let mut nothing = ();
     let script: &mut dyn Script = match &mut lenses {

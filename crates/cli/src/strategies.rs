@@ -1,4 +1,4 @@
-//! The strategies there are, that of a scene's terrain included.
+//! The strategies by name, that of a scene's terrain included.
 
 use std::sync::Arc;
 
@@ -6,11 +6,21 @@ use antumbra::cull::Registry;
 use antumbra::strategies;
 use antumbra::terrain::HorizonStrategy;
 
-/// All strategies by name. `horizon` needs a terrain: without one it is known, and says so when it is to draw.
+/// All strategies. `horizon` needs a terrain; without one it is listed, and refuses to draw.
 pub fn registry(horizon: Option<&HorizonStrategy>) -> Registry {
     let mut registry = strategies::registry();
     let next = Arc::new(strategies::registry());
     let horizon = horizon.cloned().unwrap_or_default().with_registry(next);
     registry.register(move || Box::new(horizon.clone()));
     registry
+}
+
+/// The help of an option that takes strategies: what it says, and their names.
+pub fn listed(what: &str) -> String {
+    let registry = registry(None);
+    let names: Vec<&str> = registry.names().collect();
+    format!(
+        "{what}. Names: {}; `antumbra strategies` describes them",
+        names.join(", ")
+    )
 }

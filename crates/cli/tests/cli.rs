@@ -6,7 +6,7 @@ mod common;
 use std::io::Write;
 use std::path::Path;
 
-use common::{antumbra, refuses, stderr};
+use common::{QUIET_MESA, antumbra, refuses, stderr};
 
 fn report(dir: &Path) -> serde_json::Value {
     serde_json::from_slice(&std::fs::read(dir.join("report.json")).unwrap()).unwrap()
@@ -283,4 +283,114 @@ fn a_path_file_with_a_number_beyond_all_names_the_pose() {
         1,
         &["pose 1", "out of range"],
     );
+}
+
+#[test]
+fn a_broken_file_is_named_once() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let [out, made] = ["out", "made.glb"].map(file);
+    let once = |arguments: &[&str], status: i32| {
+        let output = antumbra(arguments);
+        let message = stderr(&output);
+        assert_eq!(
+            output.status.code(),
+            Some(status),
+            "{arguments:?}: {message}"
+        );
+        assert_eq!(message.matches("broken").count(), 1, "{message}");
+        assert_eq!(message.lines().count(), 1, "{message}");
+    };
+    let compare =
+        |more: &[&str], status| once(&[&["compare", "--out", &out], more].concat(), status);
+    let terrain =
+        |file: &str, status| once(&["prepare", file, "-o", &made, "--as", "terrain"], status);
+    let surface = |file: &str, status| once(&["prepare", file, "-o", &made], status);
+    let stl = [&[0; 80][..], &100_u32.to_le_bytes()].concat();
+    let cut_off: [(&str, &[u8]); 10] = [
+        (
+            "glb",
+            b"glTF\x02\0\0\0\xff\xff\0\0\x10\0\0\0JSON{\"asset\":",
+        ),
+        ("gltf", b"{\"asset\":"),
+        ("json", b"{\"type\":"),
+        ("jsonl", b"{\"type\":"),
+        ("obj", b"v 0 0 0\nf 1 2 9\n"),
+        ("ply", b"ply\nformat ascii 1.0\nelement vertex 3\n"),
+        ("stl", &stl),
+        ("npz", b"PK\x03\x04"),
+        ("tif", b"II*\0\x08\0\0\0"),
+        ("asc", b"ncols 2\nnrows 2\n"),
+    ];
+    for (ending, bytes) in cut_off {
+        let file = file(&format!("broken.{ending}"));
+        // Missing, then cut off.
+        for _ in 0..2 {
+            compare(&[&file], 1);
+            terrain(&file, 1);
+            std::fs::write(&file, bytes).unwrap();
+        }
+        compare(&[&file], 1);
+        terrain(&file, 1);
+    }
+    for ending in ["gri", "irap", "roff", "ts", "csv", "asc", "tif"] {
+        let file = file(&format!("broken.{ending}"));
+        surface(&file, 1);
+        std::fs::write(&file, "v nothing 0 0\n").unwrap();
+        surface(&file, 1);
+    }
+    // An ending that no format has; without a file it may be meant as a built-in scene.
+    let file = file("broken.data");
+    compare(&[&file], 2);
+    for written in [false, true] {
+        compare(&["grid:2", "--path", &file], 1);
+        compare(&["grid:2", "--volume", &file], 1);
+        surface(&file, 1);
+        terrain(&file, 2);
+        if !written {
+            std::fs::write(&file, "nothing").unwrap();
+        }
+    }
+    compare(&[&file], 1);
+}
+
+/// A reader that leaves ends the program without a complaint.
+#[test]
+fn a_closed_pipe_is_no_failure() {
+    use std::process::{Command, Stdio};
+    for arguments in [
+        &["strategies"][..],
+        &["doctor"],
+        &["graph", "grid:2", "--strategy", "none"],
+    ] {
+        let mut child = Command::new(assert_cmd::cargo::cargo_bin("antumbra"))
+            .args(arguments)
+            .env(QUIET_MESA.0, QUIET_MESA.1)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}");
+        assert!(output.stderr.is_empty(), "{}", stderr(&output));
+    }
+}
+
+#[test]
+fn quiet_commands_print_nothing() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let [image, scene] = ["image.png", "scene.glb"].map(file);
+    let render = ["render", "grid:2", "--size", "32x24", "-o", &image];
+    let prepare = ["prepare", "terrain:300", "--sectors", "8", "-o", &scene];
+    for (arguments, written) in [(&render[..], &image), (&prepare, &scene)] {
+        let loud = antumbra(arguments);
+        assert!(loud.status.success(), "{}", stderr(&loud));
+        let said = String::from_utf8_lossy(&loud.stdout).into_owned();
+        assert!(said.contains(written.as_str()), "{said}");
+        let quiet = antumbra(&[arguments, &["--quiet"]].concat());
+        assert!(quiet.status.success() && quiet.stdout.is_empty());
+        assert!(quiet.stderr.is_empty(), "{}", stderr(&quiet));
+    }
 }

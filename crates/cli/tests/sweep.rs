@@ -39,7 +39,7 @@ fn all_settings_run_in_one_comparison_and_land_in_one_report() {
             "latency=on-gpu,same-frame",
             "--set",
             "three-pass.scale=1",
-            "--budget",
+            "--limit",
             "wrong_pixels=0.5%",
             "--budget",
             "wrong_pixels=0",
@@ -155,7 +155,7 @@ fn wrong_words_are_refused_with_what_there_is() {
         &["STRATEGY.KEY=VALUE"],
     );
     let budget = |budget: &str| {
-        let asked = [&three[..], &["threshold=1", "--budget", budget]].concat();
+        let asked = [&three[..], &["threshold=1", "--limit", budget]].concat();
         refused(&asked, &[budget, "wrong_pixels=0.05%"]);
     };
     budget("wrong_pixels=0.05");

@@ -2,6 +2,8 @@
 
 use crate::error::LoadProblem;
 use crate::options::LoadOptions;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
 
 /// Counts against [`LoadOptions`], checked before memory is allocated.
 pub(super) struct Budget {
@@ -11,6 +13,7 @@ pub(super) struct Budget {
     triangles: u64,
     entities: u64,
     pixels: u64,
+    files: BTreeSet<PathBuf>,
 }
 
 impl Budget {
@@ -22,7 +25,18 @@ impl Budget {
             triangles: 0,
             entities: 0,
             pixels: 0,
+            files: BTreeSet::new(),
         }
+    }
+
+    /// Records a file that is read.
+    pub(super) fn file(&mut self, path: &Path) {
+        self.files.insert(path.to_owned());
+    }
+
+    /// The files that were read, each once, in the order of their paths.
+    pub(super) fn into_files(self) -> Vec<PathBuf> {
+        self.files.into_iter().collect()
     }
 
     /// The number of bytes that may still be read from files.

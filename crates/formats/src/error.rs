@@ -1,17 +1,28 @@
 //! The errors of loading.
 
 use antumbra_scene::SceneError;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 /// Why a file could not be loaded.
 #[derive(Debug, Error)]
-#[error("{}{problem}", file.as_ref().map(|f| format!("{}: ", f.display())).unwrap_or_default())]
+#[error("{}{problem}", prefix(file.as_deref(), problem))]
 pub struct LoadError {
     /// The file; `None` if it was read from memory.
     pub file: Option<PathBuf>,
     /// The problem.
     pub problem: Box<LoadProblem>,
+}
+
+/// The file's name before a problem that does not name it.
+fn prefix(file: Option<&Path>, problem: &LoadProblem) -> String {
+    let Some(file) = file.map(|file| file.display().to_string()) else {
+        return String::new();
+    };
+    match problem {
+        LoadProblem::Io { file: named, .. } if *named == file => String::new(),
+        _ => format!("{file}: "),
+    }
 }
 
 /// A problem of a file. Each case gives the problem, its place and the remedy.

@@ -66,6 +66,7 @@ pub(super) fn read(path: &Path, budget: &mut Budget) -> Result<Vec<u8>, LoadProb
     // A device or a growing file may have more bytes than its length.
     (file.take(left.saturating_add(1)).read_to_end(&mut bytes)).map_err(refused)?;
     budget.bytes(bytes.len() as u64)?;
+    budget.file(path);
     Ok(bytes)
 }
 

@@ -12,7 +12,7 @@ use crate::read_scene::ReadScene;
 use crate::{cityjson, gltf, obj, ply, stl};
 use antumbra_scene::{Drawable, Geometry, Material, Mesh, Scene};
 use glam::DAffine3;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The scene formats that can be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -56,6 +56,8 @@ pub struct LoadedScene {
     /// The attachments that were requested and that the file has, each with an error if it is invalid. The scene does
     /// not depend on them.
     pub attachments: Vec<Result<Attachment, LoadError>>,
+    /// The files that were read, each once: the scene's own, and those that it refers to.
+    pub files: Vec<PathBuf>,
 }
 
 /// Loads a scene from a file. The extension determines the format (.glb, .gltf, .json and .jsonl for CityJSON, .obj,
@@ -83,16 +85,16 @@ pub fn load_with_attachments(
         problem: Box::new(problem),
     };
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
-    let read = || {
+    let mut budget = Budget::new(options);
+    let mut read = || {
         let Some(format) = SceneFormat::from_extension(extension) else {
             return Err(LoadProblem::UnknownExtension {
                 extension: extension.to_owned(),
                 known: SceneFormat::EXTENSIONS,
             });
         };
-        let mut budget = Budget::new(options);
         let bytes = file_resolver::read(path, &mut budget)?;
-        read_format(format, &bytes, path.parent(), attachments, budget)
+        read_format(format, &bytes, path.parent(), attachments, &mut budget)
     };
     let ReadScene {
         mut scene,
@@ -105,6 +107,7 @@ pub fn load_with_attachments(
     Ok(LoadedScene {
         scene,
         attachments: attachments.map(|found| found.map_err(error)).collect(),
+        files: budget.into_files(),
     })
 }
 
@@ -138,12 +141,13 @@ pub fn load_slice_with_attachments(
     };
     let mut budget = Budget::new(options);
     let ReadScene { scene, attachments } = (budget.bytes(bytes.len() as u64))
-        .and_then(|()| read_format(format, bytes, base, attachments, budget))
+        .and_then(|()| read_format(format, bytes, base, attachments, &mut budget))
         .map_err(error)?;
     let attachments = attachments.into_iter();
     Ok(LoadedScene {
         scene,
         attachments: attachments.map(|found| found.map_err(error)).collect(),
+        files: budget.into_files(),
     })
 }
 
@@ -164,15 +168,15 @@ fn read_format(
     bytes: &[u8],
     base: Option<&Path>,
     attachments: &[&str],
-    mut budget: Budget,
+    budget: &mut Budget,
 ) -> Result<ReadScene, LoadProblem> {
     let files = FileResolver::new(base);
     let scene = match format {
-        SceneFormat::CityJson => cityjson::read(bytes, &mut budget),
-        SceneFormat::Gltf => return gltf::read::read(bytes, &files, attachments, &mut budget),
-        SceneFormat::Obj => obj::read(bytes, &files, &mut budget),
-        SceneFormat::Ply => single("ply", ply::read(bytes, &mut budget)?),
-        SceneFormat::Stl => single("stl", stl::read(bytes, &mut budget)?),
+        SceneFormat::CityJson => cityjson::read(bytes, budget),
+        SceneFormat::Gltf => return gltf::read::read(bytes, &files, attachments, budget),
+        SceneFormat::Obj => obj::read(bytes, &files, budget),
+        SceneFormat::Ply => single("ply", ply::read(bytes, budget)?),
+        SceneFormat::Stl => single("stl", stl::read(bytes, budget)?),
     };
     Ok(ReadScene {
         scene: scene?,

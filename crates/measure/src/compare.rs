@@ -26,6 +26,7 @@ mod script;
 mod speed;
 
 use entry::Entries;
+pub use entry::is_report_file;
 pub use script::Script;
 use script::Set;
 pub(crate) use speed::usual_block;

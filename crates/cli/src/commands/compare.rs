@@ -1,4 +1,4 @@
-//! `antumbra compare`: the main job.
+//! `antumbra compare`: strategies along a path, their cost and their errors.
 
 use antumbra::draw::Gpu;
 use antumbra::measure::audit_summary::audit_summaries;
@@ -10,17 +10,21 @@ use crate::contenders::contenders;
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::measuring::measure;
+use crate::print::print;
 
-/// Compares, writes the report, prints the table and where the report lies.
+/// Compares, writes the report, prints the table and the report's file.
 ///
 /// # Errors
 /// What stopped it; nothing half-written stays behind.
 pub fn run(args: CompareArgs) -> Result<(), Failure> {
-    // Wrong words are found before anything is loaded.
+    // Wrong usage is found before anything is loaded.
     contenders(&args, 0, false, None)?;
+    let mut outputs = args.view.outputs();
+    outputs.reports_into("--out", &args.out);
+    outputs.check()?;
     let gpu = Gpu::open(&args.view.adapter)?;
-    let input = Input::open(&args.view, &gpu)?;
-    // Each eye asks for itself.
+    let input = Input::open(&args.view, &gpu, &mut outputs)?;
+    // Each eye has queries of its own.
     let occludees = input.scene.drawable_count() * input.views().len();
     let contenders = contenders(
         &args,
@@ -28,35 +32,32 @@ pub fn run(args: CompareArgs) -> Result<(), Failure> {
         input.stereo.is_some(),
         input.horizon.as_ref(),
     )?;
-    let comparison = measure(&gpu, input, &contenders.list, &args.view, args.quiet)?;
+    let comparison = measure(&gpu, input, &contenders.list, &args.view)?;
     comparison.save(&args.out)?;
-    if !args.quiet {
+    if !args.view.quiet {
         let [scene, adapter] = facts(&comparison.report);
-        println!("{scene}\n{adapter}\n");
+        print(format_args!("{scene}\n{adapter}\n"))?;
         let colour = wants_colour(&std::io::stdout());
-        println!("{}", Table::new(&comparison.report).terminal(colour));
+        print(Table::new(&comparison.report).terminal(colour))?;
         if let Some(eyes) = Table::eyes(&comparison.report) {
-            println!("{}", eyes.terminal(colour));
+            print(eyes.terminal(colour))?;
         }
         for note in &contenders.notes {
-            println!("{note}.");
+            print(format_args!("{note}."))?;
         }
         for pick in recommendations(&comparison.report) {
-            println!(
-                "{}: {}, {}",
-                pick.title,
-                pick.strategy.title(),
-                pick.summary.text
-            );
+            let strategy = pick.strategy.title();
+            print(format_args!(
+                "{}: {strategy}, {}",
+                pick.title, pick.summary.text
+            ))?;
         }
         for summary in audit_summaries(&comparison.report) {
-            println!(
-                "{}: {}",
-                summary.strategy.title(),
-                summary.lines.join("\n  ")
-            );
+            let strategy = summary.strategy.title();
+            print(format_args!("{strategy}: {}", summary.lines.join("\n  ")))?;
         }
-        println!("report: {}", args.out.join("report.html").display());
+        let page = args.out.join("report.html");
+        print(format_args!("report: {}", page.display()))?;
     }
     Ok(())
 }

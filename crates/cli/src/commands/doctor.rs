@@ -1,9 +1,10 @@
-//! `antumbra doctor`: which adapters there are and what each of them can do for culling.
+//! `antumbra doctor`: the adapters, and what each of them supports of culling.
 
 use antumbra::cull::Counting;
 use antumbra::draw::{Gpu, WANTED_FEATURES, adapter_title, adapters};
 
 use crate::failure::Failure;
+use crate::print::print;
 
 /// Lists the adapters.
 ///
@@ -14,19 +15,19 @@ pub fn run() -> Result<(), Failure> {
     let mut usable = 0;
     for adapter in &all {
         let info = adapter.get_info();
-        println!(
+        print(format_args!(
             "{}\n  type: {:?}; driver: {} {}",
             adapter_title(&info),
             info.device_type,
             info.driver,
             info.driver_info
-        );
+        ))?;
         match pollster::block_on(Gpu::from_adapter(adapter)) {
             Ok(gpu) => {
                 usable += 1;
-                describe(&gpu);
+                describe(&gpu)?;
             }
-            Err(error) => println!("  not usable: {error}"),
+            Err(error) => print(format_args!("  not usable: {error}"))?,
         }
     }
     if usable == 0 {
@@ -43,25 +44,24 @@ pub fn run() -> Result<(), Failure> {
     Ok(())
 }
 
-fn describe(gpu: &Gpu) {
+fn describe(gpu: &Gpu) -> Result<(), Failure> {
     let has = gpu.device.features();
     for (name, flag) in WANTED_FEATURES.iter_names() {
-        println!(
-            "  {name}: {}",
-            if has.contains(flag) { "yes" } else { "no" }
-        );
+        let answer = if has.contains(flag) { "yes" } else { "no" };
+        print(format_args!("  {name}: {answer}"))?;
     }
     let limits = gpu.device.limits();
-    println!(
+    print(format_args!(
         "  limits: images {} pixels a side, buffers {} MiB, storage bindings {} MiB, 4096 queries a set",
         limits.max_texture_dimension_2d,
         limits.max_buffer_size >> 20,
         limits.max_storage_buffer_binding_size >> 20,
-    );
+    ))?;
     for way in Counting::ALL {
         match way.lacking(gpu) {
-            None => println!("  counting by {way}: yes"),
-            Some(lacking) => println!("  counting by {way}: no, it lacks {lacking}"),
+            None => print(format_args!("  counting by {way}: yes"))?,
+            Some(lacking) => print(format_args!("  counting by {way}: no, it lacks {lacking}"))?,
         }
     }
+    Ok(())
 }

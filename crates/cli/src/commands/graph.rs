@@ -1,4 +1,4 @@
-//! `antumbra graph`: a strategy's plan as a picture, with the times of one frame.
+//! `antumbra graph`: a strategy's plan as a picture, with the time of each pass in one frame.
 
 use antumbra::cull::{Stage, StageOptions};
 use antumbra::draw::{Gpu, GpuScene};
@@ -9,6 +9,8 @@ use crate::args::{Format, GraphArgs};
 use crate::eyes::inputs;
 use crate::failure::Failure;
 use crate::input::Input;
+use crate::outputs::Outputs;
+use crate::print::print;
 use crate::strategies::registry;
 
 /// Prints the graph.
@@ -16,10 +18,10 @@ use crate::strategies::registry;
 /// # Errors
 /// What stopped it.
 pub fn run(args: GraphArgs) -> Result<(), Failure> {
-    // Wrong words are found before anything is loaded.
+    // Wrong usage is found before anything is loaded.
     registry(None).parse(&args.strategy)?;
     let gpu = Gpu::open(&args.view.adapter)?;
-    let mut input = Input::open(&args.view, &gpu)?;
+    let mut input = Input::open(&args.view, &gpu, &mut Outputs::default())?;
     let strategy = registry(input.horizon.as_ref()).parse(&args.strategy)?;
     let cameras = input.look(0)?;
     let scene = GpuScene::new(&gpu, &mut input.scene)?;
@@ -41,6 +43,5 @@ pub fn run(args: GraphArgs) -> Result<(), Failure> {
         Format::Mermaid => PlanFormat::Mermaid,
         Format::Json => PlanFormat::Json,
     };
-    println!("{}", stage.plan().export(format));
-    Ok(())
+    print(stage.plan().export(format))
 }

@@ -3,26 +3,32 @@
 mod subsurface;
 mod terrain;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::args::{Made, PrepareArgs, TerrainArgs};
 use crate::failure::Failure;
 use crate::landscape::is_mesh;
+use crate::outputs::Outputs;
 
-/// Reads, prepares and writes; says what came of it.
+/// Reads, prepares and writes; prints a summary.
 ///
 /// # Errors
 /// What stopped it; nothing half-written stays behind.
 pub fn run(args: PrepareArgs) -> Result<(), Failure> {
+    let mut outputs = Outputs::default();
+    (args.input.iter()).for_each(|input| outputs.reads("the input", input));
+    (args.subsurface.grid.iter()).for_each(|grid| outputs.reads("--grid", grid));
+    outputs.writes("--output", &args.output);
+    outputs.check()?;
     let ending = args.output.extension().and_then(|ending| ending.to_str());
     let ending = ending.map(str::to_lowercase);
     let made = match ending.as_deref() {
         Some("glb") => args.made.unwrap_or_else(|| guess(&args.input)),
-        // A volume is below the ground.
+        // Volumes are sub-surface.
         Some("vol") => Made::Subsurface,
         _ => {
             return Err(Failure::Usage(format!(
-                "'{}' says neither scene (.glb) nor volume (.vol) by its ending",
+                "--output '{}': scenes are written as .glb, volumes as .vol",
                 args.output.display()
             )));
         }
@@ -32,7 +38,7 @@ pub fn run(args: PrepareArgs) -> Result<(), Failure> {
     }
     if args.terrain != TerrainArgs::default() {
         return Err(Failure::Usage(
-            "--vertices, --error, --sectors, --parts, --reaches, --method, --seeds and --seed are for terrains: say --as terrain if that is what is to be made"
+            "--vertices, --error, --sectors, --parts, --reaches, --method, --seeds and --seed are for terrains: add --as terrain to make one"
                 .to_owned(),
         ));
     }
@@ -42,8 +48,8 @@ pub fn run(args: PrepareArgs) -> Result<(), Failure> {
     }
 }
 
-/// What such inputs are made into where nobody says. Files that hold either stay what they always were.
-fn guess(inputs: &[std::path::PathBuf]) -> Made {
+/// What such inputs become by default. Formats of both kinds become sub-surface.
+fn guess(inputs: &[PathBuf]) -> Made {
     let own = |input: &Path| {
         let ending = input.extension().and_then(|ending| ending.to_str());
         let ending = ending.unwrap_or_default().to_lowercase();

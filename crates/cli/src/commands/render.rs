@@ -1,11 +1,11 @@
-//! `antumbra render`: one image, as a strategy draws it; in stereo, both eyes'.
+//! `antumbra render`: one image, as a strategy draws it; in stereo, the images of both eyes.
 
 use std::path::{Path, PathBuf};
 
 use antumbra::cull::{Stage, StageError, StageOptions, Strategy, Verdict};
 use antumbra::draw::{Gpu, GpuScene, read_back};
 use antumbra::measure::image_error::save_png;
-use antumbra::measure::stereo_picture::{StereoPicture, combine_eyes};
+use antumbra::measure::stereo_picture::{StereoLayout, StereoPicture, combine_eyes};
 use antumbra::measure::traversal_picture::save_traversal;
 use antumbra::scene::Camera;
 use antumbra::strategies::Sketch;
@@ -17,26 +17,42 @@ use crate::args::RenderArgs;
 use crate::eyes::inputs;
 use crate::failure::Failure;
 use crate::input::Input;
+use crate::print::print;
 use crate::strategies::registry;
 
-/// Draws and writes it.
+/// What the names of two views' files end with.
+const EYES: [&str; 2] = ["-left", "-right"];
+
+/// Draws the image and writes it.
 ///
 /// # Errors
 /// What stopped it; no half-written image stays behind.
 pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
-    // Where two pictures are to be laid out there are two.
+    // A layout puts two images together.
     args.view.eyes.stereo |= args.layout.is_some();
-    // Wrong words are found before anything is loaded.
+    let files = OutputFiles::of(&args);
+    let mut outputs = args.view.outputs();
+    files
+        .images
+        .iter()
+        .for_each(|image| outputs.writes("--output", image));
+    files
+        .sketches
+        .iter()
+        .for_each(|sketch| outputs.writes("--sketch", sketch));
+    outputs.check()?;
+    is_png(&args.output)?;
+    // Wrong usage is found before anything is loaded.
     chosen(&args, None)?;
     let gpu = Gpu::open(&args.view.adapter)?;
-    let mut input = Input::open(&args.view, &gpu)?;
+    let mut input = Input::open(&args.view, &gpu, &mut outputs)?;
     let strategy = chosen(&args, input.horizon.as_ref())?;
     let cameras = input.look(args.pose as usize)?;
     let scene = GpuScene::new(&gpu, &mut input.scene)?;
     let mut stage = Stage::new(&scene, strategy, input.views(), StageOptions::default())?;
     let mut oracle = Oracle::new(&scene, input.size);
     let views = inputs(Some(&mut oracle), &scene, &cameras)?;
-    // Late answers need frames to arrive.
+    // Late results need frames to arrive.
     for _ in 0..3 {
         stage.frame(&scene, &views)?;
         gpu.wait()?;
@@ -44,15 +60,11 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
     let mut pictures = Vec::with_capacity(cameras.len());
     for (view, camera) in cameras.iter().enumerate() {
         let mut image = picture(&stage, view, &gpu, input.size)?;
-        if let Some(path) = &args.sketch {
+        if let Some(file) = files.sketches.get(view) {
             let sketch = stage
                 .shown::<Sketch>(view, Sketch::NAME)
                 .ok_or_else(missing)?;
-            let suffix = match cameras.len() {
-                1 => "",
-                _ => ["-left", "-right"].get(view).copied().unwrap_or_default(),
-            };
-            save_traversal(&image, sketch, &suffixed(path, suffix))?;
+            save_traversal(&image, sketch, file)?;
         }
         if args.show_culled {
             show_culled(&mut image, &stage, view, &scene, camera, &mut oracle)?;
@@ -71,7 +83,53 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
     for part in &parts {
         save_png(&part.picture, &suffixed(&args.output, part.suffix))?;
     }
+    if !args.view.quiet {
+        for (what, files) in [("image", &files.images), ("sketch", &files.sketches)] {
+            for file in files {
+                print(format_args!("{what}: {}", file.display()))?;
+            }
+        }
+    }
     Ok(())
+}
+
+/// What is written: one or two images, and as many sketches as there are views.
+struct OutputFiles {
+    images: Vec<PathBuf>,
+    sketches: Vec<PathBuf>,
+}
+
+impl OutputFiles {
+    /// Their names, from the arguments alone.
+    fn of(args: &RenderArgs) -> Self {
+        let views: &[&str] = match args.view.eyes.are_asked_for() {
+            true => &EYES,
+            false => &[""],
+        };
+        let images = match args.layout {
+            Some(StereoLayout::Separate) => views,
+            _ => &[""],
+        };
+        let all = |path: &Path, suffixes: &[&str]| {
+            let suffixes = suffixes.iter();
+            suffixes.map(|suffix| suffixed(path, suffix)).collect()
+        };
+        Self {
+            images: all(&args.output, images),
+            sketches: (args.sketch.as_ref()).map_or_else(Vec::new, |sketch| all(sketch, views)),
+        }
+    }
+}
+
+fn is_png(output: &Path) -> Result<(), Failure> {
+    let ending = output.extension().and_then(|ending| ending.to_str());
+    match ending.is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
+        true => Ok(()),
+        false => Err(Failure::Usage(format!(
+            "--output '{}': images are written as .png alone",
+            output.display()
+        ))),
+    }
 }
 
 fn missing() -> StageError {
@@ -142,14 +200,14 @@ fn shine_through(image: &mut RgbaImage, ids: &[u32]) {
     }
 }
 
-/// The strategy asked for, with a sketch if one is.
+/// The strategy that is named, set to leave a sketch where one is to be written.
 fn chosen(
     args: &RenderArgs,
     horizon: Option<&HorizonStrategy>,
 ) -> Result<Box<dyn Strategy>, Failure> {
     let mut strategy = registry(horizon).parse(&args.strategy)?;
     if args.sketch.is_some() {
-        // A strategy without such a knob says which it has.
+        // A strategy without this setting lists those it has.
         strategy.set("sketch", &true.into())?;
     }
     Ok(strategy)

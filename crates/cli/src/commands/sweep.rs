@@ -10,60 +10,70 @@ use crate::args::SweepArgs;
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::measuring::measure;
+use crate::print::print;
 use crate::vary::settings;
 
-/// Compares all settings at once, writes the report, prints the trade and what the budgets choose.
+/// Compares all settings at once, writes the report, prints the trade and what the limits choose.
 ///
 /// # Errors
 /// What stopped it; nothing half-written stays behind.
 pub fn run(args: SweepArgs) -> Result<(), Failure> {
-    // Wrong words are found before anything is loaded.
+    // Wrong usage is found before anything is loaded.
     settings(&args, None)?;
+    let mut outputs = args.view.outputs();
+    outputs.reports_into("--out", &args.out);
+    outputs.check()?;
     let gpu = Gpu::open(&args.view.adapter)?;
-    let input = Input::open(&args.view, &gpu)?;
+    let input = Input::open(&args.view, &gpu, &mut outputs)?;
     let settings = settings(&args, input.horizon.as_ref())?;
-    let mut comparison = measure(&gpu, input, &settings.list, &args.view, args.quiet)?;
+    let mut comparison = measure(&gpu, input, &settings.list, &args.view)?;
     let report = &mut comparison.report;
     report.sweep = Some(trade_off::sweep(
         report,
         args.strategy.clone(),
         settings.vary,
-        &args.budget,
+        &args.limit,
     ));
     comparison.save(&args.out)?;
-    if !args.quiet {
-        print(&comparison.report);
-        println!("report: {}", args.out.join("report.html").display());
-        println!("plot: {}", args.out.join("trade.svg").display());
+    if !args.view.quiet {
+        show(&comparison.report)?;
+        let file = |name: &str| args.out.join(name);
+        print(format_args!("report: {}", file("report.html").display()))?;
+        print(format_args!("plot: {}", file("trade.svg").display()))?;
     }
     Ok(())
 }
 
-fn print(report: &Report) {
+/// The table, the settings on the efficient edge, and those that each limit chooses.
+fn show(report: &Report) -> Result<(), Failure> {
     for line in facts(report) {
-        println!("{line}");
+        print(line)?;
     }
     if let Some(sweep) = &report.sweep {
-        println!("{}\n", trade_off::sweep_title(sweep));
+        print(format_args!("{}\n", trade_off::sweep_title(sweep)))?;
     }
     let colour = wants_colour(&std::io::stdout());
     let tables = [Table::sweep(report), Table::eyes(report)];
     for table in tables.into_iter().flatten() {
-        println!("{}", table.terminal(colour));
+        print(table.terminal(colour))?;
     }
-    println!("{EDGE_LEGEND}");
+    print(EDGE_LEGEND)?;
     let answers = trade_off::choice_texts(report);
     for answer in &answers {
         let setting = report.title_of(answer.setting);
-        println!("{}: {setting}", answer.heading);
+        print(format_args!("{}: {setting}", answer.heading))?;
         for line in &answer.lines {
-            println!("  {line}");
+            print(format_args!("  {line}"))?;
         }
     }
     if answers.is_empty() {
         for pick in recommendations(report) {
             let setting = report.title_of(pick.strategy);
-            println!("{}: {setting}, {}", pick.title, pick.summary.text);
+            print(format_args!(
+                "{}: {setting}, {}",
+                pick.title, pick.summary.text
+            ))?;
         }
     }
+    Ok(())
 }

@@ -1,15 +1,19 @@
-//! The program as a person runs it.
+//! The program, run as on a command line.
 #![allow(dead_code, reason = "each test program uses some of it")]
 
 use std::process::Output;
 
 use assert_cmd::Command;
 
+/// Keeps Mesa's device selection from complaining on standard error where there is no desktop.
+pub const QUIET_MESA: (&str, &str) = ("NODEVICE_SELECT", "1");
+
 /// Runs the program.
 pub fn antumbra(arguments: &[&str]) -> Output {
     Command::cargo_bin("antumbra")
         .unwrap()
         .args(arguments)
+        .env(QUIET_MESA.0, QUIET_MESA.1)
         .output()
         .unwrap()
 }

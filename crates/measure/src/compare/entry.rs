@@ -181,10 +181,11 @@ fn worst(
     let Some((worst, view)) = most else {
         return Ok(None);
     };
+    let [reference, strategy, marked] = PICTURES.map(|what| format!("{base}-{what}.png"));
     let images = WorstImages {
-        reference: format!("{base}-reference.png"),
-        strategy: format!("{base}-worst.png"),
-        marked: format!("{base}-marked.png"),
+        reference,
+        strategy,
+        marked,
     };
     let marked = crate::image_error::mark_wrong(&worst.strategy, &worst.mask)?;
     pictures.insert(images.reference.clone(), worst.reference.clone());
@@ -229,6 +230,24 @@ fn value(text: &str) -> serde_json::Value {
         .ok()
         .filter(serde_json::Value::is_number)
         .unwrap_or_else(|| text.into())
+}
+
+/// What pictures of a worst frame are called, after a base that [`file_base`] makes.
+const PICTURES: [&str; 3] = ["reference", "worst", "marked"];
+
+/// Whether [`Comparison::save`](super::Comparison::save) may write a file of this name.
+pub fn is_report_file(name: &str) -> bool {
+    if ["report.json", "report.html", "trade.svg"].contains(&name) {
+        return true;
+    }
+    let picture = name
+        .strip_suffix(".png")
+        .and_then(|name| name.rsplit_once('-'));
+    picture.is_some_and(|(base, what)| {
+        let number = base.split('-').next().unwrap_or_default();
+        let numbered = !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit());
+        PICTURES.contains(&what) && numbered
+    })
 }
 
 /// A file name's beginning that any file system takes.

@@ -13,6 +13,7 @@ use antumbra::subsurface::{
 
 use crate::args::{Kind, PrepareArgs, Way};
 use crate::failure::Failure;
+use crate::print::print;
 use crate::progress;
 
 /// Horizons and faults into a scene.
@@ -21,12 +22,12 @@ use crate::progress;
 /// What stopped it; nothing half-written stays behind.
 pub fn scene(args: &PrepareArgs) -> Result<(), Failure> {
     let options = PrepareOptions {
-        tiles: args.tiles,
-        decimation: args.decimation,
-        thinning: args.thinning,
-        levels: args.levels,
+        tiles: args.subsurface.tiles,
+        decimation: args.subsurface.decimation,
+        thinning: args.subsurface.thinning,
+        levels: args.subsurface.levels,
     };
-    // Wrong words are found before anything is read.
+    // Wrong usage is found before anything is read.
     options.check()?;
     let mut surfaces = Vec::new();
     for input in &args.input {
@@ -56,12 +57,14 @@ pub fn scene(args: &PrepareArgs) -> Result<(), Failure> {
     add_default_lights(&mut scene)?;
     save_glb(&scene, &args.output)?;
     if !args.quiet {
-        println!(
-            "{}: {horizons} horizons and {faults} faults in {tiles} entities, {triangles} triangles; stand-ins of {proxies}",
+        print(format_args!(
+            "{}: {horizons} horizons and {faults} faults in {tiles} entities, {triangles} triangles; proxies of {proxies}",
             args.output.display()
-        );
+        ))?;
         if flipped > 0 {
-            println!("{flipped} triangles of the stand-ins lie upside down in plan");
+            print(format_args!(
+                "{flipped} triangles of the proxies are upside down in plan"
+            ))?;
         }
     }
     Ok(())
@@ -103,16 +106,16 @@ fn read_surfaces(args: &PrepareArgs, input: &FilePath) -> Result<Vec<Surface>, F
 
 fn read_options(args: &PrepareArgs) -> ReadOptions {
     ReadOptions {
-        z_positive: args.positive.map(|way| match way {
+        z_positive: args.subsurface.positive.map(|way| match way {
             Way::Down => ZPositive::Down,
             Way::Up => ZPositive::Up,
         }),
-        kind: args.kind.map(|kind| match kind {
+        kind: args.subsurface.kind.map(|kind| match kind {
             Kind::Horizon => SurfaceKind::Horizon,
             Kind::Fault => SurfaceKind::Fault,
         }),
-        longest_edge: args.longest_edge,
-        surface_column: args.surface_column.clone(),
+        longest_edge: args.subsurface.longest_edge,
+        surface_column: args.subsurface.surface_column.clone(),
     }
 }
 
@@ -142,7 +145,7 @@ pub fn volume(args: &PrepareArgs) -> Result<(), Failure> {
     if let Some(model) = model(input)? {
         return write(args, "subsurface", &model.volume());
     }
-    let Some(grid) = &args.grid else {
+    let Some(grid) = &args.subsurface.grid else {
         return Err(Failure::Usage(format!(
             "'{}' has values of cells: name the grid they belong to with --grid",
             input.display()
@@ -153,6 +156,7 @@ pub fn volume(args: &PrepareArgs) -> Result<(), Failure> {
     let [i, j, k] = grid.size();
     let wide = 2 * i.max(j);
     let samples = args
+        .subsurface
         .samples
         .map_or([wide, wide, 2 * k], |samples| samples.0);
     let bar = progress::work("resampling", args.quiet);
@@ -177,11 +181,11 @@ fn write(args: &PrepareArgs, name: &str, source: &dyn BrickSource) -> Result<(),
         let layout = source.layout();
         let [i, c, t] = layout.size;
         let [low, high] = layout.range;
-        println!(
+        print(format_args!(
             "{}: {i} x {c} x {t} samples, {low} to {high}, in bricks of {}",
             args.output.display(),
             layout.brick
-        );
+        ))?;
     }
     Ok(())
 }

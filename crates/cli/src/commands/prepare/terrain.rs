@@ -10,6 +10,7 @@ use antumbra::terrain::{
 use crate::args::{PrepareArgs, TerrainArgs};
 use crate::failure::Failure;
 use crate::landscape;
+use crate::print::print;
 
 /// Whether a word names the built-in landscape.
 pub fn is_built_in(input: &Path) -> bool {
@@ -38,20 +39,20 @@ pub fn scene(args: &PrepareArgs) -> Result<(), Failure> {
     };
     made.scene.set_name(stem.to_string_lossy());
     made.terrain.save(&made.scene, &made.shown, &args.output)?;
-    if !args.quiet {
-        say(args, &made.terrain);
+    match args.quiet {
+        true => Ok(()),
+        false => summarise(args, &made.terrain),
     }
-    Ok(())
 }
 
-fn say(args: &PrepareArgs, terrain: &Terrain) {
+fn summarise(args: &PrepareArgs, terrain: &Terrain) -> Result<(), Failure> {
     let (field, groups) = (terrain.field(), terrain.groups());
     let crystals = groups.groups().iter().filter(|group| group.is_leaf());
     let reaches = match groups.sectors().reaches() {
         1 => String::new(),
         reaches => format!(" with {reaches} reaches"),
     };
-    println!(
+    print(format_args!(
         "{}: {} vertices and {} triangles; {} groups that hide together, {} triangles in none; horizons in {} sectors of {}, {}{reaches}",
         args.output.display(),
         field.points().len(),
@@ -61,9 +62,10 @@ fn say(args: &PrepareArgs, terrain: &Terrain) {
         groups.sectors().count(),
         groups.sectors().parts(),
         terrain.method(),
-    );
-    if !field.boundary().convex {
-        println!("it has holes or dents: horizon culls what is seen over their rims alone");
+    ))?;
+    match field.boundary().convex {
+        true => Ok(()),
+        false => print("it has holes or dents: horizon culls what is seen over their rims alone"),
     }
 }
 
@@ -108,7 +110,7 @@ fn built_in(named: &str, args: &PrepareArgs) -> Result<PreparedScene, Failure> {
     landscape::built_in(&options, args.quiet)
 }
 
-/// What was asked for, and `other` where nothing was.
+/// The sectors that are named; `other` for what is not.
 fn sectors(wanted: &TerrainArgs, other: Sectors) -> Result<Sectors, Failure> {
     let count = wanted.sectors.unwrap_or(other.count());
     let parts = wanted.parts.unwrap_or(other.parts());

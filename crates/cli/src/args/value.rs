@@ -1,0 +1,118 @@
+//! Values of options, read from their text. Each message shows how the value is written.
+
+use std::str::FromStr;
+
+use antumbra::cull::{Latency, Range};
+use antumbra::measure::MeasureError;
+use antumbra::measure::trade_off::ErrorLimit;
+use antumbra::subsurface::{Axis, SampleBox};
+use antumbra::terrain::Method;
+
+/// Samples along three axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Samples(pub [u32; 3]);
+
+impl FromStr for Samples {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sides: Vec<u32> = text
+            .split('x')
+            .map_while(|side| side.parse().ok())
+            .collect();
+        let whole = text.split('x').count() == 3;
+        <[u32; 3]>::try_from(sides)
+            .ok()
+            .filter(|sides| whole && sides.iter().all(|side| *side > 0))
+            .map(Self)
+            .ok_or_else(|| "write it as 256x256x128".to_owned())
+    }
+}
+
+/// The axis that a slice is perpendicular to, and its sample along that axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SliceAt(pub Axis, pub u32);
+
+impl FromStr for SliceAt {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (axis, sample) = text.split_once('=').unwrap_or((text, ""));
+        let axis = Axis::ALL
+            .into_iter()
+            .find(|known| known.to_string() == axis);
+        match (axis, sample.parse()) {
+            (Some(axis), Ok(sample)) => Ok(Self(axis, sample)),
+            _ => Err("write it as inline=120, crossline=80 or time=300".to_owned()),
+        }
+    }
+}
+
+/// The samples that a lens takes up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LensAt(pub SampleBox);
+
+impl FromStr for LensAt {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let ends = |part: &str| {
+            let (first, last) = part.split_once("..")?;
+            Some((first.parse().ok()?, last.parse().ok()?))
+        };
+        let parts: Vec<(u32, u32)> = text.split(',').map_while(ends).collect();
+        match parts.as_slice() {
+            [i, c, t] if text.split(',').count() == 3 => Ok(Self(SampleBox {
+                min: [i.0, c.0, t.0],
+                max: [i.1, c.1, t.1],
+            })),
+            _ => Err("write it as 100..180,60..120,200..320".to_owned()),
+        }
+    }
+}
+
+/// An image's width and height in pixels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Size(pub [u32; 2]);
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sides = text
+            .split_once('x')
+            .and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
+        match sides {
+            Some([w, h]) if (1..=16_384).contains(&w) && (1..=16_384).contains(&h) => {
+                Ok(Self([w, h]))
+            }
+            _ => Err("write it as 1280x1024; each side is 1 to 16384".to_owned()),
+        }
+    }
+}
+
+/// How horizons are computed.
+pub fn method(text: &str) -> Result<Method, String> {
+    text.parse()
+        .map_err(|()| "it takes sound, rays or thesis".to_owned())
+}
+
+/// A limit of error.
+pub fn limit(text: &str) -> Result<ErrorLimit, String> {
+    text.parse()
+        .map_err(|error: MeasureError| error.to_string())
+}
+
+/// A share above 0, at most 1.
+pub fn share(text: &str) -> Result<f64, String> {
+    text.parse()
+        .ok()
+        .filter(|share| *share > 0.0 && *share <= 1.0)
+        .ok_or_else(|| "it takes a number above 0, at most 1".to_owned())
+}
+
+/// When the results of queries are used.
+pub fn latency(text: &str) -> Result<Latency, String> {
+    text.parse()
+        .map_err(|()| format!("it takes {}", Range::Words(Latency::WORDS)))
+}

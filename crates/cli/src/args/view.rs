@@ -1,0 +1,81 @@
+//! The scene, the camera path and the device: what the commands that draw have in common.
+
+use std::path::PathBuf;
+
+use antumbra::draw::AdapterChoice;
+use clap::Args as ClapArgs;
+
+use super::value::{LensAt, Size, SliceAt};
+use crate::eyes::StereoArgs;
+use crate::input::is_word;
+use crate::outputs::Outputs;
+
+/// What decides a scene and its views.
+#[derive(Debug, Clone, ClapArgs)]
+pub struct ViewArgs {
+    /// A scene file (.glb, .gltf, .obj, .ply, .stl; CityJSON as .json or .jsonl), a raster that becomes a terrain (.npz, .tif, .asc), or a
+    /// built-in scene (subsurface, terrain, grid, layer, turbine, city), which may have a size and settings: grid:12,
+    /// subsurface:200:tiles=5
+    pub scene: Option<String>,
+    /// The camera path: orbit, flight, camera (the first camera of the scene file), camera:NAME, a view of the built-in subsurface scene
+    /// (open, occluded), or a JSON file of poses. The default flies through subsurface and over terrains, and orbits other scenes
+    #[arg(long)]
+    pub path: Option<String>,
+    /// The number of poses of the path
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub frames: Option<u32>,
+    /// The seed of a flight
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// The width and height of the image in pixels
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+    /// The graphics adapter: auto, cpu, gpu, or a part of its name or backend
+    #[arg(long, default_value = "auto")]
+    pub adapter: AdapterChoice,
+    /// Print nothing but errors and, where it is a graph, the result itself
+    #[arg(long)]
+    pub quiet: bool,
+    #[command(flatten, next_help_heading = "Stereo")]
+    pub eyes: StereoArgs,
+    #[command(flatten, next_help_heading = "Seismic volumes")]
+    pub volume: VolumeArgs,
+}
+
+/// Which sections of a seismic volume are shown.
+#[derive(Debug, Clone, ClapArgs)]
+pub struct VolumeArgs {
+    /// A seismic volume, as `prepare` writes it
+    #[arg(id = "volume", long = "volume", value_name = "FILE")]
+    pub file: Option<PathBuf>,
+    /// A slice of the volume; AXIS is inline, crossline or time. Without --slice and --lens, one in the middle of each axis
+    #[arg(long, value_name = "AXIS=SAMPLE")]
+    pub slice: Vec<SliceAt>,
+    /// A semi-transparent box of the volume: the first and last sample along the inline, crossline and time axis
+    #[arg(long, value_name = "I..I,C..C,T..T")]
+    pub lens: Vec<LensAt>,
+}
+
+impl ViewArgs {
+    /// The files that are read, for a check of those that are written.
+    pub fn outputs(&self) -> Outputs {
+        let mut outputs = Outputs::default();
+        if let Some(scene) = &self.scene {
+            outputs.reads("the scene", scene);
+        }
+        if let Some(path) = self.path.as_ref().filter(|path| !is_word(path)) {
+            outputs.reads("--path", path);
+        }
+        if let Some(volume) = &self.volume.file {
+            outputs.reads("--volume", volume);
+        }
+        outputs
+    }
+}
+
+impl VolumeArgs {
+    /// Whether sections are named that replace those of a built-in model.
+    pub fn are_named(&self) -> bool {
+        self.file.is_some() || !self.slice.is_empty() || !self.lens.is_empty()
+    }
+}

@@ -1,0 +1,164 @@
+//! The camera path that the command line names, or the one that suits the scene.
+
+use antumbra::demo_scenes::subsurface::Model;
+use antumbra::measure::path::{CameraPath, Orbit, Pose};
+use antumbra::scene::{Aabb, Camera, Projection, Scene};
+use antumbra::terrain::{FlightStation, Terrain, TerrainInScene};
+
+use super::found::Found;
+use crate::args::ViewArgs;
+use crate::failure::Failure;
+
+/// The near plane of sub-surface views, in metres: the model is 6 km wide, and flown through.
+const NEAR: f64 = 5.0;
+
+/// Frames of the whole flight through the sub-surface model: half a minute at 60 frames a second.
+const FLIGHT: usize = 1800;
+
+/// The height of a flight above a terrain.
+struct Flying {
+    metres: f64,
+    /// At most this share of the terrain's width.
+    share: f64,
+}
+
+const FLYING: Flying = Flying {
+    metres: 30.0,
+    share: 0.02,
+};
+
+/// The path: one that the scene brings along, a built-in one, or a file.
+///
+/// # Errors
+/// [`Failure::Usage`] for a camera that the scene does not have; what is wrong with a file otherwise.
+pub fn path(
+    args: &ViewArgs,
+    found: &Found,
+    bounds: &Aabb,
+    size: [u32; 2],
+    frames: usize,
+) -> Result<CameraPath, Failure> {
+    let aspect = f64::from(size[0]) / f64::from(size[1]);
+    let named = args.path.as_deref();
+    if let Some(name) = named.and_then(camera_name) {
+        return still(&found.scene, name, frames);
+    }
+    if let Some(model) = &found.model
+        && let Some(path) = own_path(named, model, frames)?
+    {
+        return Ok(path);
+    }
+    if let Some(TerrainInScene { terrain, .. }) = &found.terrain
+        && matches!(named, None | Some("flight"))
+    {
+        return over(terrain, frames);
+    }
+    match named {
+        // The grid's own orbit, whole grid or a part of it.
+        None | Some("orbit") if found.whole_grid => Ok(CameraPath::orbit(&Orbit::grid(frames))?),
+        None | Some("orbit") => Ok(CameraPath::orbit_around(bounds, aspect, frames)?),
+        Some("flight") => Ok(CameraPath::flight(bounds, args.seed, frames)?),
+        Some(file) => Ok(CameraPath::load(file)?),
+    }
+}
+
+/// Whether a path is a built-in one or a camera of the scene, and not a file.
+pub fn is_word(path: &str) -> bool {
+    matches!(path, "orbit" | "flight") || camera_name(path).is_some()
+}
+
+/// The name in `camera:NAME`; the empty one in `camera`.
+fn camera_name(path: &str) -> Option<&str> {
+    match path.strip_prefix("camera")? {
+        "" => Some(""),
+        rest => rest.strip_prefix(':'),
+    }
+}
+
+/// A path that stays at a camera of the scene: the one of this name, or the first where the name is empty.
+fn still(scene: &Scene, name: &str, frames: usize) -> Result<CameraPath, Failure> {
+    let cameras: Vec<(&str, Camera)> = scene
+        .cameras()
+        .map(|(entity, camera)| (scene.entity_name(entity), camera))
+        .collect();
+    let found = cameras
+        .iter()
+        .find(|(known, _)| name.is_empty() || *known == name);
+    let Some((known, camera)) = found else {
+        let asked = match name.is_empty() {
+            true => "camera".to_owned(),
+            false => format!("camera:{name}"),
+        };
+        let known: Vec<&str> = cameras
+            .iter()
+            .map(|(known, _)| match known.is_empty() {
+                true => "(without a name)",
+                false => known,
+            })
+            .collect();
+        return Err(Failure::Usage(match known.is_empty() {
+            true => format!("--path {asked}: the scene has no camera"),
+            false => format!(
+                "--path {asked}: the scene has no camera of that name; its cameras are: {}",
+                known.join(", ")
+            ),
+        }));
+    };
+    let pose = Pose {
+        position: camera.position,
+        rotation: camera.rotation,
+        cut: false,
+    };
+    let title = match known.is_empty() {
+        true => "camera",
+        false => known,
+    };
+    Ok(CameraPath::new(
+        title,
+        camera.projection,
+        vec![pose; frames],
+    )?)
+}
+
+/// A flight over a terrain.
+fn over(terrain: &Terrain, frames: usize) -> Result<CameraPath, Failure> {
+    let [low, high] = terrain.field().plan_bounds();
+    let height = FLYING.metres.min((high - low).max_element() * FLYING.share);
+    let projection = Projection::Perspective {
+        fov_y: 0.9,
+        near: height / FLYING.metres,
+    };
+    let look = |station: FlightStation| Pose::look_at(station.eye, station.target, None);
+    let poses = terrain.flight(height, frames).into_iter().map(look);
+    let poses = poses.collect::<Result<Vec<_>, _>>();
+    let poses = poses.map_err(|error| Failure::Usage(format!("the flight: {error}")))?;
+    Ok(CameraPath::new("flight", projection, poses)?)
+}
+
+/// A path of a sub-surface model: its flight, or one of its views.
+fn own_path(
+    named: Option<&str>,
+    model: &Model,
+    frames: usize,
+) -> Result<Option<CameraPath>, Failure> {
+    let projection = |fov_y| Projection::Perspective { fov_y, near: NEAR };
+    let views = model.views();
+    match named {
+        None | Some("flight") => {
+            let fov_y = views.first().map_or(0.7, |view| view.fov_y);
+            let flight = model.flight();
+            let places: Vec<_> = flight.iter().map(|at| (at.eye, at.target)).collect();
+            let path = CameraPath::through("flight", &places, projection(fov_y), FLIGHT, frames)?;
+            Ok(Some(path))
+        }
+        Some(name) => {
+            let Some(view) = views.iter().find(|view| view.name == name) else {
+                return Ok(None);
+            };
+            let pose = Pose::look_at(view.position, view.target, None)
+                .map_err(|error| Failure::Usage(format!("the view {name}: {error}")))?;
+            let poses = vec![pose; frames];
+            Ok(Some(CameraPath::new(name, projection(view.fov_y), poses)?))
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! What a command writes never destroys what it reads.
+//!
+//! Before any work, the real path of each output, links followed, is held against those of all inputs and of all other outputs. An output
+//! that exists and is no regular file, such as a device, a FIFO or a folder, is refused as well: a finished file is renamed to its name, and
+//! would take its place.
+
+use std::ffi::OsStr;
+use std::fs::{self, FileType, Metadata};
+use std::path::{Component, Path, PathBuf};
+
+use antumbra::measure::compare::is_report_file;
+
+use crate::failure::Failure;
+
+/// Links that lead to links, before a path counts as leading nowhere; as many as Linux follows.
+const MOST_LINKS: u32 = 40;
+
+/// The files that a command reads and writes.
+#[derive(Debug, Default)]
+pub struct Outputs {
+    inputs: Vec<Named>,
+    outputs: Vec<Named>,
+    folders: Vec<Named>,
+}
+
+/// A path, and what it is on the command line.
+#[derive(Debug, Clone)]
+struct Named {
+    role: &'static str,
+    path: PathBuf,
+}
+
+impl std::fmt::Display for Named {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} '{}'", self.role, self.path.display())
+    }
+}
+
+impl Outputs {
+    /// Adds a file that is read.
+    pub fn reads(&mut self, role: &'static str, path: impl AsRef<Path>) {
+        self.inputs.push(named(role, path.as_ref()));
+    }
+
+    /// Adds a file that is written.
+    pub fn writes(&mut self, role: &'static str, path: impl AsRef<Path>) {
+        self.outputs.push(named(role, path.as_ref()));
+    }
+
+    /// Adds the folder that a report is written into.
+    pub fn reports_into(&mut self, role: &'static str, folder: impl AsRef<Path>) {
+        self.folders.push(named(role, folder.as_ref()));
+    }
+
+    /// Refuses outputs that would replace an input, another output, or what is no regular file.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`], which names both.
+    pub fn check(&self) -> Result<(), Failure> {
+        let inputs: Vec<(&Named, Place)> = self
+            .inputs
+            .iter()
+            .map(|input| (input, Place::of(&input.path)))
+            .collect();
+        let mut written: Vec<(&Named, Place)> = Vec::new();
+        for output in &self.outputs {
+            let place = Place::of(&output.path);
+            is_free(output, &place, &inputs)?;
+            if let Some((other, _)) = written.iter().find(|(_, known)| place.is(known)) {
+                return Err(Failure::Usage(format!(
+                    "{other} and {output} are one file: name two"
+                )));
+            }
+            written.push((output, place));
+        }
+        for folder in &self.folders {
+            for output in report_files(folder)? {
+                is_free(&output, &Place::of(&output.path), &inputs)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn named(role: &'static str, path: &Path) -> Named {
+    Named {
+        role,
+        path: path.to_owned(),
+    }
+}
+
+/// That an output is absent or a regular file, and no input.
+fn is_free(output: &Named, place: &Place, inputs: &[(&Named, Place)]) -> Result<(), Failure> {
+    if let Some((input, _)) = inputs.iter().find(|(_, known)| place.is(known)) {
+        return Err(Failure::Usage(format!(
+            "{output} would overwrite {input}: name another file"
+        )));
+    }
+    match &place.found {
+        Some(found) if !found.is_file() => Err(Failure::Usage(format!(
+            "{output} is {}: name a file",
+            kind(found.file_type())
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// The files in a folder that a report would replace.
+fn report_files(folder: &Named) -> Result<Vec<Named>, Failure> {
+    let place = Place::of(&folder.path);
+    match &place.found {
+        None => return Ok(Vec::new()),
+        Some(found) if !found.is_dir() => {
+            return Err(Failure::Usage(format!(
+                "{folder} is {}: name a folder",
+                match found.is_file() {
+                    true => "a file",
+                    false => kind(found.file_type()),
+                }
+            )));
+        }
+        Some(_) => {}
+    }
+    // A folder that cannot be listed is found out when the report is written.
+    let Ok(entries) = fs::read_dir(&place.path) else {
+        return Ok(Vec::new());
+    };
+    let is_report = |name: &OsStr| name.to_str().is_some_and(is_report_file);
+    let entries = entries.flatten().map(|entry| entry.file_name());
+    let files = entries.filter(|name| is_report(name));
+    Ok(files
+        .map(|name| named(folder.role, &folder.path.join(name)))
+        .collect())
+}
+
+/// Where a path leads.
+struct Place {
+    /// Absolute, without links.
+    path: PathBuf,
+    /// What is there.
+    found: Option<Metadata>,
+}
+
+impl Place {
+    fn of(path: &Path) -> Self {
+        let path = real(path, MOST_LINKS);
+        Self {
+            found: fs::metadata(&path).ok(),
+            path,
+        }
+    }
+
+    /// Whether both are one file: by path, or, where names differ (hard links, case), by what the file system says.
+    fn is(&self, other: &Self) -> bool {
+        let same = |[one, other]: [&Metadata; 2]| is_same_file(one, other);
+        let both = self.found.as_ref().zip(other.found.as_ref());
+        self.path == other.path || both.is_some_and(|(one, other)| same([one, other]))
+    }
+}
+
+#[cfg(unix)]
+fn is_same_file(one: &Metadata, other: &Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    (one.dev(), one.ino()) == (other.dev(), other.ino())
+}
+
+/// Paths tell files apart: canonical ones have the case that the file system keeps.
+#[cfg(not(unix))]
+fn is_same_file(_: &Metadata, _: &Metadata) -> bool {
+    false
+}
+
+/// The absolute path with all links followed, of which the last parts need not exist.
+fn real(path: &Path, links: u32) -> PathBuf {
+    if let Ok(real) = path.canonicalize() {
+        return real;
+    }
+    // A link that leads to nothing yet.
+    if let Ok(target) = fs::read_link(path)
+        && let Some(links) = links.checked_sub(1)
+    {
+        let from = path.parent().unwrap_or(Path::new(""));
+        return real(&from.join(target), links);
+    }
+    let mut parts = path.components();
+    let last = parts.next_back();
+    let before = match parts.as_path() {
+        none if none.as_os_str().is_empty() => Path::new("."),
+        before => before,
+    };
+    match last {
+        Some(Component::Normal(name)) => real(before, links).join(name),
+        Some(Component::ParentDir) => {
+            let mut above = real(before, links);
+            above.pop();
+            above
+        }
+        // Without a folder to start from, the path as it is.
+        _ => path.to_owned(),
+    }
+}
+
+/// A file type in words.
+fn kind(found: FileType) -> &'static str {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::FileTypeExt;
+        if found.is_char_device() || found.is_block_device() {
+            return "a device";
+        }
+        if found.is_fifo() {
+            return "a FIFO";
+        }
+        if found.is_socket() {
+            return "a socket";
+        }
+    }
+    match found.is_dir() {
+        true => "a folder",
+        false => "no regular file",
+    }
+}

@@ -1,0 +1,297 @@
+//! What is written never destroys what is read: outputs that would are refused before any work, and nothing is touched.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod common;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use common::{refuses, succeeds};
+use tempfile::TempDir;
+
+const TRIANGLE: &str = "mtllib sheet.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl sheet\nf 1/1 2/2 3/3\n";
+const SHEET: &str = "newmtl sheet\nmap_Kd sheet.png\n";
+const POSES: &str = r#"{"projection": {"perspective": {"fov_y_degrees": 45, "near": 0.1}},
+    "poses": [{"eye": [0, 0, 9], "target": [0, 0, 0]}]}"#;
+
+/// A folder with a scene file and what it refers to, and a path file.
+struct Folder(TempDir);
+
+impl Folder {
+    fn new() -> Self {
+        let folder = Self(tempfile::tempdir().unwrap());
+        fs::write(folder.file("sheet.obj"), TRIANGLE).unwrap();
+        fs::write(folder.file("sheet.mtl"), SHEET).unwrap();
+        let white = image::RgbaImage::from_pixel(2, 2, image::Rgba([255; 4]));
+        white.save(folder.file("sheet.png")).unwrap();
+        fs::write(folder.file("path.json"), POSES).unwrap();
+        folder
+    }
+
+    fn file(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn text(&self, name: &str) -> String {
+        self.file(name).to_str().unwrap().to_owned()
+    }
+
+    /// Every file's name and contents.
+    fn contents(&self) -> Vec<(PathBuf, Vec<u8>)> {
+        let entries = fs::read_dir(self.0.path()).unwrap();
+        let mut files: Vec<_> = entries
+            .map(|entry| entry.unwrap().path())
+            .filter(|path| path.is_file())
+            .map(|path| (path.clone(), fs::read(path).unwrap()))
+            .collect();
+        files.sort();
+        files
+    }
+
+    /// The run is refused with these words, and no file has changed.
+    fn keeps(&self, arguments: &[&str], words: &[&str]) {
+        let before = self.contents();
+        refuses(arguments, 2, words);
+        assert!(self.contents() == before, "{arguments:?} changed a file");
+    }
+}
+
+/// `render` with these further arguments, drawn small.
+fn render<'a>(scene: &'a str, more: &[&'a str]) -> Vec<&'a str> {
+    [&["render", scene, "--size", "32x24"], more].concat()
+}
+
+#[test]
+fn an_image_never_replaces_what_it_is_drawn_from() {
+    let folder = Folder::new();
+    let [scene, path, image, texture] =
+        ["sheet.obj", "path.json", "image.png", "sheet.png"].map(|name| folder.text(name));
+    folder.keeps(
+        &render(&scene, &["-o", &scene]),
+        &["--output", "the scene", "sheet.obj"],
+    );
+    for (onto, named) in [
+        (&scene, "the scene"),
+        (&path, "--path"),
+        (&image, "--output"),
+    ] {
+        let sketch = ["-o", &image, "--path", &path, "--sketch", onto];
+        folder.keeps(&render(&scene, &sketch), &["--sketch", named, onto]);
+    }
+    // A file that the scene refers to is known once the scene is read.
+    folder.keeps(
+        &render(&scene, &["-o", &texture]),
+        &["--output", "a file of the scene", "sheet.png"],
+    );
+    let volume = folder.text("volume.png");
+    fs::write(&volume, "no volume").unwrap();
+    let asked = ["--volume", &volume, "-o", &volume];
+    folder.keeps(
+        &render("grid:2", &asked),
+        &["--output", "--volume", "volume.png"],
+    );
+}
+
+#[test]
+fn names_of_two_eyes_are_held_against_the_inputs_too() {
+    let folder = Folder::new();
+    fs::rename(folder.file("path.json"), folder.file("a-left.png")).unwrap();
+    let [path, image, left] = ["a-left.png", "a.png", "b-right.png"].map(|name| folder.text(name));
+    let asked = ["--layout", "separate", "--path", &path, "-o", &image];
+    folder.keeps(&render("grid:2", &asked), &["a-left.png", "--path"]);
+    let asked = ["--stereo", "--strategy", "occupancy-map", "-o", &left];
+    let sketch = folder.text("b.png");
+    let asked = [&asked[..], &["--sketch", &sketch]].concat();
+    folder.keeps(
+        &render("grid:2", &asked),
+        &["--sketch", "--output", "b-right.png"],
+    );
+    // Side by side there is one image, and its name is its own.
+    let asked = ["--stereo", "--path", &path, "-o", &image];
+    succeeds(&render("grid:2", &asked));
+    assert!(folder.file("a.png").is_file());
+}
+
+#[test]
+fn only_png_images_are_written() {
+    let folder = Folder::new();
+    for name in ["image.jpg", "image", "image.glb", ".png"] {
+        let image = folder.text(name);
+        folder.keeps(&render("grid:2", &["-o", &image]), &[name, ".png"]);
+    }
+}
+
+#[test]
+fn a_report_never_replaces_what_it_is_about() {
+    let folder = Folder::new();
+    let out = folder.text(".");
+    for name in ["report.json", "trade.svg", "3-three-pass-worst.png"] {
+        fs::write(folder.file(name), POSES).unwrap();
+        let path = folder.text(name);
+        let asked = ["compare", "grid:2", "--path", &path, "--out", &out];
+        folder.keeps(&asked, &["--out", "--path", name]);
+        let sweep = ["--strategy", "three-pass", "--vary", "threshold=1"];
+        let asked = ["sweep", "grid:2", "--path", &path, "--out", &out];
+        folder.keeps(&[&asked[..], &sweep].concat(), &["--out", "--path", name]);
+        fs::remove_file(path).unwrap();
+    }
+    let file = folder.text("sheet.obj");
+    let asked = ["compare", "grid:2", "--out", &file];
+    folder.keeps(&asked, &["--out", "sheet.obj", "folder"]);
+    fs::create_dir(folder.file("report.html")).unwrap();
+    let asked = ["compare", "grid:2", "--out", &out];
+    folder.keeps(&asked, &["--out", "report.html", "a folder"]);
+}
+
+#[test]
+fn whatever_a_report_writes_is_known_to_the_check() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let wrong = "three-pass:latency=same-frame:threshold=40";
+    let asked = [
+        "sweep", "grid:5", "--size", "64x48", "--frames", "3", "--quiet",
+    ];
+    let sweep = ["--strategy", wrong, "--vary", "scale=0.5", "--out"];
+    succeeds(&[&asked[..], &sweep, &[out.to_str().unwrap()]].concat());
+    let names: Vec<String> = fs::read_dir(&out)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    assert!(
+        names.iter().any(|name| name.ends_with("worst.png")),
+        "{names:?}"
+    );
+    for name in names {
+        assert!(antumbra::measure::compare::is_report_file(&name), "{name}");
+    }
+    for name in [
+        "report.txt",
+        "worst.png",
+        "a-worst.png",
+        "-worst.png",
+        "1-a-best.png",
+    ] {
+        assert!(!antumbra::measure::compare::is_report_file(name), "{name}");
+    }
+}
+
+#[test]
+fn a_prepared_scene_never_replaces_its_input() {
+    let folder = Folder::new();
+    let [input, other, volume] = ["a.glb", "b.glb", "c.vol"].map(|name| folder.text(name));
+    for name in [&input, &other, &volume] {
+        fs::write(name, "not read").unwrap();
+    }
+    let asked = ["prepare", &input, "-o", &input];
+    folder.keeps(&asked, &["--output", "the input", "a.glb"]);
+    let asked = ["prepare", &input, &other, "-o", &other];
+    folder.keeps(&asked, &["--output", "the input", "b.glb"]);
+    let asked = ["prepare", &input, "--grid", &volume, "-o", &volume];
+    folder.keeps(&asked, &["--output", "--grid", "c.vol"]);
+}
+
+#[test]
+fn a_path_is_followed_to_where_it_leads() {
+    let folder = Folder::new();
+    fs::create_dir(folder.file("deep")).unwrap();
+    let aside = folder.text("deep/../path.json");
+    let [path, image] = ["path.json", "image.png"].map(|name| folder.text(name));
+    let sketch = ["-o", &image, "--path", &path, "--sketch", &aside];
+    folder.keeps(&render("grid:2", &sketch), &["--sketch", "--path"]);
+    // Neither exists yet.
+    let other = folder.text("deep/../image.png");
+    let sketch = ["-o", &image, "--sketch", &other];
+    folder.keeps(&render("grid:2", &sketch), &["--sketch", "--output"]);
+}
+
+#[cfg(unix)]
+mod unix {
+    use super::*;
+
+    use std::os::unix::fs::{FileTypeExt, symlink};
+    use std::os::unix::net::UnixListener;
+
+    fn link(folder: &Folder, to: &Path, name: &str) -> String {
+        symlink(to, folder.file(name)).unwrap();
+        folder.text(name)
+    }
+
+    #[test]
+    fn links_are_followed() {
+        let folder = Folder::new();
+        let path = folder.text("path.json");
+        let soft = link(&folder, Path::new("path.json"), "soft.png");
+        folder.keeps(
+            &render("grid:2", &["--path", &path, "-o", &soft]),
+            &["soft.png", "--path"],
+        );
+        let hard = folder.text("hard.png");
+        fs::hard_link(&path, &hard).unwrap();
+        folder.keeps(
+            &render("grid:2", &["--path", &path, "-o", &hard]),
+            &["hard.png", "--path"],
+        );
+        // The input may be the link, and a link may lead to where nothing is yet.
+        let input = link(&folder, Path::new("plain.png"), "poses.json");
+        let plain = folder.text("plain.png");
+        fs::write(&plain, POSES).unwrap();
+        folder.keeps(
+            &render("grid:2", &["--path", &input, "-o", &plain]),
+            &["plain.png", "poses.json"],
+        );
+        let dangling = link(&folder, Path::new("later.png"), "dangling.svg");
+        let later = folder.text("later.png");
+        folder.keeps(
+            &render("grid:2", &["-o", &later, "--sketch", &dangling]),
+            &["later.png", "dangling.svg"],
+        );
+        let round = link(&folder, Path::new("round.png"), "round.png");
+        let asked = render("grid:2", &["-o", &round, "--path", &path]);
+        let output = common::antumbra(&asked);
+        assert!(!common::stderr(&output).contains("panicked"));
+        // Through a linked folder.
+        let home = link(&folder, Path::new("."), "home");
+        let aside = format!("{home}/path.json");
+        folder.keeps(
+            &render(
+                "grid:2",
+                &["-o", &later, "--path", &path, "--sketch", &aside],
+            ),
+            &["--sketch", "--path"],
+        );
+    }
+
+    #[test]
+    fn what_is_no_regular_file_stays_what_it_is() {
+        let folder = Folder::new();
+        let socket = folder.text("socket.png");
+        let _listener = UnixListener::bind(&socket).unwrap();
+        folder.keeps(
+            &render("grid:2", &["-o", &socket]),
+            &["socket.png", "a socket"],
+        );
+        let inside = folder.text("folder.png");
+        fs::create_dir(&inside).unwrap();
+        folder.keeps(
+            &render("grid:2", &["-o", &inside]),
+            &["folder.png", "a folder"],
+        );
+        let fifo = folder.text("fifo.png");
+        let made = std::process::Command::new("mkfifo").arg(&fifo).status();
+        if made.is_ok_and(|status| status.success()) {
+            folder.keeps(&render("grid:2", &["-o", &fifo]), &["fifo.png", "a FIFO"]);
+        }
+        let device = link(&folder, Path::new("/dev/null"), "null.png");
+        folder.keeps(
+            &render("grid:2", &["-o", &device]),
+            &["null.png", "a device"],
+        );
+        let sketch = ["-o", &folder.text("image.png"), "--sketch", "/dev/null"];
+        folder.keeps(&render("grid:2", &sketch), &["/dev/null", "a device"]);
+        let null = fs::metadata("/dev/null").unwrap().file_type();
+        assert!(null.is_char_device());
+        let scene = link(&folder, Path::new("/dev/null"), "null.glb");
+        let asked = ["prepare", "terrain:200", "-o", &scene];
+        folder.keeps(&asked, &["null.glb", "a device"]);
+    }
+}
