@@ -25,126 +25,14 @@ mod settings;
 mod single_view;
 
 use antumbra_graph::Buffer;
-use fraction::FractionRule;
 use single_view::{DrawnAnswers, ViewState};
 
 use antumbra_cull::{
     DeclareError, FrameGraph, Latency, Setting, SettingError, Step, Strategy, Tunable, Value,
-    ViewNodes, VisibleSet, assign, describe,
+    ViewNodes, VisibleSet, assign,
 };
 
-/// The settings of both strategies.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CoherentSettings {
-    /// When the answers of the queries are used.
-    pub latency: Latency,
-    /// The part of the occluded entities that is tested a frame: above 0, at most 1. Below 1 an entity may appear late.
-    pub fraction: f64,
-    /// Entities that may be late on average. The fraction grows as far as that needs. 0: the fraction is fixed.
-    pub late: f64,
-    /// Camera motion after which the visible entities are sorted again, as a part of the distance to the middle one of their list.
-    pub resort: f64,
-    /// Most occluded entities that share a query. Where it finds a sample, all of them are drawn, and the next frame queries each on its own.
-    /// 1: no sharing, as in the paper.
-    pub together: u32,
-}
-
-impl Default for CoherentSettings {
-    fn default() -> Self {
-        Self {
-            latency: Latency::FrameLate,
-            fraction: 1.0,
-            late: 0.0,
-            resort: 0.01,
-            together: 8,
-        }
-    }
-}
-
-impl CoherentSettings {
-    fn fraction_rule(self) -> FractionRule {
-        FractionRule {
-            least: self.fraction,
-            late: self.late,
-        }
-    }
-
-    /// The same with all occluded entities tested: a view after the first needs no fraction (section 3.2).
-    fn testing_all(self) -> Self {
-        Self {
-            fraction: 1.0,
-            late: 0.0,
-            ..self
-        }
-    }
-
-    /// Refuses settings that contradict each other.
-    fn check(self, strategy: &str) -> Result<(), DeclareError> {
-        if self.latency == Latency::OnGpu && self.late > 0.0 {
-            return Err(DeclareError::Settings {
-                strategy: strategy.to_owned(),
-                conflict: "a fraction that adapts needs answers on the host: set late to 0, or latency to frame-late or same-frame".to_owned(),
-            });
-        }
-        Ok(())
-    }
-
-    fn conservative(self) -> bool {
-        self.latency != Latency::FrameLate && self.fraction >= 1.0
-    }
-}
-
-impl Tunable for CoherentSettings {
-    fn settings(&self) -> Vec<Setting> {
-        describe(settings::PARAMETERS, self)
-    }
-
-    fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
-        assign("coherent", settings::PARAMETERS, self, key, value)
-    }
-
-    /// From all of the occluded entities tested to a twentieth of them.
-    fn steps(&self) -> Vec<Step> {
-        let current = match self.latency {
-            Latency::SameFrame => Latency::SameFrame,
-            Latency::FrameLate | Latency::OnGpu => Latency::OnGpu,
-        };
-        let step = |latency: Latency, fraction: f64| {
-            Step::of([
-                ("late", 0u32.into()),
-                ("latency", latency.word().into()),
-                ("fraction", fraction.into()),
-            ])
-        };
-        let mut steps = vec![step(current, 1.0)];
-        if self.latency == Latency::FrameLate {
-            steps.push(step(self.latency, 1.0));
-        }
-        let parts = [0.7, 0.5, 0.35, 0.2, 0.1, 0.05];
-        steps.extend(parts.map(|part| step(self.latency, part)));
-        steps
-    }
-}
-
-impl Tunable for StereoCoherent {
-    fn settings(&self) -> Vec<Setting> {
-        self.settings.settings()
-    }
-
-    fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
-        assign(
-            "stereo-coherent",
-            settings::PARAMETERS,
-            &mut self.settings,
-            key,
-            value,
-        )
-    }
-
-    fn steps(&self) -> Vec<Step> {
-        self.settings.steps()
-    }
-}
+pub use settings::CoherentSettings;
 
 /// The strategy `coherent`: every view on its own (OCF).
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -178,6 +66,26 @@ impl StereoCoherent {
             settings,
             first: None,
         }
+    }
+}
+
+impl Tunable for StereoCoherent {
+    fn settings(&self) -> Vec<Setting> {
+        self.settings.settings()
+    }
+
+    fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
+        assign(
+            "stereo-coherent",
+            settings::PARAMETERS,
+            &mut self.settings,
+            key,
+            value,
+        )
+    }
+
+    fn steps(&self) -> Vec<Step> {
+        self.settings.steps()
     }
 }
 

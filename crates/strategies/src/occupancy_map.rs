@@ -6,92 +6,24 @@
 
 mod settings;
 
-use antumbra_scene::hierarchy::HierarchyShape;
-
-use crate::traversal::{
-    AnswerLifetime, DrawOrder, QueryMode, TraversalSettings, frame_late, same_frame,
-};
+use crate::traversal::{QueryMode, TraversalSettings, frame_late, same_frame};
 use antumbra_cull::{
-    DeclareError, FrameGraph, Latency, Setting, SettingError, Step, Strategy, Tunable, Value,
-    ViewNodes, VisibleSet, assign, describe,
+    DeclareError, FrameGraph, Latency, Parameter, Setting, SettingError, Step, Strategy, Tunable,
+    Value, ViewNodes, VisibleSet, assign, describe,
 };
 
-/// The settings of both strategies.
-#[derive(Debug, Clone, PartialEq)]
-pub struct OccupancySettings {
-    /// How the inner nodes of the tree are made.
-    pub tree: HierarchyShape,
-    /// Pixels along a side of a block of the map: 1 to 256.
-    pub block: u32,
-    /// A node with at most this many triangles is not opened: its children would cost more queries than they can save.
-    pub grain: u32,
-    /// Width and height in pixels below which a sub-tree is culled (aggressive); 0: none is.
-    pub small: f32,
-    /// The part of a batch, 0..=1, that must be visible for the next batch to be organised too. Below it, little new was drawn that could hide
-    /// the waiting nodes. 0: every batch is organised, as in the paper.
-    pub least_seen: f32,
-    /// Most neighbours in the tree, hidden one frame ago, that share a query. Where it finds a sample, each gets a query of its own. 1: no
-    /// sharing, as in the paper.
-    pub together: u32,
-    /// Triangles that a wait must be able to save, beside 190 a query. Where all waiting nodes together hold no more, they are drawn without a
-    /// query. 0: every waiting node is queried, as in the paper.
-    pub worth: u32,
-    /// Frames for which a visible node is drawn without another query, while the camera is slow.
-    pub visible_for: u32,
-    /// Frames for which an occluded node is culled without another query, while the camera is slow: aggressive above 0.
-    pub occluded_for: u32,
-    /// Most motion of the eye since an answer that counts as slow, as a part of the distance from the eye to the node.
-    pub slow: f64,
-    /// The order in which the entities of a batch are drawn.
-    pub order: DrawOrder,
-    /// Whether the traversal keeps a [`Sketch`](crate::Sketch) for debugging.
-    pub sketch: bool,
-}
+pub use settings::OccupancySettings;
 
-impl Default for OccupancySettings {
-    fn default() -> Self {
-        Self {
-            tree: HierarchyShape::Divided,
-            block: 4,
-            grain: 200,
-            small: 0.0,
-            least_seen: 0.1,
-            together: 8,
-            worth: 5000,
-            visible_for: 5,
-            occluded_for: 0,
-            slow: 0.1,
-            order: DrawOrder::State,
-            sketch: false,
-        }
-    }
-}
+const LATENCIES: [Latency; 2] = [Latency::FrameLate, Latency::SameFrame];
 
-impl OccupancySettings {
-    fn traversal(&self, queries: QueryMode) -> TraversalSettings {
-        TraversalSettings {
-            queries,
-            occupancy_map: true,
-            block: self.block,
-            grain: self.grain,
-            small: self.small,
-            least_seen: self.least_seen,
-            together: self.together,
-            worth: self.worth,
-            lifetime: AnswerLifetime {
-                visible: self.visible_for,
-                occluded: self.occluded_for,
-                slow: self.slow,
-            },
-            order: self.order,
-            sketch: self.sketch,
-        }
-    }
-
-    fn conservative(&self) -> bool {
-        self.small <= 0.0 && self.occluded_for == 0
-    }
-}
+/// The setting of `occupancy-map` that `occupancy-map-single` does not have.
+const LATENCY: &[Parameter<OccupancyMapBatched>] = &[Parameter::words(
+    "latency",
+    &["frame-late", "same-frame"],
+    "when the answers are used",
+    |s| s.latency.word(),
+    |s, at| s.latency = LATENCIES[at],
+)];
 
 /// The setting `small` of the steps from exact to fast, in pixels.
 const SMALL: [f64; 7] = [0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0];
@@ -191,20 +123,18 @@ impl Strategy for OccupancyMapSingle {
 
 impl Tunable for OccupancyMapBatched {
     fn settings(&self) -> Vec<Setting> {
-        let own = describe(settings::LATENCY, self).into_iter();
+        let own = describe(LATENCY, self).into_iter();
         own.chain(describe(settings::PARAMETERS, &self.settings))
             .collect()
     }
 
     fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
-        let own = settings::LATENCY
-            .iter()
-            .any(|parameter| parameter.key() == key);
+        let own = LATENCY.iter().any(|parameter| parameter.key() == key);
         let known = settings::PARAMETERS
             .iter()
             .any(|parameter| parameter.key() == key);
         match (own, known) {
-            (true, _) => assign("occupancy-map", settings::LATENCY, self, key, value),
+            (true, _) => assign("occupancy-map", LATENCY, self, key, value),
             (_, true) => assign(
                 "occupancy-map",
                 settings::PARAMETERS,

@@ -229,13 +229,13 @@ fn one_view_has_no_second_eye() {
 #[test]
 fn bad_settings_are_refused_with_their_range() {
     for (setting, range) in [
-        ("fraction=0", "above 0 and at most 1"),
-        ("fraction=-0.5", "above 0 and at most 1"),
-        ("fraction=1.01", "above 0 and at most 1"),
-        ("fraction=NaN", "above 0 and at most 1"),
+        ("fraction=0", "above 0, at most 1"),
+        ("fraction=-0.5", "above 0, at most 1"),
+        ("fraction=1.01", "above 0, at most 1"),
+        ("fraction=NaN", "above 0, at most 1"),
         ("late=-1", "from 0"),
         ("late=inf", "1000000"),
-        ("together=0", "from 1"),
+        ("together=0", "1 to 256"),
         ("resort=-0.1", "from 0"),
         ("latency=tomorrow", "frame-late"),
     ] {

@@ -5,9 +5,9 @@
 
 use antumbra_graph::Host;
 
-use super::CoherentSettings;
 use super::memory::{Answers, QuerySubject, Visibility};
 use super::queried_list::{ListSource, QueriedList, Sharing, submit_unqueried};
+use super::settings::CoherentSettings;
 use super::single_view::{DrawnAnswers, ViewState};
 use crate::transparent::{submit_transparent, transparent_list};
 use antumbra_cull::order::by_nearest_corner;

@@ -12,9 +12,9 @@ use antumbra_draw::{IDENTITY_FORMAT, MeshDetail, PipelineKind};
 use antumbra_graph::{Bind, Buffer, Clear, Host, TextureDesc};
 use antumbra_shaders::jobs;
 
-use super::CoherentSettings;
 use super::entity_test::{fill_with_tests, sorted_tests};
 use super::schedule::TestSchedule;
+use super::settings::CoherentSettings;
 use antumbra_cull::indirect::{IndirectLayout, LayoutSize, SampleBounds};
 use antumbra_cull::order::back_to_front;
 use antumbra_cull::{

@@ -8,10 +8,10 @@
 use antumbra_draw::{MeshDetail, SceneTable, ViewFrame};
 use antumbra_graph::{Host, HostBuilder, HostContext, ReadBack};
 
-use super::CoherentSettings;
 use super::memory::{AfterCut, Answers, Memory, QuerySubject, Visibility};
 use super::picker::TestPicker;
 use super::queried_list::{ListSource, QueriedList, Sharing};
+use super::settings::CoherentSettings;
 use crate::transparent::{submit_transparent, transparent_list};
 use antumbra_cull::order::by_nearest_corner;
 use antumbra_cull::{CULL, Candidates, FrameGraph, Queried, Verdict, Verdicts, ViewNodes};

@@ -1,21 +1,88 @@
-//! The parameters of the strategies with an occupancy map: key, range, unit and description of each setting.
+//! The settings of both strategies with an occupancy map: fields and parameters (key, range, unit, description).
 
-use antumbra_cull::{Latency, Parameter, shortest};
+use antumbra_cull::{Parameter, shortest};
 use antumbra_scene::hierarchy::HierarchyShape;
 
-use super::{OccupancyMapBatched, OccupancySettings};
-use crate::traversal::DrawOrder;
+use crate::traversal::{AnswerLifetime, DrawOrder, QueryMode, TraversalSettings};
 
-const LATENCIES: [Latency; 2] = [Latency::FrameLate, Latency::SameFrame];
+/// The settings of both strategies.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OccupancySettings {
+    /// How the inner nodes of the tree are made.
+    pub tree: HierarchyShape,
+    /// Pixels along a side of a block of the map: 1 to 256.
+    pub block: u32,
+    /// A node with at most this many triangles is not opened: its children would cost more queries than they can save.
+    pub grain: u32,
+    /// Width and height in pixels below which a sub-tree is culled (aggressive); 0: none is.
+    pub small: f32,
+    /// The part of a batch, 0..=1, that must be visible for the next batch to be organised too. Below it, little new was drawn that could hide
+    /// the waiting nodes. 0: every batch is organised, as in the paper.
+    pub least_seen: f32,
+    /// Most neighbours in the tree, hidden one frame ago, that share a query. Where it finds a sample, each gets a query of its own. 1: no
+    /// sharing, as in the paper.
+    pub together: u32,
+    /// Triangles that a wait must be able to save, beside 190 a query. Where all waiting nodes together hold no more, they are drawn without a
+    /// query. 0: every waiting node is queried, as in the paper.
+    pub worth: u32,
+    /// Frames for which a visible node is drawn without another query, while the camera is slow.
+    pub visible_for: u32,
+    /// Frames for which an occluded node is culled without another query, while the camera is slow: aggressive above 0.
+    pub occluded_for: u32,
+    /// Most motion of the eye since an answer that counts as slow, as a part of the distance from the eye to the node.
+    pub slow: f64,
+    /// The order in which the entities of a batch are drawn.
+    pub order: DrawOrder,
+    /// Whether the traversal keeps a [`Sketch`](crate::Sketch) for debugging.
+    pub sketch: bool,
+}
 
-/// The setting of `occupancy-map` that `occupancy-map-single` does not have.
-pub(super) const LATENCY: &[Parameter<OccupancyMapBatched>] = &[Parameter::words(
-    "latency",
-    &["frame-late", "same-frame"],
-    "when the answers are used",
-    |s| s.latency.word(),
-    |s, at| s.latency = LATENCIES[at],
-)];
+impl Default for OccupancySettings {
+    fn default() -> Self {
+        Self {
+            tree: HierarchyShape::Divided,
+            block: 4,
+            grain: 200,
+            small: 0.0,
+            least_seen: 0.1,
+            together: 8,
+            worth: 5000,
+            visible_for: 5,
+            occluded_for: 0,
+            slow: 0.1,
+            order: DrawOrder::State,
+            sketch: false,
+        }
+    }
+}
+
+impl OccupancySettings {
+    /// The settings of the traversal that these make.
+    pub(super) fn traversal(&self, queries: QueryMode) -> TraversalSettings {
+        TraversalSettings {
+            queries,
+            occupancy_map: true,
+            block: self.block,
+            grain: self.grain,
+            small: self.small,
+            least_seen: self.least_seen,
+            together: self.together,
+            worth: self.worth,
+            lifetime: AnswerLifetime {
+                visible: self.visible_for,
+                occluded: self.occluded_for,
+                slow: self.slow,
+            },
+            order: self.order,
+            sketch: self.sketch,
+        }
+    }
+
+    /// Whether no visible entity is culled.
+    pub(super) fn conservative(&self) -> bool {
+        self.small <= 0.0 && self.occluded_for == 0
+    }
+}
 
 /// Settings without effect with a single query at a time.
 pub(super) const BATCHES_ONLY: [&str; 3] = ["least-seen", "together", "worth"];

@@ -4,11 +4,20 @@ use antumbra_draw::boxes::{BoxContents, GpuBox};
 use antumbra_draw::{SceneTable, ViewFrame};
 use antumbra_scene::hierarchy::HierarchyNode;
 
-use super::queue::QueuedNode;
 use super::remaining::Remaining;
 use super::settings::TraversalSettings;
 use crate::occupancy::{BlockRect, BoxPlacement, Containment, PixelRect, Screen};
 use antumbra_cull::{Tree, Verdict, Verdicts};
+
+/// A node taken from the queue.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct QueuedNode {
+    pub node: u32,
+    /// The square of the distance from the eye to the nearest corner of its box, in square metres.
+    pub distance_squared: f32,
+    /// How much of its parent lies in the frustum.
+    pub containment: Containment,
+}
 
 /// A node that the traversal reached, with its place on the screen.
 #[derive(Debug, Clone, Copy)]

@@ -1,7 +1,7 @@
 //! The frontier of a traversal: the nodes still to be visited, the slots found so far, and the blocks of the screen they cover.
 
-use super::context::{TraversalContext, VisitedNode};
-use super::queue::{NodeQueue, QueuedNode};
+use super::context::{QueuedNode, TraversalContext, VisitedNode};
+use super::queue::NodeQueue;
 use crate::occupancy::{BlockRect, Containment, OccupancyMap};
 use antumbra_cull::{Verdict, Verdicts};
 

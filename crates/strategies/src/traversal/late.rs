@@ -9,10 +9,9 @@ use std::sync::Arc;
 
 use antumbra_draw::boxes::BoxList;
 
-use super::context::{TraversalContext, Visit, VisitedNode};
+use super::context::{QueuedNode, TraversalContext, Visit, VisitedNode};
 use super::eye_path::EyePath;
 use super::frontier::Frontier;
-use super::queue::QueuedNode;
 use super::settings::TraversalSettings;
 use super::shared_queries::SharedQueries;
 use crate::sketch::{NodeOutcome, Sketch};

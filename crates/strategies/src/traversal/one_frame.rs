@@ -6,10 +6,9 @@
 
 use antumbra_draw::boxes::BoxList;
 
-use super::context::{TraversalContext, Visit, VisitedNode};
+use super::context::{QueuedNode, TraversalContext, Visit, VisitedNode};
 use super::frontier::Frontier;
 use super::memory::NodeMemory;
-use super::queue::QueuedNode;
 use super::settings::{QueryMode, TraversalSettings};
 use super::shared_queries::SharedQueries;
 use crate::occupancy::OccupancyMap;

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use super::context::TraversalContext;
+use super::context::{QueuedNode, TraversalContext};
 use crate::occupancy::Containment;
 
 /// Nodes by the distance of their nearest corner, ties by number.
@@ -11,16 +11,6 @@ use crate::occupancy::Containment;
 pub(crate) struct NodeQueue {
     /// The bits of the squared distance in the upper half. In the lower half the number, and in the last bit the parent's containment.
     entries: BinaryHeap<Reverse<u64>>,
-}
-
-/// A node taken from the queue.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct QueuedNode {
-    pub node: u32,
-    /// The square of the distance from the eye to the nearest corner of its box, in square metres.
-    pub distance_squared: f32,
-    /// How much of its parent lies in the frustum.
-    pub containment: Containment,
 }
 
 impl NodeQueue {
