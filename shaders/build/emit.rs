@@ -1,4 +1,4 @@
-//! Writes jobs as Rust statics, and each job's joined text beside them.
+//! Writes jobs as Rust statics, and the joined text of each job.
 
 use std::{
     fmt::{self, Debug, Write},
@@ -12,7 +12,7 @@ use crate::{
     source::SharedSource,
 };
 
-/// Writes `jobs.rs` and one `NAME.wgsl` a job into `out`.
+/// Writes `jobs.rs`, and `NAME.wgsl` for each job, into `out`.
 pub(crate) fn write(out: &Path, jobs: &[Job], shared: &[SharedSource<'_>]) -> Result<(), String> {
     let path = out.join("jobs.rs");
     let failed = |path: &Path, e: &dyn fmt::Display| format!("{}: {e}", path.display());
@@ -32,10 +32,7 @@ fn all(w: &mut String, jobs: &[Job], shared: &[SharedSource<'_>]) -> fmt::Result
         writeln!(w, "&{}::JOB,", job.name)?;
     }
     writeln!(w, "];")?;
-    writeln!(
-        w,
-        "/// The shared texts that `//!import` can name, by name."
-    )?;
+    writeln!(w, "/// The shared texts for `//!import`, by name.")?;
     writeln!(w, "pub static SHARED: &[crate::SharedSource<'static>] = &[")?;
     for source in shared {
         let SharedSource { name, text } = source;
@@ -95,7 +92,7 @@ fn module(w: &mut String, job: &Job) -> fmt::Result {
     writeln!(w, "}}")
 }
 
-/// Constants for names that a caller would otherwise spell as strings and numbers.
+/// Constants for the names and numbers of a job.
 fn names(w: &mut String, job: &Job) -> fmt::Result {
     writeln!(w, "/// Names of the entry points.\npub mod entry {{")?;
     for entry in job.entry_points.iter() {
@@ -104,19 +101,19 @@ fn names(w: &mut String, job: &Job) -> fmt::Result {
     }
     writeln!(
         w,
-        "}}\n/// `(group, binding)` of the variables in use.\npub mod binding {{"
+        "}}\n/// Places of the variables in use.\npub mod binding {{"
     )?;
     for binding in job.bindings.iter() {
         let (constant, name) = (binding.name.to_uppercase(), &binding.name);
         let (group, number) = (binding.group, binding.entry.binding);
         writeln!(
             w,
-            "/// `{name}`.\npub const {constant}: (u32, u32) = ({group}, {number});"
+            "/// `{name}`.\npub const {constant}: crate::BindingPlace = crate::BindingPlace {{ group: {group}, binding: {number} }};"
         )?;
     }
     writeln!(
         w,
-        "}}\n/// Invocations a workgroup, of the compute entry points.\npub mod workgroup {{"
+        "}}\n/// Workgroup sizes of the compute entry points.\npub mod workgroup {{"
     )?;
     for entry in job.entry_points.iter() {
         if entry.stage == wgpu::ShaderStages::COMPUTE {
@@ -269,7 +266,7 @@ fn stages(w: &mut String, field: &str, stages: wgpu::ShaderStages) -> fmt::Resul
     flags(w, field, "ShaderStages", names)
 }
 
-/// `field: wgpu::Type::empty().union(wgpu::Type::A)...,`, which is const where `|` is not.
+/// Writes `field: wgpu::Type::empty().union(wgpu::Type::A)...,`, which is const; `|` is not.
 fn flags<'n>(
     w: &mut String,
     field: &str,

@@ -1,5 +1,5 @@
-//! Turns `wgsl/*.wgsl` into checked Rust: joins, parses, validates and reflects each file with naga and writes
-//! `$OUT_DIR/jobs.rs`. A shader that naga refuses fails the build with naga's own words, the file and the line.
+//! Generates Rust from `wgsl/*.wgsl`: joins, parses, validates and reflects each file with naga, and writes `$OUT_DIR/jobs.rs`. An error of
+//! naga fails the build, with naga's message, the file and the line.
 
 #[allow(dead_code, reason = "shared with the library, which uses all of it")]
 #[path = "../src/error.rs"]
@@ -57,16 +57,16 @@ fn run() -> Result<(), Vec<String>> {
             Err(error) => failed.push(error.to_string()),
         }
     }
-    // A mistake in a shared file is found once for each job that imports it.
-    let mut told = HashSet::new();
-    failed.retain(|message| told.insert(message.clone()));
+    // An error in a shared file is found once for each job that imports it.
+    let mut reported = HashSet::new();
+    failed.retain(|message| reported.insert(message.clone()));
     if !failed.is_empty() {
         return Err(failed);
     }
     emit::write(&out, &jobs, &sources).map_err(one)
 }
 
-/// The `.wgsl` files of one folder, by name; an empty list if there is no such folder.
+/// The `.wgsl` files of a folder, by name; empty if there is no such folder.
 fn read_folder(folder: &Path) -> Result<Vec<(String, String)>, String> {
     let mut found = Vec::new();
     let Ok(entries) = fs::read_dir(folder) else {

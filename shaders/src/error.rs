@@ -1,8 +1,8 @@
-//! What can be wrong with a job's text, and with putting jobs together.
+//! Errors in the text of a job.
 
 use thiserror::Error;
 
-/// Why a WGSL text is no job.
+/// Why a WGSL text is not a valid job.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ShaderError {
@@ -11,19 +11,19 @@ pub enum ShaderError {
         "{file}:{line}: unknown directive `{directive}`; write `//!import name`, or `//` for a comment"
     )]
     Directive {
-        /// File the line is in.
+        /// The line's file.
         file: String,
         /// Line, from 1.
         line: u32,
-        /// The line as it stands.
+        /// The line's text.
         directive: String,
     },
-    /// An import below other text.
+    /// An import that is not at the start of the file.
     #[error(
         "{file}:{line}: imports come first in a file, before comments and code; move this line up"
     )]
     LateImport {
-        /// File the line is in.
+        /// The line's file.
         file: String,
         /// Line, from 1.
         line: u32,
@@ -31,38 +31,38 @@ pub enum ShaderError {
     /// An import of a file that does not exist.
     #[error("{file}:{line}: there is no shared file `{name}`; there are: {known}")]
     UnknownImport {
-        /// File the import is in.
+        /// The import's file.
         file: String,
         /// Line, from 1.
         line: u32,
-        /// The name asked for.
+        /// The imported name.
         name: String,
-        /// The names there are.
+        /// The names that exist.
         known: String,
     },
-    /// Shared files that import one another.
+    /// Shared files that import each other in a cycle.
     #[error(
         "{file}:{line}: this import closes a cycle: {chain}; move what both need into a third shared file"
     )]
     ImportCycle {
-        /// File the import is in.
+        /// The import's file.
         file: String,
         /// Line, from 1.
         line: u32,
         /// `a -> b -> a`.
         chain: String,
     },
-    /// What naga has to say, with the original files and lines.
+    /// An error of naga, with the original files and lines.
     #[error("{report}")]
     Invalid {
         /// The rendered report.
         report: String,
-        /// File of the first place named, if naga named one.
+        /// The file of the first reported location, if there is one.
         file: Option<String>,
         /// Its line, from 1.
         line: Option<u32>,
     },
-    /// Nothing to start a pipeline at.
+    /// The text has no entry point.
     #[error(
         "{file}: no entry point; text that others import belongs into `shared`, a job needs @vertex, @fragment or @compute"
     )]
@@ -70,7 +70,7 @@ pub enum ShaderError {
         /// The job's file.
         file: String,
     },
-    /// Two variables at one place.
+    /// Two variables have the same place.
     #[error(
         "{file}: `{first}` and `{second}` are both @group({group}) @binding({binding}); give one of them another number, or a file of its own"
     )]
@@ -81,12 +81,12 @@ pub enum ShaderError {
         group: u32,
         /// Binding number of both.
         binding: u32,
-        /// Variable's name.
+        /// A variable's name.
         first: String,
-        /// Variable's name.
+        /// A variable's name.
         second: String,
     },
-    /// A group number beyond what wgpu has.
+    /// A group number exceeds wgpu's limit.
     #[error(
         "{file}: `{variable}` is in @group({group}), but wgpu has groups 0 to {last}; use a lower number"
     )]
@@ -95,12 +95,12 @@ pub enum ShaderError {
         file: String,
         /// The variable's name.
         variable: String,
-        /// The group it asks for.
+        /// Its group.
         group: u32,
-        /// The highest group number there is.
+        /// The highest possible group number.
         last: u32,
     },
-    /// A resource that no bind group layout can hold.
+    /// No bind group layout can hold the resource.
     #[error(
         "{file}: `{variable}` is a resource that bind group layouts cannot hold; use a buffer, texture or sampler"
     )]

@@ -1,17 +1,16 @@
-//! Bind group layouts of a pipeline whose entry points come from several jobs.
+//! Bind group layouts of a pipeline whose entry points are in several jobs.
 
 use thiserror::Error;
 use wgpu::{BindingType, TextureSampleType};
 
-use crate::{Binding, Job};
+use crate::{Binding, BindingUse, Job, JobEntry};
 
-/// The bind group layouts of one pipeline, merged from the entry points it is made of: each binding is visible to the
-/// stages that use it.
+/// The bind group layouts of one pipeline, merged from its entry points. Each binding is visible to the stages that use it.
 ///
 /// ```no_run
 /// # fn pipeline(device: &wgpu::Device) -> Result<(), antumbra_shaders::BindGroupError> {
 /// use antumbra_shaders::{BindGroups, jobs::depth};
-/// let groups = BindGroups::of(&[(&depth::JOB, depth::entry::VERTEX)])?;
+/// let groups = BindGroups::of(&[depth::JOB.entry(depth::entry::VERTEX)])?;
 /// let layouts = groups.bind_group_layouts(device, "depth");
 /// let pipeline_layout = groups.pipeline_layout(device, "depth", &layouts);
 /// # Ok(()) }
@@ -24,21 +23,21 @@ pub struct BindGroups {
     downlevel: wgpu::DownlevelFlags,
 }
 
-/// Why entry points do not go together in one pipeline.
+/// Why entry points cannot be in one pipeline.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum BindGroupError {
-    /// A name that the job does not have.
+    /// A job has no entry point with the name.
     #[error("job `{job}` has no entry point `{entry_point}`; it has: {known}")]
     UnknownEntryPoint {
         /// The job's name.
         job: String,
-        /// The name asked for.
+        /// The name.
         entry_point: String,
-        /// The names there are.
+        /// The names that the job has.
         known: String,
     },
-    /// Two jobs want different things at one place.
+    /// Two jobs have different bindings at one place.
     #[error(
         "@group({group}) @binding({binding}) is {first_type:?} for `{first}` of job `{first_job}`, but {second_type:?} for `{second}` of job `{second_job}`; give one of them another number"
     )]
@@ -47,35 +46,35 @@ pub enum BindGroupError {
         group: u32,
         /// Binding number of both.
         binding: u32,
-        /// Job seen first.
+        /// The first job.
         first_job: String,
         /// Its variable.
         first: String,
-        /// What it wants.
+        /// Its type.
         first_type: Box<BindingType>,
-        /// Job seen second.
+        /// The second job.
         second_job: String,
         /// Its variable.
         second: String,
-        /// What it wants.
+        /// Its type.
         second_type: Box<BindingType>,
     },
-    /// No such binding.
+    /// There is no such binding.
     #[error("no entry point of the pipeline uses @group({group}) @binding({binding})")]
     UnknownBinding {
-        /// The group asked for.
+        /// The group.
         group: u32,
-        /// The binding asked for.
+        /// The binding.
         binding: u32,
     },
 }
 
 impl BindGroups {
-    /// The layouts for these entry points, given with their jobs.
+    /// The layouts for these entry points.
     ///
     /// # Errors
-    /// An entry point that does not exist, or two jobs that want different things at one place.
-    pub fn of(entry_points: &[(&Job, &str)]) -> Result<Self, BindGroupError> {
+    /// [`BindGroupError`] for an entry point that does not exist, or where two jobs have different bindings at one place.
+    pub fn of(entry_points: &[JobEntry<'_>]) -> Result<Self, BindGroupError> {
         let mut merging = Merging {
             found: Vec::new(),
             groups: Self {
@@ -85,20 +84,21 @@ impl BindGroups {
                 downlevel: wgpu::DownlevelFlags::empty(),
             },
         };
-        for (job, name) in entry_points {
-            let Some(entry) = job.entry_point(name) else {
+        for JobEntry { job, entry_point } in entry_points {
+            let Some(entry) = job.entry_point(entry_point) else {
                 let known: Vec<&str> = job.entry_points.iter().map(|e| e.name.as_ref()).collect();
                 return Err(BindGroupError::UnknownEntryPoint {
                     job: job.name.to_string(),
-                    entry_point: (*name).to_owned(),
+                    entry_point: (*entry_point).to_owned(),
                     known: known.join(", "),
                 });
             };
             for binding in job.bindings.iter() {
-                let by = binding.uses.iter();
-                let mut by = by.filter(|by| by.entry_point == *name && by.stage == entry.stage);
-                if let Some(by) = by.next() {
-                    merging.add(job, binding, by.stage, by.filters)?;
+                let is_own = |used: &&BindingUse| {
+                    used.entry_point == *entry_point && used.stage == entry.stage
+                };
+                if let Some(used) = binding.uses.iter().find(is_own) {
+                    merging.add(job, binding, used)?;
                 }
             }
             merging.require(job);
@@ -106,26 +106,25 @@ impl BindGroups {
         Ok(merging.finish())
     }
 
-    /// The layouts for all entry points of these jobs together.
+    /// The layouts for all entry points of these jobs.
     ///
     /// # Errors
-    /// Two jobs that want different things at one place.
+    /// [`BindGroupError::Conflict`] where two jobs have different bindings at one place.
     pub fn of_jobs(jobs: &[&Job]) -> Result<Self, BindGroupError> {
-        let all: Vec<(&Job, &str)> = jobs
+        let all: Vec<JobEntry<'_>> = jobs
             .iter()
             .flat_map(|job| {
-                job.entry_points
-                    .iter()
-                    .map(|entry| (*job, entry.name.as_ref()))
+                let entries = job.entry_points.iter();
+                entries.map(|entry| job.entry(&entry.name))
             })
             .collect();
         Self::of(&all)
     }
 
-    /// Makes a buffer binding take a dynamic offset, which WGSL does not speak of.
+    /// Gives a buffer binding a dynamic offset, which WGSL cannot express.
     ///
     /// # Errors
-    /// There is no such binding, or it is not a buffer.
+    /// [`BindGroupError::UnknownBinding`] where there is no such binding, or it is not a buffer.
     pub fn dynamic_offset(mut self, group: u32, binding: u32) -> Result<Self, BindGroupError> {
         match self.entry_mut(group, binding).map(|entry| &mut entry.ty) {
             Some(BindingType::Buffer {
@@ -136,17 +135,17 @@ impl BindGroups {
         Ok(self)
     }
 
-    /// Number of groups: the highest group number in use and one more.
+    /// Number of groups: one more than the highest group number in use.
     pub fn len(&self) -> usize {
         self.groups.len()
     }
 
-    /// Whether nothing is bound at all.
+    /// Whether there is no binding.
     pub fn is_empty(&self) -> bool {
         self.groups.is_empty()
     }
 
-    /// The entries of a group by binding number; empty for one that is not used.
+    /// The entries of a group by binding number; empty for a group that is not used.
     pub fn entries(&self, group: u32) -> &[wgpu::BindGroupLayoutEntry] {
         usize::try_from(group)
             .ok()
@@ -154,7 +153,7 @@ impl BindGroups {
             .map_or(&[], Vec::as_slice)
     }
 
-    /// An entry to change before layouts are made of it: what only the author knows, such as a binding array's length.
+    /// An entry, to change what cannot be reflected before layouts are made, such as the length of a binding array.
     pub fn entry_mut(
         &mut self,
         group: u32,
@@ -166,22 +165,22 @@ impl BindGroups {
             .find(|entry| entry.binding == binding)
     }
 
-    /// Bytes of `var<immediate>`: the largest of the jobs.
+    /// Bytes of `var<immediate>`: the maximum over the jobs.
     pub fn immediate_size(&self) -> u32 {
         self.immediate_size
     }
 
-    /// Device features that one of the jobs needs.
+    /// The device features that the jobs need.
     pub fn features(&self) -> wgpu::Features {
         self.features
     }
 
-    /// Downlevel flags that one of the jobs needs.
+    /// The downlevel flags that the jobs need.
     pub fn downlevel(&self) -> wgpu::DownlevelFlags {
         self.downlevel
     }
 
-    /// Creates one layout a group, in order, unused groups in between included.
+    /// Creates the layouts of all groups in order, unused groups in between included.
     pub fn bind_group_layouts(
         &self,
         device: &wgpu::Device,
@@ -198,7 +197,7 @@ impl BindGroups {
             .collect()
     }
 
-    /// Creates the pipeline layout over these groups' layouts.
+    /// Creates the pipeline layout from the layouts of the groups.
     pub fn pipeline_layout(
         &self,
         device: &wgpu::Device,
@@ -214,7 +213,7 @@ impl BindGroups {
     }
 }
 
-/// Bindings so far, each with the job and the variable that brought it.
+/// The bindings so far, each with its job.
 struct Merging<'j> {
     found: Vec<Found<'j>>,
     groups: BindGroups,
@@ -231,18 +230,17 @@ impl<'j> Merging<'j> {
         &mut self,
         job: &'j Job,
         binding: &'j Binding,
-        stage: wgpu::ShaderStages,
-        filters: bool,
+        used: &BindingUse,
     ) -> Result<(), BindGroupError> {
         let mut entry = binding.entry;
-        entry.visibility = stage;
-        // The job's entry speaks for all of its entry points; this one may only load.
+        entry.visibility = used.stage;
+        // The job's entry is for all of its entry points. This one may load without a filtering sampler.
         if let BindingType::Texture {
             sample_type: TextureSampleType::Float { filterable },
             ..
         } = &mut entry.ty
         {
-            *filterable = filters;
+            *filterable = used.filters;
         }
         let place = |found: &&mut Found<'_>| {
             found.binding.group == binding.group && found.entry.binding == entry.binding
@@ -258,7 +256,7 @@ impl<'j> Merging<'j> {
         match united(found.entry.ty, entry.ty) {
             Some(ty) if found.entry.count == entry.count => {
                 found.entry.ty = ty;
-                found.entry.visibility |= stage;
+                found.entry.visibility |= used.stage;
                 Ok(())
             }
             _ => Err(BindGroupError::Conflict {
@@ -296,7 +294,7 @@ impl<'j> Merging<'j> {
     }
 }
 
-/// What serves both: the larger buffer, the filterable texture. `None` where nothing does.
+/// The type that serves both: the larger buffer, the filterable texture. `None` where there is none.
 fn united(a: BindingType, b: BindingType) -> Option<BindingType> {
     use BindingType::{Buffer, Texture};
     match (a, b) {

@@ -1,38 +1,37 @@
-//! The compile-time check that a Rust struct and a WGSL struct agree byte for byte.
+//! Checks at compile time that a Rust struct and a WGSL struct have the same layout.
 
 use std::{borrow::Cow, fmt};
 
 use crate::{Job, StructLayout, job::LayoutKind};
 
-/// A field of a Rust struct, as [`assert_layout!`](crate::assert_layout) sees it.
+/// A field of a Rust struct, for [`assert_layout!`](crate::assert_layout).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RustField {
     /// Its name in Rust.
     pub name: &'static str,
-    /// The WGSL member it stands for.
+    /// The name of its WGSL member.
     pub wgsl: &'static str,
-    /// Bytes from the struct's start.
+    /// Offset from the struct's start in bytes.
     pub offset: usize,
-    /// Bytes.
+    /// Size in bytes.
     pub size: usize,
 }
 
-/// Where two layouts part. Displays as one sentence.
+/// The first difference between two layouts. Displays as one sentence.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct LayoutMismatch {
     text: [u8; LayoutMismatch::CAPACITY],
     len: usize,
 }
 
-/// Compares a Rust struct with a WGSL one: the size, and each field's offset and size. Every WGSL member must be named,
-/// except those whose name begins with `_` or `padding`. Of a struct that ends in a runtime-sized array, the part before
-/// the array is compared.
+/// Compares a Rust struct with a WGSL struct: the size, and each field's offset and size. Every WGSL member must be listed, except for those
+/// whose name begins with `_` or `padding`. For a struct that ends in a runtime-sized array, the part before the array is compared.
 ///
 /// # Errors
-/// The first [`LayoutMismatch`], naming the field.
+/// The first [`LayoutMismatch`]; it names the field.
 #[allow(
     clippy::result_large_err,
-    reason = "a constant can hold its message only inline, and this runs once a struct"
+    reason = "a constant can hold its message only inline, and this runs once for each struct"
 )]
 pub const fn check_layout(
     rust_name: &'static str,
@@ -105,7 +104,7 @@ impl LayoutMismatch {
         }
     }
 
-    /// The sentence. Very long names are cut short.
+    /// The sentence. Very long names are cut.
     pub const fn as_str(&self) -> &str {
         let (text, _) = self.text.split_at(self.len);
         match std::str::from_utf8(text) {
@@ -157,7 +156,7 @@ impl fmt::Debug for LayoutMismatch {
 
 impl std::error::Error for LayoutMismatch {}
 
-/// Stops the build with the mismatch's sentence. What [`assert_layout!`](crate::assert_layout) expands to.
+/// Fails the build with the mismatch's sentence. [`assert_layout!`](crate::assert_layout) expands to this.
 #[doc(hidden)]
 #[track_caller]
 #[allow(clippy::panic, reason = "in a constant, a panic is how a build fails")]
@@ -202,7 +201,7 @@ pub const fn built_in_layout(
     panic!("assert_layout!: there is no built-in job of that name");
 }
 
-/// The size of the field that a projection returns.
+/// The size of the field to which a projection refers.
 #[doc(hidden)]
 pub const fn field_size<T, F>(_project: fn(&T) -> &F) -> usize {
     size_of::<F>()
@@ -266,9 +265,9 @@ const fn starts_with(text: &str, start: &str) -> bool {
 
 /// Checks at compile time that a `#[repr(C)]` struct has the size, the field offsets and the field sizes of a WGSL struct.
 ///
-/// The struct is named by its built-in job and its WGSL name, or by any constant `&'static StructLayout`. Fields of the
-/// same name are listed once, others as `rust_name: wgsl_name`. Padding is not listed: WGSL members whose name begins
-/// with `_` or `padding` may be left out, and Rust ones always may.
+/// The struct is given by its built-in job and its WGSL name, or by any constant `&'static StructLayout`. Fields with the same name are listed
+/// once, others as `rust_name: wgsl_name`. Padding need not be listed: WGSL members whose name begins with `_` or `padding` may be left out,
+/// and any Rust field may.
 ///
 /// ```
 /// use std::borrow::Cow;
@@ -285,7 +284,7 @@ const fn starts_with(text: &str, start: &str) -> bool {
 /// assert_layout!(Settings, &SETTINGS, { threshold, batches: count });
 /// ```
 ///
-/// A wrong type does not build: "`Settings.batches` has 8 bytes, but `Settings.count` has 4 in WGSL".
+/// A wrong type fails the build: "`Settings.batches` has 8 bytes, but `Settings.count` has 4 in WGSL".
 ///
 /// ```compile_fail,E0080
 /// use std::borrow::Cow;
@@ -320,8 +319,8 @@ macro_rules! assert_layout {
     };
 }
 
-/// The offsets and sizes of a Rust struct's fields as `[RustField; N]`, for [`check_layout`] on a [`StructLayout`] that
-/// is known only while the program runs. Fields are listed as in [`assert_layout!`](crate::assert_layout).
+/// The offsets and sizes of a Rust struct's fields as `[RustField; N]`, for [`check_layout`] with a [`StructLayout`] that is known only at run
+/// time. Fields are listed as in [`assert_layout!`](crate::assert_layout).
 #[macro_export]
 macro_rules! layout_fields {
     ($rust:ty, { $($field:ident $(: $member:ident)?),* $(,)? }) => {

@@ -1,4 +1,4 @@
-//! From a checked naga module to a [`Job`]: what wgpu must be told, and what Rust must agree with.
+//! Makes a [`Job`] from a text: joins, parses, validates, and reflects what wgpu and Rust need to know.
 
 use std::borrow::Cow;
 
@@ -21,6 +21,8 @@ mod structs;
 #[path = "reflect/vertex.rs"]
 mod vertex;
 
+use requirements::Requirements;
+
 /// Joins, parses, validates and reflects one text.
 pub(crate) fn job(name: &str, text: &str, shared: &[SharedSource<'_>]) -> Result<Job, ShaderError> {
     let file = format!("wgsl/{name}.wgsl");
@@ -30,7 +32,10 @@ pub(crate) fn job(name: &str, text: &str, shared: &[SharedSource<'_>]) -> Result
         return Err(ShaderError::NoEntryPoint { file });
     }
     let bindings = bindings::reflect(&file, &module, &info)?;
-    let (features, downlevel) = requirements::reflect(&module, &bindings);
+    let Requirements {
+        features,
+        downlevel,
+    } = requirements::reflect(&module, &bindings);
     Ok(Job {
         name: Cow::Owned(name.to_owned()),
         source: Cow::Owned(joined.text),
@@ -91,7 +96,7 @@ fn overrides(module: &naga::Module) -> Vec<Override> {
         .collect()
 }
 
-/// Which entry points touch a global, as naga's analysis through all calls has it.
+/// The entry points that use a global, directly or through calls, by naga's analysis.
 fn users<'m>(
     module: &'m naga::Module,
     info: &'m ModuleInfo,

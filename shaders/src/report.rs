@@ -1,4 +1,4 @@
-//! Parsing and validating with naga, its messages rendered with the files and lines that the author wrote.
+//! Parses and validates with naga, and renders its messages with the original files and lines.
 
 use std::{error::Error, ops::Range};
 
@@ -11,7 +11,7 @@ use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
 use crate::{error::ShaderError, source::Joined};
 
-/// Parses and validates a joined text with everything that a native wgpu device may offer.
+/// Parses a joined text and validates it with all capabilities of native wgpu devices.
 pub(crate) fn check(joined: &Joined) -> Result<(naga::Module, ModuleInfo), ShaderError> {
     let module = naga::front::wgsl::parse_str(&joined.text).map_err(|error| {
         let labels = error

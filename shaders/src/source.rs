@@ -1,32 +1,32 @@
-//! Imports: `//!import name` lines, first in a file, bring in `shared/name.wgsl`, each at most once. Imported text is
-//! put after the file's own, which WGSL's free order of declarations allows, so that the file's own lines keep their
-//! numbers and its `enable` directives stay first.
+//! Imports: `//!import name` lines at the start of a file include `shared/name.wgsl`, each file at most once. Imported text comes after the
+//! file's own text, which WGSL's free order of declarations allows. So the file's lines keep their numbers, and its `enable` directives stay
+//! first.
 
 use std::borrow::Cow;
 
 use crate::{error::ShaderError, job::SourcePart};
 
-/// A named text that jobs may import.
+/// A text that jobs may import.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SharedSource<'a> {
-    /// What `//!import` calls it.
+    /// Its name in `//!import`.
     pub name: &'a str,
-    /// Its WGSL.
+    /// Its WGSL text.
     pub text: &'a str,
 }
 
-/// A job's text with its imports joined to it.
+/// A job's text with its imports.
 #[derive(Clone, Debug)]
 pub(crate) struct Joined {
     /// The whole text.
     pub text: String,
-    /// Where its lines came from.
+    /// The files of its lines.
     pub parts: Vec<SourcePart>,
 }
 
 const IMPORT: &str = "//!import ";
 
-/// Joins `text`, called `file` in messages, with what it imports, directly and through others.
+/// Joins `text`, named `file` in messages, with its direct and indirect imports.
 pub(crate) fn join(
     file: &str,
     text: &str,
@@ -106,7 +106,7 @@ impl Joining<'_> {
     }
 }
 
-/// The file name of a shared text in messages.
+/// The file name of a shared text, for messages.
 fn shared_path(name: &str) -> String {
     format!("wgsl/shared/{name}.wgsl")
 }
@@ -145,7 +145,7 @@ fn imports<'t>(file: &str, text: &'t str) -> Result<Vec<(u32, &'t str)>, ShaderE
     Ok(found)
 }
 
-/// Line numbers fit: a WGSL text of 4 G lines does not.
+/// A line number. It fits, since a WGSL text cannot have 4 G lines.
 fn number(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
 }

@@ -181,7 +181,7 @@ fn wgpu_accepts_every_job_and_its_reflected_layouts() {
             .iter()
             .filter(|e| e.stage == wgpu::ShaderStages::COMPUTE)
         {
-            let groups = BindGroups::of(&[(job, &entry.name)]).unwrap();
+            let groups = BindGroups::of(&[job.entry(&entry.name)]).unwrap();
             let layouts = groups.bind_group_layouts(&device, label);
             let layout = groups.pipeline_layout(&device, label, &layouts);
             let _ = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
@@ -239,8 +239,8 @@ fn render_pipeline(
     let label = job.name.as_ref();
     let partner = entry.name.replace("vertex", "fragment");
     let partner = job.entry_point(&partner).map(|found| found.name.as_ref());
-    let mut parts = vec![(job, entry.name.as_ref())];
-    parts.extend(partner.map(|name| (job, name)));
+    let mut parts = vec![job.entry(&entry.name)];
+    parts.extend(partner.map(|name| job.entry(name)));
     let groups = BindGroups::of(&parts).unwrap();
     let layouts = groups.bind_group_layouts(device, label);
     let layout = groups.pipeline_layout(device, label, &layouts);

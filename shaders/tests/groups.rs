@@ -33,7 +33,7 @@ fn fragment(view: &str) -> Job {
 #[test]
 fn visibility_sizes_and_filtering_unite() {
     let (vertex, fragment) = (vertex(), fragment("array<vec4<f32>, 8>"));
-    let groups = BindGroups::of(&[(&vertex, "main"), (&fragment, "main")]).unwrap();
+    let groups = BindGroups::of(&[vertex.entry("main"), fragment.entry("main")]).unwrap();
     assert_eq!(groups.len(), 3);
     assert!(groups.entries(1).is_empty() && groups.entries(9).is_empty());
     let both = ShaderStages::VERTEX_FRAGMENT;
@@ -55,7 +55,7 @@ fn visibility_sizes_and_filtering_unite() {
     assert_eq!(groups.entries(0)[1].visibility, both);
     assert!(filterable(&groups));
 
-    let plain = BindGroups::of(&[(&fragment, "plain"), (&vertex, "main")]).unwrap();
+    let plain = BindGroups::of(&[fragment.entry("plain"), vertex.entry("main")]).unwrap();
     assert_eq!(plain.len(), 1);
     assert_eq!(plain.entries(0)[1].visibility, ShaderStages::VERTEX);
     assert!(!filterable(&plain));
@@ -82,7 +82,7 @@ fn conflicts_name_both_variables() {
     for word in ["view", "list", "vertex", "other", "Uniform", "Storage"] {
         assert!(text.contains(word), "{text}");
     }
-    let error = BindGroups::of(&[(&other, "mian")]).unwrap_err();
+    let error = BindGroups::of(&[other.entry("mian")]).unwrap_err();
     assert_eq!(
         error.to_string(),
         "job `other` has no entry point `mian`; it has: main"
@@ -92,7 +92,7 @@ fn conflicts_name_both_variables() {
 #[test]
 fn dynamic_offsets_are_for_buffers() {
     let vertex = vertex();
-    let groups = BindGroups::of(&[(&vertex, "main")]).unwrap();
+    let groups = BindGroups::of(&[vertex.entry("main")]).unwrap();
     let dynamic = groups.clone().dynamic_offset(0, 0).unwrap();
     assert!(matches!(
         dynamic.entries(0)[0].ty,
@@ -108,8 +108,11 @@ fn dynamic_offsets_are_for_buffers() {
 #[test]
 fn an_entry_point_brings_only_what_it_uses() {
     use jobs::identity::{JOB, entry};
-    let plain = BindGroups::of(&[(&JOB, entry::VERTEX), (&JOB, entry::FRAGMENT)]).unwrap();
-    let masked =
-        BindGroups::of(&[(&JOB, entry::MASKED_VERTEX), (&JOB, entry::MASKED_FRAGMENT)]).unwrap();
+    let plain = BindGroups::of(&[JOB.entry(entry::VERTEX), JOB.entry(entry::FRAGMENT)]).unwrap();
+    let masked = BindGroups::of(&[
+        JOB.entry(entry::MASKED_VERTEX),
+        JOB.entry(entry::MASKED_FRAGMENT),
+    ])
+    .unwrap();
     assert_eq!((plain.len(), masked.len()), (1, 3));
 }

@@ -1,7 +1,7 @@
 //! Imports: once each, in any depth, with errors that name the file and the line the author wrote.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_shaders::{Job, ShaderError, SharedSource};
+use antumbra_shaders::{Job, ShaderError, SharedSource, SourceLine};
 use proptest::prelude::*;
 
 const BASE: SharedSource<'_> = SharedSource {
@@ -13,6 +13,10 @@ const TWICE: SharedSource<'_> = SharedSource {
     text: "//!import base\n\nfn two() -> u32 { return one() + one(); }",
 };
 
+fn line(file: &str, line: u32) -> SourceLine<'_> {
+    SourceLine { file, line }
+}
+
 fn job(text: &str, shared: &[SharedSource<'_>]) -> Result<Job, ShaderError> {
     Job::from_wgsl_with("job", text, shared)
 }
@@ -23,9 +27,9 @@ fn a_diamond_brings_each_file_once_and_keeps_the_jobs_own_lines() {
     let job = job(text, &[BASE, TWICE]).unwrap();
     assert!(job.source.starts_with(text));
     assert_eq!(job.source.matches("fn one").count(), 1);
-    assert_eq!(job.locate(5), Some(("wgsl/job.wgsl", 5)));
-    assert_eq!(job.locate(6), Some(("wgsl/shared/base.wgsl", 1)));
-    assert_eq!(job.locate(9), Some(("wgsl/shared/twice.wgsl", 3)));
+    assert_eq!(job.locate(5), Some(line("wgsl/job.wgsl", 5)));
+    assert_eq!(job.locate(6), Some(line("wgsl/shared/base.wgsl", 1)));
+    assert_eq!(job.locate(9), Some(line("wgsl/shared/twice.wgsl", 3)));
     assert_eq!(job.locate(10), None);
     assert_eq!(job.locate(0), None);
 }
@@ -36,7 +40,10 @@ fn line_ends_of_windows_are_fine() {
         "//!import base\r\n@compute @workgroup_size(1)\r\nfn main() { _ = one(); }\r\n",
         &[BASE],
     );
-    assert_eq!(job.unwrap().locate(4), Some(("wgsl/shared/base.wgsl", 1)));
+    assert_eq!(
+        job.unwrap().locate(4),
+        Some(line("wgsl/shared/base.wgsl", 1))
+    );
 }
 
 #[test]
@@ -165,8 +172,8 @@ fn what_bind_groups_cannot_express_is_refused() {
     );
 }
 
-/// Files that import some of those before them: no cycles, any number of diamonds. For each, whom it imports and how
-/// many lines follow.
+/// Files that import some of the files before them: no cycles, any number of diamonds. For each file, its imports and the number of lines
+/// that follow.
 fn files() -> impl Strategy<Value = Vec<(Vec<prop::sample::Index>, usize)>> {
     let file = (
         prop::collection::vec(any::<prop::sample::Index>(), 0..4),
@@ -198,7 +205,8 @@ proptest! {
         let job = job(&text, &shared).unwrap();
         let mut seen = Vec::new();
         for (index, line) in job.source.lines().enumerate() {
-            let (file, number) = job.locate(u32::try_from(index).unwrap() + 1).unwrap();
+            let SourceLine { file, line: number } =
+                job.locate(u32::try_from(index).unwrap() + 1).unwrap();
             let name = file.trim_start_matches("wgsl/shared/").trim_end_matches(".wgsl");
             let original = texts.iter().find(|(each, _)| each == name).map_or(&text, |(_, text)| text);
             prop_assert_eq!(original.lines().nth(number as usize - 1), Some(line));

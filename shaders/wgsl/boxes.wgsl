@@ -1,8 +1,8 @@
 //!import clip
-// Boxes that hardware occlusion queries ask about: centres and half axes, relative to the eye. Each is a strip of fourteen corners, its front
-// faces counter-clockwise where the axes are right-handed.
+// Boxes for hardware occlusion queries: centres and half axes, relative to the eye. Each box is a triangle strip of fourteen vertices, whose
+// front faces are counter-clockwise where the axes are right-handed.
 
-// Which corners of the strip lie at the far end of each axis, a bit a corner.
+// For each axis, the vertices of the strip at its positive end, one bit a vertex.
 const FAR_ENDS: vec3<u32> = vec3<u32>(0x287au, 0x02afu, 0x31e3u);
 
 @vertex

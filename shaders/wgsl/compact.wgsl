@@ -1,6 +1,6 @@
 //!import threshold
-// The on-gpu visible set: keeps those candidates of each batch whose visible samples are within its bounds, in order, and
-// writes the batch's indirect draw. One workgroup a batch, so the order (and with it every tie) is the same each run.
+// Makes the visible set on the GPU by stream compaction: keeps the candidates of each batch whose visible samples are within its bounds, in
+// order, and writes the batch's indirect draw. One workgroup for each batch, so the order, which decides ties of depth, is the same in each run.
 
 struct Batch {
     first: u32,
@@ -8,10 +8,10 @@ struct Batch {
     index_count: u32,
     first_index: u32,
     base_vertex: i32,
-    // An entity is kept with more visible samples than `over` and the threshold, and at most `most`.
+    // An entity is kept if it has more visible samples than both `over` and the threshold, and at most `most`.
     over: u32,
     most: u32,
-    // Not 0: it is kept with none.
+    // If not 0, an entity is kept if it has no visible sample.
     hidden: u32,
 }
 
@@ -24,7 +24,7 @@ struct Draw {
 }
 
 struct Settings {
-    // Batches.
+    // Number of batches.
     count: u32,
     // 0: a frame with a fixed threshold binds these words as its `AdaptedThreshold`.
     padding_a: u32,
@@ -32,7 +32,7 @@ struct Settings {
     padding_c: u32,
 }
 
-// A candidate that was not tested is drawn: the high bit of its entry says so. The next one says that it is drawn from another batch.
+// Flags of a candidate's entry. FORCED: it was not tested, so it is kept. BARRED: another batch draws it, so it is not kept.
 const FORCED: u32 = 0x80000000u;
 const BARRED: u32 = 0x40000000u;
 

@@ -1,11 +1,12 @@
 //!import position
-// Visible samples by fragment atomics: a fragment that survives the forced early depth test adds one to its entity.
+// Counts visible samples with fragment atomics: each fragment that passes the forced early depth test adds one to its slot.
 
 struct Varying {
     @invariant @builtin(position) clip: vec4<f32>,
     @location(0) @interpolate(flat) slot: u32,
 }
 
+// Visible samples by slot.
 @group(1) @binding(0) var<storage, read_write> counts: array<atomic<u32>>;
 
 @vertex
@@ -16,7 +17,7 @@ fn vertex(@location(0) local: vec3<f32>, @location(1) slot: u32) -> Varying {
     return out;
 }
 
-// Without the forced early test hidden fragments would be counted too: a shader that writes memory runs before the test.
+// Without the forced early test, hidden fragments would be counted too: a shader that writes memory runs before the depth test.
 @fragment @early_depth_test(force)
 fn fragment(in: Varying) {
     atomicAdd(&counts[in.slot], 1u);

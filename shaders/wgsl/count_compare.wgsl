@@ -1,13 +1,14 @@
 //!import position
-// Visible samples by comparing depths in the shader: slower than a forced early depth test, and available everywhere.
+// Counts visible samples by comparing depths in the shader: slower than a forced early depth test, but available on every device.
 
 struct Varying {
     @invariant @builtin(position) clip: vec4<f32>,
     @location(0) @interpolate(flat) slot: u32,
 }
 
+// Visible samples by slot.
 @group(1) @binding(0) var<storage, read_write> counts: array<atomic<u32>>;
-// A plain float texture, not a depth one: GL cannot load from depth textures.
+// A plain float texture, not a depth texture: GL cannot load from depth textures.
 @group(1) @binding(1) var occluder_depth: texture_2d<f32>;
 
 @vertex
@@ -20,7 +21,7 @@ fn vertex(@location(0) local: vec3<f32>, @location(1) slot: u32) -> Varying {
 
 @fragment
 fn fragment(in: Varying) {
-    // Reversed depth: at or in front of the occluder means greater or equal.
+    // Reversed depth: greater or equal is at or in front of the occluder.
     if in.clip.z >= textureLoad(occluder_depth, vec2<i32>(in.clip.xy), 0).x {
         atomicAdd(&counts[in.slot], 1u);
     }

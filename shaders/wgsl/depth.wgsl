@@ -1,5 +1,5 @@
 //!import position
-// Depth alone: the occluder depth pass, and the geometry of hardware occlusion queries.
+// Depth only: for the occluder depth pass and for hardware occlusion queries.
 
 @vertex
 fn vertex(@location(0) local: vec3<f32>, @location(1) slot: u32) -> @invariant @builtin(position) vec4<f32> {

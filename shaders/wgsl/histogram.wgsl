@@ -1,9 +1,10 @@
-// Visible samples from an entity-id buffer: a histogram of ids. Runs of equal ids along a row are added in one go,
-// since neighbouring pixels mostly belong to the same entity and atomics are what costs.
+// Counts visible samples in an entity-id buffer: a histogram of ids. A run of equal ids in a row is added with one atomic operation, since
+// atomics dominate the cost and neighbouring pixels mostly belong to the same entity.
 
 @group(0) @binding(0) var ids: texture_2d<u32>;
 @group(0) @binding(1) var<storage, read_write> counts: array<atomic<u32>>;
 
+// Pixels that one thread reads.
 const RUN: u32 = 16u;
 
 @compute @workgroup_size(64)

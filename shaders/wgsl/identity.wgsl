@@ -1,7 +1,7 @@
 //!import position
 //!import material
-// The entity-id buffer: slot + 1 in every pixel, 0 where nothing was drawn. What the oracle trusts, and, for the
-// histogram way of counting, the one geometry pass.
+// The entity-id buffer: slot + 1 in each pixel, 0 where nothing is drawn. The oracle compares these buffers; counting by histogram needs only
+// this geometry pass.
 
 struct Varying {
     @invariant @builtin(position) clip: vec4<f32>,

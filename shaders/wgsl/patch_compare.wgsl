@@ -1,11 +1,11 @@
 //!import patch
-// Marks the pixels of a patch in which something would show, comparing depths in the shader: for devices without a forced early depth test.
+// Marks the pixels of a patch in which a mesh is visible, by comparing depths in the shader: for devices without a forced early depth test.
 
-// A plain float texture, not a depth one: GL cannot load from depth textures.
+// A plain float texture, not a depth texture: GL cannot load from depth textures.
 @group(3) @binding(1) var finished_depth: texture_2d<f32>;
 
 fn in_front(clip: vec4<f32>) -> bool {
-    // Reversed depth: at or in front of what was drawn means greater or equal.
+    // Reversed depth: greater or equal is at or in front of what was drawn.
     return clip.z >= textureLoad(finished_depth, vec2<i32>(clip.xy), 0).x;
 }
 

@@ -1,5 +1,5 @@
-// Answers of hardware queries, which come in the order of asking, brought into the order of slots: 1 where any sample
-// passed. Only for the on-gpu way; the host does the same with an index.
+// Scatters the results of hardware queries from query order to slot order: 1 where any sample passed. For on-gpu strategies only; on the host,
+// an index does the same.
 
 struct Settings {
     queries: u32,
@@ -9,8 +9,9 @@ struct Settings {
 }
 
 @group(0) @binding(0) var<storage, read> settings: Settings;
+// The slot of each query.
 @group(0) @binding(1) var<storage, read> asked: array<u32>;
-// Each answer is a u64: zero, or something else.
+// Each result is a u64: zero, or something else.
 @group(0) @binding(2) var<storage, read> answers: array<vec2<u32>>;
 @group(0) @binding(3) var<storage, read_write> counts: array<u32>;
 

@@ -2,9 +2,9 @@
 //!import material
 //!import light
 //!import environment
-// The shaded pass: base colour, Lambert and Blinn-Phong, alpha mask and blend; with an environment, reflections of it.
+// The shaded pass: base colour, Lambert and Blinn-Phong, alpha mask and blend and, with an environment, reflections of it.
 
-// 0 opaque, 1 mask, 2 blend; a constant a pipeline, so that opaque geometry keeps its early depth test.
+// 0 opaque, 1 mask, 2 blend. A pipeline constant, so that opaque geometry keeps its early depth test.
 override alpha_mode: u32 = 0u;
 
 struct Varying {
@@ -21,13 +21,13 @@ fn surface(local: vec3<f32>, slot: u32, normal: vec4<f32>, uv: vec2<f32>, colour
     var out: Varying;
     out.relative = relative_position(instance, local);
     out.clip = clip_position(out.relative);
-    // Normals go by the cofactor matrix: right for every scale, mirrored and zero ones included.
+    // Normals are transformed by the cofactor matrix, which is correct for every scale, negative and zero ones included.
     let x = instance.row_x.xyz;
     let y = instance.row_y.xyz;
     let z = instance.row_z.xyz;
-    let turned = vec3<f32>(dot(cross(y, z), normal.xyz), dot(cross(z, x), normal.xyz), dot(cross(x, y), normal.xyz));
+    let cofactor = vec3<f32>(dot(cross(y, z), normal.xyz), dot(cross(z, x), normal.xyz), dot(cross(x, y), normal.xyz));
     let mirrored = dot(x, cross(y, z)) < 0.0;
-    out.normal = select(turned, -turned, mirrored);
+    out.normal = select(cofactor, -cofactor, mirrored);
     out.uv = uv;
     out.colour = colour;
     out.material = instance.material;
@@ -45,14 +45,14 @@ fn vertex(
     return surface(local, slot, normal, uv, colour);
 }
 
-// How much of a light a surface that is no metal reflects.
+// Specular reflectance of lights, for dielectrics.
 const GLOSS: f32 = 0.12;
-// How much of what it stands in such a surface reflects straight on.
+// Reflectance of the environment at normal incidence, for dielectrics.
 const DIELECTRIC: f32 = 0.04;
 
 fn facing(normal: vec3<f32>, eye: vec3<f32>, front: bool) -> vec3<f32> {
     let size = dot(normal, normal);
-    // A mesh without normals, or a collapsed one, is lit as if it faced the eye.
+    // A mesh without normals, or one that is scaled to zero, is lit as if it faced the eye.
     let unit = select(eye, normal * inverseSqrt(size), size > 1e-30);
     return select(-unit, unit, front);
 }
@@ -73,8 +73,8 @@ fn shade(in: Varying, front: bool) -> vec4<f32> {
     return vec4<f32>(lit(start, base.rgb, vec3<f32>(GLOSS), normal, eye, in.relative), alpha);
 }
 
-// The same in a scene with an environment: Fresnel reflection (Schlick, An Inexpensive BRDF Model for Physically-based Rendering, 1994),
-// at grazing angles the less the rougher (Lagarde, Adopting a physically based shading model, 2011), and light from all sides.
+// Shading with an environment: Fresnel reflection (Schlick, An Inexpensive BRDF Model for Physically-based Rendering, 1994), which decreases
+// with roughness at grazing angles (Lagarde, Adopting a physically based shading model, 2011), and irradiance.
 fn shade_reflecting(in: Varying, front: bool) -> vec4<f32> {
     let material = materials[in.material];
     let base = base_colour(material, in.uv, in.colour);
@@ -93,11 +93,11 @@ fn shade_reflecting(in: Varying, front: bool) -> vec4<f32> {
     let straight = mix(vec3<f32>(DIELECTRIC), base.rgb, material.metallic);
     let more = max(vec3<f32>(1.0 - material.roughness) - straight, vec3<f32>(0.0));
     let reflected = straight + more * (grazing_squared * grazing_squared * grazing);
-    let seen = environment(reflect(-eye, normal), material.environment_level, material.environment_inset);
-    let around = environment(normal, ENVIRONMENT_ROUGHEST, ENVIRONMENT_ROUGHEST_INSET);
+    let mirrored = environment(reflect(-eye, normal), material.environment_level, material.environment_inset);
+    let irradiance = environment(normal, ENVIRONMENT_ROUGHEST, ENVIRONMENT_ROUGHEST_INSET);
     let diffuse = base.rgb * (1.0 - material.metallic);
     let gloss = mix(vec3<f32>(GLOSS), base.rgb, material.metallic);
-    let start = (diffuse * around + reflected * seen) * lights.ambient;
+    let start = (diffuse * irradiance + reflected * mirrored) * lights.ambient;
     return vec4<f32>(lit(start, diffuse, gloss, normal, eye, in.relative), alpha);
 }
 
@@ -111,7 +111,7 @@ fn reflecting_fragment(in: Varying, @builtin(front_facing) front: bool) -> @loca
     return shade_reflecting(in, front);
 }
 
-// The same with the entity's id beside the colour, as in the entity-id buffer: who owns which pixel, for one geometry pass.
+// Shading with the entity's id in a second target, as in the entity-id buffer.
 struct IdentifiedVarying {
     @invariant @builtin(position) clip: vec4<f32>,
     @location(0) relative: vec3<f32>,

@@ -1,7 +1,7 @@
 //!import position
 //!import material
-// The oracle's view of transparent entities: each visible fragment adds a mix of its entity's id to its pixel's
-// signature and one to its entity's samples. Sums do not depend on the order of drawing, unlike blended colours.
+// The oracle's record of transparent entities: each visible fragment adds a hash of its entity's id to its pixel's signature, and one to its
+// slot's samples. Unlike blended colours, sums do not depend on the drawing order.
 
 struct Varying {
     @invariant @builtin(position) clip: vec4<f32>,
@@ -30,8 +30,8 @@ fn vertex(
     return out;
 }
 
-// The finaliser of MurmurHash3 (Appleby): neighbouring ids land far apart.
-fn mixed(id: u32) -> u32 {
+// The finaliser of MurmurHash3 (Appleby), so that neighbouring ids have unrelated hashes.
+fn hashed(id: u32) -> u32 {
     var h = id;
     h = (h ^ (h >> 16u)) * 0x85ebca6bu;
     h = (h ^ (h >> 13u)) * 0xc2b2ae35u;
@@ -42,10 +42,10 @@ fn mixed(id: u32) -> u32 {
 fn fragment(in: Varying) {
     let base = base_colour(materials[instances[in.slot].material], in.uv, in.colour);
     let pixel = vec2<u32>(in.clip.xy);
-    // What adds less than half of an 8-bit step is seen by nobody.
+    // Less than half of an 8-bit step does not change the image.
     if base.a >= 0.002 && in.clip.z >= textureLoad(opaque_depth, vec2<i32>(in.clip.xy), 0).x {
         let width = textureDimensions(opaque_depth).x;
-        atomicAdd(&signatures[pixel.y * width + pixel.x], mixed(in.slot + 1u));
+        atomicAdd(&signatures[pixel.y * width + pixel.x], hashed(in.slot + 1u));
         atomicAdd(&samples[in.slot], 1u);
     }
 }

@@ -5,7 +5,9 @@ use std::path::Path;
 use antumbra::demo_scenes::terrain::TerrainSceneOptions;
 use antumbra::formats::load_raster;
 use antumbra::formats::{LoadOptions, RasterFormat, SceneFormat, load};
-use antumbra::terrain::{Field, PreparedScene, RasterDetail, Terrain, TerrainError, TerrainOptions};
+use antumbra::terrain::{
+    Field, PreparedScene, RasterDetail, Terrain, TerrainError, TerrainOptions,
+};
 
 use crate::failure::Failure;
 use crate::progress;

@@ -81,7 +81,7 @@ fn all_settings_run_in_one_comparison_and_land_in_one_report() {
     assert_eq!(sweep, again);
     assert!(!sweep.edge.is_empty());
     let svg = std::fs::read_to_string(out.join("trade.svg")).unwrap();
-    assert!(svg.starts_with("<svg ") && svg.contains("budget 0.50 %"));
+    assert!(svg.starts_with("<svg ") && svg.contains("limit 0.50 %"));
     let html = std::fs::read_to_string(out.join("report.html")).unwrap();
     assert!(html.contains("efficient edge") && html.contains("Sweep of three-pass"));
 }

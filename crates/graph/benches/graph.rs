@@ -1,4 +1,4 @@
-//! What the graph itself costs, on wgpu's noop device: compiling, recording a frame, and the same commands recorded by hand.
+//! The cost of the graph itself, on wgpu's noop device: compiling, recording a frame, and the same commands recorded by hand.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -9,7 +9,7 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 
 const TARGET: TextureDesc = TextureDesc::new(64, 64, wgpu::TextureFormat::Rgba8Unorm);
 
-/// A chain of raster, compute and host passes, each reading the one before; all kept.
+/// A chain of raster, compute and host passes. Each reads the one before, and all are kept.
 fn chain(passes: usize) -> Graph {
     let mut g = Graph::new("chain");
     let mut image = g.texture("image", TARGET.cleared(Clear::Colour(wgpu::Color::BLACK)));

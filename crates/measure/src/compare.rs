@@ -1,9 +1,8 @@
-//! A comparison: several strategies along one camera path over one scene, first for accuracy, then
-//! for speed.
+//! A comparison: several strategies along one camera path in one scene, first for accuracy, then for speed.
 //!
-//! Accuracy: every pose is held against the reference, all strategies in step, each a frame a pose.
-//! Speed: blocks of consecutive poses, the strategies in rotation, so that heat, clocks and
-//! neighbours strike all alike; a twin of one strategy says what the noise is.
+//! Accuracy: at every pose, each strategy draws a frame, which is compared with the reference.
+//! Speed: blocks of consecutive poses, with the strategies in rotation, so that temperature, clock rates and other load affect all alike. One
+//! strategy is measured twice; the difference of the two is the noise.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -25,10 +24,10 @@ mod entry;
 mod script;
 mod speed;
 
-use entry::Entries;
 pub use entry::is_report_file;
+use entry::{Entries, ReportedEntries};
 pub use script::Script;
-use script::Set;
+use script::ScriptedScene;
 pub(crate) use speed::usual_block;
 
 /// One entry of a comparison.
@@ -41,7 +40,7 @@ pub struct Contender {
 }
 
 impl Contender {
-    /// A strategy by how it is made; the label is what tables call it, empty for its name.
+    /// A strategy from a function that makes it. Tables use the label; an empty one means the strategy's name.
     pub fn new(label: impl Into<String>, make: impl Fn() -> Box<dyn Strategy> + 'static) -> Self {
         Self {
             label: label.into(),
@@ -52,24 +51,24 @@ impl Contender {
         }
     }
 
-    /// The same, auditing itself each frame.
+    /// The same, with a self-audit in each frame. The report marks it ([`StrategyReport::audited`](crate::report::StrategyReport::audited)).
     #[must_use]
     pub fn audited(mut self, audit: AuditOptions) -> Self {
         self.audit = Some(audit);
         self
     }
 
-    /// The same with a budget in place of settings. One of wrong pixels audits itself.
+    /// The same with a budget in place of settings. A budget of wrong pixels audits itself.
     #[must_use]
     pub fn within(mut self, budget: Budget) -> Self {
         self.budget = Some(budget);
         self
     }
 
-    /// A registered strategy by what [`Registry::parse`] takes: `name:key=value`.
+    /// A registered strategy by its specification, as for [`Registry::parse`]: `name:key=value`.
     ///
     /// # Errors
-    /// [`RegistryError`]: what is unknown, with what is known instead.
+    /// [`RegistryError`] for an unknown name, key or value; it lists the known ones.
     pub fn of(
         label: impl Into<String>,
         registry: &Arc<Registry>,
@@ -90,19 +89,18 @@ impl Contender {
     }
 }
 
-/// How to compare.
+/// Options of a comparison.
 #[derive(Debug, Clone)]
 pub struct CompareOptions {
     /// Width and height of a view in pixels.
     pub size: [u32; 2],
-    /// Two eyes for each pose's camera, drawn in one frame; `None` for the camera alone.
+    /// Two eyes for each pose's camera, drawn in one frame; `None` for a single view.
     pub stereo: Option<Stereo>,
-    /// Poses a block; `None` takes a sixth of the path, 20 at most.
+    /// Poses of a block; `None` means a sixth of the path, 20 at most.
     pub block: Option<usize>,
-    /// The path is flown again for speed until this many seconds are over, five times at most.
+    /// The path is repeated for speed until this many seconds have passed, five times at most.
     pub least_seconds: f64,
-    /// Poses, evenly spaced, at which FLIP is computed where any pixel is wrong; the worst frame's
-    /// is always.
+    /// The number of evenly spaced poses at which FLIP is computed where any pixel is wrong. It is always computed for the worst frame.
     pub flip_poses: usize,
     /// The command line, for the report.
     pub command: String,
@@ -124,14 +122,14 @@ impl Default for CompareOptions {
     }
 }
 
-/// How far a comparison has come.
+/// The progress of a comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CompareProgress {
-    /// What is being done: `accuracy`, `speed`, `free running`.
+    /// The phase: `accuracy`, `speed`, `free running`.
     pub phase: &'static str,
     /// Frames done in this phase.
     pub done: u64,
-    /// Frames of this phase; the path may be flown again for short ones.
+    /// Frames of this phase. A short path may be repeated.
     pub total: u64,
 }
 
@@ -145,11 +143,11 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Writes `report.json`, its pictures and `report.html` into a folder, which is made if need
-    /// be; of a sweep also `trade.svg`, its plot of speed against error.
+    /// Writes `report.json`, its pictures and `report.html` into a folder, which is created if needed. For a sweep, also writes `trade.svg`,
+    /// its plot of speed against error.
     ///
     /// # Errors
-    /// When a file cannot be written; what is there was written whole.
+    /// [`MeasureError`] where a file cannot be written. The files that exist then are complete.
     pub fn save(&self, dir: &Path) -> Result<(), MeasureError> {
         let failed = |source| MeasureError::File {
             action: "create",
@@ -171,11 +169,11 @@ impl Comparison {
     }
 }
 
-/// Compares strategies on a scene along a path.
+/// Compares strategies in a scene along a path.
 ///
 /// # Errors
-/// When a strategy cannot be declared or a frame fails, or the path's cameras have no two eyes that were asked for; nothing is
-/// half done then.
+/// [`MeasureError`] where a strategy cannot be declared, a frame fails, or the stereo parameters do not fit the path's cameras. Nothing is
+/// returned or written then.
 pub fn compare(
     gpu: &Gpu,
     scene: &mut Scene,
@@ -187,11 +185,11 @@ pub fn compare(
     compare_scripted(gpu, scene, &mut (), path, contenders, options, progress)
 }
 
-/// The same over a scene that a script changes between the poses. What the script takes counts in no serialised frame,
-/// though it does where frames run free.
+/// [`compare`] in a scene that a script changes between the poses. The script's time does not count in serialised frames; it does count in
+/// free-running ones.
 ///
 /// # Errors
-/// As for [`compare`]; whatever stops the script.
+/// As for [`compare`], and [`MeasureError::Script`] where the script fails.
 pub fn compare_scripted(
     gpu: &Gpu,
     scene: &mut Scene,
@@ -201,17 +199,23 @@ pub fn compare_scripted(
     options: &CompareOptions,
     progress: &mut dyn FnMut(CompareProgress),
 ) -> Result<Comparison, MeasureError> {
-    let mut set = Set::new(gpu, scene, script, path, options.stereo)?;
+    let mut scripted = ScriptedScene::new(gpu, scene, script, path, options.stereo)?;
     let mut stages = contenders
         .iter()
-        .map(|contender| stage(set.scene(), contender, options))
+        .map(|contender| stage(scripted.scene(), contender, options))
         .collect::<Result<Vec<_>, _>>()?;
-    let accuracy = accuracy::measure(&mut set, &mut stages, options, progress)?;
-    let twin = twin(contenders);
+    let accuracy = accuracy::measure(&mut scripted, &mut stages, options, progress)?;
+    let twin = measured_twice(contenders);
     if let Some(contender) = twin.and_then(|at| contenders.get(at)) {
-        stages.push(stage(set.scene(), contender, options)?);
+        stages.push(stage(scripted.scene(), contender, options)?);
     }
-    let speed = speed::measure(&mut set, &mut stages, &accuracy.owners, options, progress)?;
+    let speed = speed::measure(
+        &mut scripted,
+        &mut stages,
+        &accuracy.owners,
+        options,
+        progress,
+    )?;
     let noise = match twin.zip(speed.runs.last()) {
         Some((at, last)) => Some(stats::noise_p95(&stats::block_ratios(
             &last.frame_ms,
@@ -220,7 +224,10 @@ pub fn compare_scripted(
         )?)?),
         None => None,
     };
-    let (strategies, pictures) = Entries {
+    let ReportedEntries {
+        strategies,
+        pictures,
+    } = Entries {
         accuracy: &accuracy,
         speed: &speed,
         contenders,
@@ -276,8 +283,8 @@ fn stage(
     )?)
 }
 
-/// Whose twin measures the noise: the first that is no yardstick, else the first.
-fn twin(contenders: &[Contender]) -> Option<usize> {
+/// The contender that is measured twice, for the noise: the first that is no yardstick, else the first.
+fn measured_twice(contenders: &[Contender]) -> Option<usize> {
     contenders
         .iter()
         .position(|contender| !contender.is_yardstick())

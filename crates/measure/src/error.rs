@@ -1,22 +1,22 @@
-//! The one error type of the crate: what was wrong, where, and what to do about it.
+//! The error type of the crate. Each message says what is wrong, where, and what to do about it.
 
 use std::path::PathBuf;
 
-/// What can go wrong while measuring, reporting, or reading the files of either.
+/// Why measuring, reporting, or reading a file failed.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeasureError {
     /// A file could not be opened, read, written or renamed.
     #[error("cannot {action} {path}: {source}", path = path.display())]
     File {
-        /// What was tried: "read", "write", ...
+        /// The attempted action: "read", "write", ...
         action: &'static str,
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// The system's error.
         source: std::io::Error,
     },
-    /// A file is larger than its kind may be; nothing past the limit was read.
+    /// A file is larger than the limit of its kind. Nothing past the limit was read.
     #[error("{path} is larger than {limit} bytes, the most a {kind} may have", path = path.display())]
     TooLarge {
         /// The file.
@@ -26,7 +26,7 @@ pub enum MeasureError {
         /// The limit in bytes.
         limit: u64,
     },
-    /// A file is not the JSON it should be.
+    /// A file is not valid JSON of its kind.
     #[error("{path} is no valid {kind}: {reason}", path = path.display())]
     Malformed {
         /// The file.
@@ -36,7 +36,7 @@ pub enum MeasureError {
         /// What is wrong, with the line or the pose.
         reason: String,
     },
-    /// A number that is NaN or infinite stood where a measurement belongs.
+    /// A measured number is NaN or infinite.
     #[error("report field {field} is not a finite number: leave a value out that was not measured")]
     NotFinite {
         /// The field, e.g. `strategies[2].frame_ms.median`.
@@ -50,7 +50,7 @@ pub enum MeasureError {
         /// What is wrong with it.
         problem: String,
     },
-    /// What was to change between the poses could not.
+    /// A script could not change the scene for a pose.
     #[error("the scene cannot be brought to pose {pose}: {problem}")]
     Script {
         /// The pose; the first is 0.
@@ -58,7 +58,7 @@ pub enum MeasureError {
         /// What stopped it.
         problem: String,
     },
-    /// A camera path that cannot be flown.
+    /// A camera path is not valid.
     #[error("camera path {name:?}: {problem}")]
     Path {
         /// The path's name.
@@ -66,10 +66,10 @@ pub enum MeasureError {
         /// What is wrong, with the number of the pose (the first is 0).
         problem: String,
     },
-    /// Two eyes that cannot be, or a camera that has none.
+    /// The stereo parameters are not valid, or do not fit the camera.
     #[error(transparent)]
     Stereo(#[from] antumbra_scene::StereoError),
-    /// A statistic was asked of values that do not have it.
+    /// A statistic is not defined for the values.
     #[error("cannot take the {statistic}: {problem}")]
     Statistics {
         /// The statistic's name.
@@ -77,15 +77,15 @@ pub enum MeasureError {
         /// What is wrong with the values, with the index of the first bad one.
         problem: String,
     },
-    /// A text that is no limit of errors.
+    /// A text is no error limit.
     #[error("'{text}' is no error limit: {forms}")]
     ErrorLimit {
         /// The text.
         text: String,
-        /// The forms of a limit.
+        /// The forms of an error limit.
         forms: &'static str,
     },
-    /// Two images or buffers that should be of one size are not.
+    /// Two images or buffers differ in size.
     #[error(
         "{what}: {got} where {expected} was expected; both must come from the same view and size"
     )]
@@ -102,7 +102,7 @@ pub enum MeasureError {
     Image {
         /// The image's file.
         path: PathBuf,
-        /// What the decoder or encoder said.
+        /// The decoder's or encoder's error.
         source: image::ImageError,
     },
     /// A plot could not be drawn.
@@ -110,7 +110,7 @@ pub enum MeasureError {
     Plot {
         /// The plot's title.
         plot: &'static str,
-        /// What the plotter said.
+        /// The plotter's error.
         reason: String,
     },
     /// There is no such strategy or setting.

@@ -1,5 +1,4 @@
-//! Files in and out: reading with a limit, and writing beside the target with a rename at the end,
-//! so that nobody ever sees half a file.
+//! Reads files with a size limit, and writes files atomically: to a temporary file that is renamed at the end.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{Read, Write};
@@ -8,8 +7,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use crate::MeasureError;
 
-/// Reads a whole file of at most `limit` bytes; never allocates more than that, whatever the file
-/// claims its length is.
+/// Reads a whole file of at most `limit` bytes. Never allocates more than that, whatever length the file reports.
 pub(crate) fn read_limited(
     path: &Path,
     kind: &'static str,
@@ -35,8 +33,7 @@ pub(crate) fn read_limited(
     Ok(bytes)
 }
 
-/// Writes `bytes` to a new file beside `path` and renames it onto `path`; on failure nothing is
-/// left behind.
+/// Writes `bytes` to a new file beside `path` and renames it to `path`. On failure no file is left behind.
 pub(crate) fn write_beside(path: &Path, bytes: &[u8]) -> Result<(), MeasureError> {
     let fail = |source| MeasureError::File {
         action: "write",
@@ -55,13 +52,13 @@ pub(crate) fn write_beside(path: &Path, bytes: &[u8]) -> Result<(), MeasureError
     written
         .and_then(|()| fs::rename(&beside, path))
         .map_err(|source| {
-            // The write already failed; that the left-over may stay is the lesser news.
+            // The write has failed already. That the temporary file may stay is less important.
             let _ = fs::remove_file(&beside);
             fail(source)
         })
 }
 
-/// A name in the same folder that no other writer of this process, and hardly one of another, uses.
+/// A name in the same folder that no other writer uses: unique in this process, and with the process id.
 fn name_beside(path: &Path) -> PathBuf {
     static WRITES: AtomicU32 = AtomicU32::new(0);
     let write = WRITES.fetch_add(1, Ordering::Relaxed);

@@ -1,5 +1,4 @@
-//! Numbers and strings as a person reads them: few digits, always the same number of them, and
-//! nothing that a hostile name could smuggle into a terminal.
+//! Formats numbers and strings for people: few digits, the same number of them everywhere, and no control characters from file contents.
 
 /// Milliseconds with three significant digits or so: `0.042`, `1.25`, `16.7`, `250`.
 pub(crate) fn milliseconds(ms: f64) -> String {
@@ -36,8 +35,7 @@ pub(crate) fn factor(factor: f64) -> String {
     }
 }
 
-/// A factor in a column of factors, where the second place still tells two apart: `0.85`, `3.42`,
-/// `12.3`, `120`.
+/// A factor in a column of factors, with one more digit than [`factor`]: `0.85`, `3.42`, `12.3`, `120`.
 pub(crate) fn ratio(factor: f64) -> String {
     match factor.abs() {
         f if f < 9.995 => format!("{factor:.2}"),
@@ -46,8 +44,7 @@ pub(crate) fn ratio(factor: f64) -> String {
     }
 }
 
-/// A mean count: whole from 100 on, grouped by threes; one decimal below, and none when it is
-/// whole.
+/// A mean count: without decimals from 100 on, grouped by threes; below with one decimal, or none if it is whole.
 pub(crate) fn count(count: f64) -> String {
     if count.abs() < 99.95 && count.fract().abs() >= 0.05 {
         return format!("{count:.1}");
@@ -67,8 +64,7 @@ pub(crate) fn count(count: f64) -> String {
     }
 }
 
-/// A FLIP difference: `0` when exactly alike, else with four decimals, or as a power of ten when
-/// they would be zeros.
+/// A FLIP difference: `0` for equal images, else with four decimals, or as a power of ten where they would be zeros.
 pub(crate) fn flip(flip: f64) -> String {
     match flip.abs() {
         0.0 => "0".to_owned(),
@@ -77,8 +73,7 @@ pub(crate) fn flip(flip: f64) -> String {
     }
 }
 
-/// One line without control characters and direction overrides, which could repaint a terminal or
-/// turn a line around.
+/// The text with control characters and direction overrides replaced by `?`. They could change a terminal's contents or reverse a line.
 pub(crate) fn clean(text: &str) -> String {
     let hostile = |c: char| {
         c.is_control()
@@ -89,7 +84,7 @@ pub(crate) fn clean(text: &str) -> String {
         .collect()
 }
 
-/// [`clean`], and no longer than `letters`, the cut shown by an ellipsis.
+/// [`clean`], and no longer than `letters` characters. A cut is shown by an ellipsis.
 pub(crate) fn short(text: &str, letters: usize) -> String {
     let text = clean(text);
     if text.chars().count() <= letters {
@@ -111,7 +106,7 @@ pub(crate) fn plural(n: u64, noun: &str) -> String {
     }
 }
 
-/// A length with four significant digits, as short as it goes: `0.064`, `12.35`, `4e-7`.
+/// A length with at most four significant digits: `0.064`, `12.35`, `4e-7`.
 pub(crate) fn metres(metres: f64) -> String {
     let rounded = format!("{metres:.3e}");
     match (rounded.parse::<f64>(), metres.abs()) {
@@ -121,7 +116,7 @@ pub(crate) fn metres(metres: f64) -> String {
     }
 }
 
-/// A round number as short as it goes: `0.5`, `2`, `0.001`.
+/// A number without trailing zeros: `0.5`, `2`, `0.001`.
 pub(crate) fn trimmed(value: f64) -> String {
     let text = format!("{value:.6}");
     let text = text.trim_end_matches('0').trim_end_matches('.');

@@ -1,8 +1,7 @@
-//! The page: one self-contained `report.html`, drawn from a report and the pictures it names, that
-//! a person understands at a glance.
+//! The page: one self-contained `report.html`, made from a report and the pictures that it names.
 //!
-//! No scripts, no fonts, nothing fetched; styles and pictures are inside. Whatever the report says
-//! is escaped: names of scenes, adapters and strategies come from strangers' files.
+//! It has no scripts and no fonts and loads nothing; styles and pictures are embedded. All text of the report is escaped, since names of scenes,
+//! adapters and strategies are untrusted.
 
 use std::path::{Path, PathBuf};
 
@@ -17,11 +16,11 @@ mod pictures;
 
 const CSS: &str = include_str!("html/page.css");
 
-/// Writes `report.html` into `dir`, where the report's pictures are looked for, and gives its path.
-/// A picture that cannot be read is replaced by a sentence that says so.
+/// Writes `report.html` into `dir`, the folder of the report's pictures, and returns its path. A picture that cannot be read is replaced by its
+/// error.
 ///
 /// # Errors
-/// When the report does not pass [`Report::check`], a plot fails, or the page cannot be written.
+/// [`MeasureError`] where the report does not pass [`Report::check`], a plot fails, or the page cannot be written.
 pub fn write_html(report: &Report, dir: impl AsRef<Path>) -> Result<PathBuf, MeasureError> {
     let dir = dir.as_ref();
     let file = dir.join("report.html");
@@ -29,10 +28,10 @@ pub fn write_html(report: &Report, dir: impl AsRef<Path>) -> Result<PathBuf, Mea
     Ok(file)
 }
 
-/// The page's text; `dir` is where the pictures are.
+/// The page's text. `dir` is the folder of the report's pictures.
 ///
 /// # Errors
-/// As [`write_html`], but for the file.
+/// As for [`write_html`], except for those of the file.
 pub fn page(report: &Report, dir: &Path) -> Result<String, MeasureError> {
     report.check()?;
     let title = escape(&format!("Occlusion culling: {}", report.scene.name));
@@ -42,29 +41,29 @@ pub fn page(report: &Report, dir: &Path) -> Result<String, MeasureError> {
          <title>{title}</title>\n<style>\n{CSS}</style>\n</head>\n<body>\n<main>\n"
     );
     html += &overview::header(report);
-    html += &overview::picks(report);
+    html += &overview::recommendations(report);
     html += &overview::table(report);
     html += &figure(
         "Speed against error",
         match report.sweep {
             Some(_) => {
-                "Each setting by how fast it is and how wrong its pictures are. Down and to the right is better; the line \
-                 joins the settings worth having, and one takes the furthest right of those whose errors one puts up with."
+                "Each setting by its speed and its wrong pixels. Down and to the right is better. The line joins the settings \
+                 on the efficient edge; the one to take is the furthest right whose errors are acceptable."
             }
             None => {
-                "Each strategy by how fast it is and how wrong its pictures are. Down and to the right is better."
+                "Each strategy by its speed and its wrong pixels. Down and to the right is better."
             }
         },
         plots::speed_against_error(report)?,
     );
     html += &figure(
         "Frame time along the path",
-        "The serialised time of each frame, pose by pose: where the view is crowded, and where a strategy stumbles.",
+        "The serialised time of each frame, by pose.",
         plots::frame_times(report)?,
     );
     html += &figure(
         "Where a frame's time goes",
-        "Median times a frame. A strategy pays when drawing shrinks by more than culling costs.",
+        "Median times of a frame. A strategy is worthwhile when it saves more drawing time than its culling takes.",
         plots::stage_times(report)?,
     );
     html += &pictures::worst_frames(report, dir);
@@ -75,7 +74,7 @@ pub fn page(report: &Report, dir: &Path) -> Result<String, MeasureError> {
     Ok(html)
 }
 
-/// A titled plot, or nothing where there is none.
+/// A plot with title and explanation; empty where there is no plot.
 fn figure(title: &str, meaning: &str, svg: Option<String>) -> String {
     svg.map_or_else(String::new, |svg| {
         format!(
@@ -86,7 +85,7 @@ fn figure(title: &str, meaning: &str, svg: Option<String>) -> String {
     })
 }
 
-/// A text as it may stand in an element or in an attribute's quotes.
+/// Escapes text for an element or a quoted attribute.
 fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let text = format::clean(text);
@@ -95,7 +94,7 @@ fn escape(text: &str) -> String {
     while let Some(c) = letters.next() {
         let next = letters.peek().copied().unwrap_or(' ');
         match c {
-            // 20 000 and 5 % stay on one line.
+            // Keeps 20 000 and 5 % on one line.
             ' ' if before.is_ascii_digit() && (next == '%' || next.is_ascii_digit()) => {
                 out += "&nbsp;"
             }

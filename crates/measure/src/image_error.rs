@@ -1,5 +1,5 @@
-//! How wrong a frame looks: FLIP against the reference's picture, and pictures that show a person where. Which pixels and entities are
-//! wrong is the oracle's to say ([`antumbra_verify::IdBuffer`]).
+//! Image differences: FLIP against the reference, and pictures that mark wrong pixels. The oracle finds which pixels and entities are wrong
+//! ([`antumbra_verify::IdBuffer`]).
 
 mod flip;
 mod mark;

@@ -1,9 +1,9 @@
-//! Camera paths, the oracle, image errors, and the report.
+//! Measures culling strategies: camera paths, comparisons, image errors, statistics and reports.
 //!
-//! A comparison flies a [`path`], holds every frame against the reference ([`image_error`]),
-//! reduces the times ([`stats`]) and lands in one [`report`]; the terminal [`table`], the
-//! [`verdict`]s, the [`trade`] of a sweep, the [`plots`] and the page ([`html`]) are drawn from that report alone. A frame has one of the [`views`] or,
-//! in stereo, two, whose pictures [`stereo_picture`] joins.
+//! A [comparison](compare) runs strategies along a camera [`path`], compares every frame with the reference ([`image_error`]), reduces the
+//! times ([`stats`]) and writes one [`report`]. The terminal [`table`], the [`summary`] sentences, the [`trade_off`] of a sweep, the
+//! [`plots`] and the page ([`html`]) are made from that report alone. A frame has one of the [`views`] or, in stereo, two, whose pictures
+//! [`stereo_picture`] combines.
 
 pub mod audit_summary;
 pub mod compare;

@@ -1,7 +1,7 @@
-//! Camera paths: the poses at which strategies are measured. Orbits and flights come out of a few
-//! numbers and a seed, others out of a file.
+//! Camera paths: the poses at which strategies are measured. Orbits and flights are made from a few numbers and a seed; others are read from
+//! files.
 //!
-//! +Y is up, metres are the unit, and each pose is one frame.
+//! +Y is up, lengths are in metres, and each pose is one frame.
 
 use antumbra_scene::{Camera, CameraError, Projection};
 use glam::{DQuat, DVec3};
@@ -13,21 +13,21 @@ mod flight;
 mod orbit;
 
 pub use file::{MAX_PATH_BYTES, MAX_POSES};
-pub use flight::BURST;
+pub use flight::{BURST, Waypoint};
 pub use orbit::Orbit;
 
-/// Where the camera stands in one frame.
+/// The camera's pose in one frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pose {
     /// The eye in world metres.
     pub position: DVec3,
     /// The camera's rotation, a unit quaternion; it looks down its -Z with +Y up.
     pub rotation: DQuat,
-    /// Whether the camera jumps here instead of moving: nothing of the previous frame may be used.
+    /// Whether the camera jumps here instead of moving, so that no result of earlier frames is valid.
     pub cut: bool,
 }
 
-/// A named row of poses and the projection they share. At least one pose; every number finite.
+/// A named sequence of poses with one projection. It has at least one pose, and all numbers are finite.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CameraPath {
     name: String,
@@ -36,11 +36,11 @@ pub struct CameraPath {
 }
 
 impl CameraPath {
-    /// A path of your own.
+    /// A path from poses.
     ///
     /// # Errors
-    /// No poses or more than [`MAX_POSES`], a number that is not finite, a rotation that is no unit
-    /// quaternion (each named by pose number), or a projection that cannot be drawn.
+    /// [`MeasureError::Path`] for no poses or more than [`MAX_POSES`], a number that is not finite, a rotation that is no unit quaternion (the
+    /// error has the pose's number), or a projection that is not valid.
     pub fn new(
         name: impl Into<String>,
         projection: Projection,
@@ -57,7 +57,7 @@ impl CameraPath {
         }
     }
 
-    /// What tables call it: `orbit`, `flight`, or the file's name.
+    /// Its name in tables: `orbit`, `flight`, or the file's name.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -67,7 +67,7 @@ impl CameraPath {
         self.projection
     }
 
-    /// The cameras, one a pose in their order.
+    /// The cameras of all poses, in order.
     pub fn cameras(&self) -> impl ExactSizeIterator<Item = Camera> + '_ {
         self.poses.iter().map(|pose| pose.camera(self.projection))
     }
@@ -92,14 +92,13 @@ impl CameraPath {
 }
 
 impl Pose {
-    /// The eye looking at a target with `up` upwards in the picture; without one, +Y, or -Z as on a
-    /// map when that is the line of sight.
+    /// The pose of an eye that looks at a target, with `up` upwards in the image. Without `up` it is +Y or, where that is the line of sight, -Z,
+    /// as on a map.
     ///
     /// # Errors
-    /// When eye and target coincide, `up` is 0 or along the line of sight, or a number is not
-    /// finite.
+    /// [`CameraError`] where eye and target coincide, `up` is 0 or along the line of sight, or a number is not finite.
     pub fn look_at(eye: DVec3, target: DVec3, up: Option<DVec3>) -> Result<Self, CameraError> {
-        // The rotation does not depend on it, but a camera needs one.
+        // The rotation does not depend on the projection, but a camera needs one.
         let any = Projection::Perspective {
             fov_y: 1.0,
             near: 1.0,
@@ -120,7 +119,7 @@ impl Pose {
         })
     }
 
-    /// The camera that stands here.
+    /// The camera at this pose.
     pub fn camera(&self, projection: Projection) -> Camera {
         Camera {
             projection,
@@ -137,7 +136,7 @@ fn check(projection: Projection, poses: &[Pose]) -> Result<(), String> {
     if poses.len() > MAX_POSES {
         return Err(format!("{} poses are more than {MAX_POSES}", poses.len()));
     }
-    // A projection that cannot be drawn is no single pose's fault.
+    // Checks the projection by itself, so that its error has no pose number.
     let resting = Pose {
         position: DVec3::ZERO,
         rotation: DQuat::IDENTITY,

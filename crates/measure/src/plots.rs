@@ -1,9 +1,7 @@
-//! The report's plots as SVG text: speed against error, frame times along the path, and what a
-//! frame's time is spent on.
+//! The report's plots as SVG text: speed against error, frame times along the path, and the parts of a frame's time.
 //!
-//! Each is a whole `<svg>` element, fit for a file or for a page. What is ink takes the colour of
-//! the text around it (`currentColor`), and grids and faint words follow the CSS variables `--grid`
-//! and `--faint` where a page sets them, so that one plot serves light and dark.
+//! Each is a complete `<svg>` element for a file or a page. Text and lines take the colour of the surrounding text (`currentColor`). Grids and
+//! secondary text follow the CSS variables `--grid` and `--faint` where a page sets them, so one plot fits light and dark pages.
 
 mod axis;
 mod canvas;

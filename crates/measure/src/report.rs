@@ -1,9 +1,7 @@
-//! The nouns of `report.json`: everything a comparison measured, and the only thing that tables,
-//! plots and the page are drawn from.
+//! The types of `report.json`: all that a comparison measured. Tables, plots and the page are made from it alone.
 //!
-//! The schema is documented field by field in `docs/report.md`. A field once published keeps its
-//! name; fields of later versions are skipped when read. What was not measured is absent, never
-//! NaN.
+//! `docs/report.md` documents each field. A published field keeps its name. Unknown fields, of later versions, are skipped when read. What was
+//! not measured is absent, never NaN.
 
 use std::collections::BTreeMap;
 
@@ -18,45 +16,43 @@ pub use audit::{AuditReport, BudgetReport};
 pub use file::MAX_REPORT_BYTES;
 pub use sweep::{Aggregate, Choice, ErrorMeasure, LimitChoices, RunnerUp, Sweep, VariedSetting};
 
-/// Smaller differences in speed are not spoken of, however quiet the machine was.
+/// Smaller ratios of times are never significant, however little noise there was.
 const LEAST_RATIO: f64 = 1.005;
 
-/// One comparison: what ran, on what, how noisy the machine was, and what each strategy cost and
-/// got wrong.
+/// A comparison: what ran, on what, the noise, and the times and errors of each strategy.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Report {
-    /// The version of Antumbra that measured.
+    /// The version of Antumbra.
     pub antumbra: String,
-    /// The command line that made this report, as one would type it again; empty when a library
-    /// made it.
+    /// The command line that made this report; empty when a library made it.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub command: String,
-    /// The adapter that drew.
+    /// The adapter.
     pub adapter: Adapter,
-    /// The scene and how it was looked at.
+    /// The scene, the path and the views.
     pub scene: SceneFacts,
-    /// How much two runs of the same strategy differ.
+    /// The difference between two runs of the same strategy.
     pub noise: Noise,
-    /// Free words about the run (driver version, machine, ...), by their name.
+    /// Free text about the run (driver version, machine, ...), by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub labels: BTreeMap<String, String>,
-    /// The seeds of everything random, by what they seeded (`scene`, `path`, `rotation`, ...).
+    /// All random seeds, by what they seed (`scene`, `path`, `rotation`, ...).
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub seeds: BTreeMap<String, u64>,
-    /// The poses of the path in their order; empty when they were not recorded.
+    /// The poses of the path in order; empty when they were not recorded.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub poses: Vec<PoseRecord>,
-    /// The strategies in the order they were asked for.
+    /// The strategies in the order of the request.
     pub strategies: Vec<StrategyReport>,
-    /// What was varied and what follows from it; absent for a comparison that is no sweep.
+    /// What a sweep varied, and its results; absent for other comparisons.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sweep: Option<Sweep>,
 }
 
-/// The adapter that drew.
+/// An adapter.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Adapter {
-    /// The name the driver gives.
+    /// The name that the driver reports.
     pub name: String,
     /// The backend: `vulkan`, `metal`, `dx12`, `gl`, ...
     pub backend: String,
@@ -65,10 +61,10 @@ pub struct Adapter {
     pub kind: String,
 }
 
-/// The scene and how it was looked at.
+/// The scene, the path and the views of a comparison.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SceneFacts {
-    /// The built-in's name or the file's.
+    /// The name of the built-in scene or of the file.
     pub name: String,
     /// The camera path: `orbit`, `flight` or the path's file.
     #[serde(default, skip_serializing_if = "String::is_empty")]
@@ -77,7 +73,7 @@ pub struct SceneFacts {
     pub entities: u64,
     /// Triangles of all drawable entities at full detail.
     pub triangles: u64,
-    /// Views a frame: 1, or 2 for stereo.
+    /// Views of a frame: 1, or 2 for stereo.
     pub views: u32,
     /// The two eyes of stereo; absent for one view.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -88,12 +84,12 @@ pub struct SceneFacts {
     pub frames: u64,
 }
 
-/// Two eyes: parallel, their windows coinciding at a distance.
+/// Two parallel eyes whose image windows coincide at a distance.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct StereoFacts {
     /// Metres between the eyes.
     pub interocular: f64,
-    /// Metres from the eyes to where they see the same rectangle.
+    /// Distance in metres at which the windows coincide.
     pub convergence: f64,
 }
 
@@ -106,19 +102,19 @@ impl From<Stereo> for StereoFacts {
     }
 }
 
-/// How much two runs of the same strategy differ.
+/// The difference between two runs of the same strategy.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Noise {
-    /// The 95th percentile of the block ratios (larger over smaller) of an A/A run: 1.02 means that
-    /// below 2 % nothing was shown. Absent when no A/A run was made.
+    /// The 95th percentile of the block ratios (larger over smaller) of an A/A run: with 1.02, differences below 2 % are not significant.
+    /// Absent when there was no A/A run.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub frame_time_ratio_p95: Option<f64>,
-    /// Poses a block of all ratios of times; absent in reports of before it was written down.
+    /// Poses of a block, for all ratios of times; absent in old reports.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub block_frames: Option<u64>,
 }
 
-/// One pose of the path, enough to stand there again.
+/// One pose of the path.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PoseRecord {
     /// The eye in world metres.
@@ -130,21 +126,19 @@ pub struct PoseRecord {
     pub cut: bool,
 }
 
-/// What one strategy cost and got wrong.
+/// The times and errors of one strategy.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct StrategyReport {
     /// The strategy's registered name.
     pub name: String,
-    /// What tables and plots call it when the name alone is not enough (the same strategy with
-    /// other settings); empty: the name.
+    /// Its name in tables and plots, where the registered name is not enough (the same strategy with other settings); else empty.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub label: String,
-    /// How answers come back: `frame-late`, `same-frame`, `on-gpu`, or `none` for a strategy that
-    /// asks nothing.
+    /// When query results are used: `frame-late`, `same-frame`, `on-gpu`, or `none` for a strategy without queries.
     pub latency: String,
-    /// The settings it ran with, all of them, defaults included.
+    /// All of its settings, defaults included.
     pub settings: BTreeMap<String, serde_json::Value>,
-    /// Whether it claims, with these settings, never to cull what is seen.
+    /// Whether it claims to be conservative with these settings: to cull no visible entity.
     pub conservative: bool,
     /// Serialised frame time in milliseconds.
     pub frame_ms: Spread,
@@ -157,10 +151,10 @@ pub struct StrategyReport {
     /// Median time of the shaded and transparent passes, milliseconds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub draw_ms: Option<f64>,
-    /// What the audit's passes take of a frame on average, milliseconds; absent where there was no audit.
+    /// Mean time of the audit's passes in a frame, milliseconds; absent where there was no audit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub audit_ms: Option<f64>,
-    /// Frame time over that of `none`, the median of the block ratios: 0.5 takes half the time.
+    /// Frame time over that of `none`, the median of the block ratios: 0.5 means half the time.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time_vs_none: Option<f64>,
     /// Frame time over that of `frustum`, likewise.
@@ -169,38 +163,38 @@ pub struct StrategyReport {
     /// Frame time over that of `ideal`, likewise: its inverse is the efficiency.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time_vs_ideal: Option<f64>,
-    /// What it drew, mean a frame over all views.
+    /// What it drew: means over the frames, all views together.
     pub drawn: Drawn,
-    /// Occlusion queries or counts a frame over all views, mean.
+    /// Occlusion queries or sample counts: mean over the frames, all views together.
     pub queries: f64,
     /// The same of each eye, left first; empty for a single view.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub queries_a_view: Vec<f64>,
-    /// Points of the plan where a frame waits for its own results.
+    /// Sync points: places where a frame waits for its own results.
     pub sync_points: u32,
-    /// Entities drawn that own no pixel of the reference, mean a frame, summed over all views.
+    /// Drawn entities that own no pixel of the reference: mean over the frames, summed over all views.
     pub overdrawn_entities: f64,
-    /// What it got wrong, all views together.
+    /// Its errors, all views together.
     pub error: ErrorReport,
-    /// What it got wrong an eye, left first; empty or one for a single view.
+    /// Its errors by eye, left first; empty or one block for a single view.
     #[serde(default)]
     pub views: Vec<ErrorReport>,
-    /// The series behind the numbers, one value a pose.
+    /// The series behind the numbers, with one value for each pose.
     #[serde(default, skip_serializing_if = "FrameSeries::is_empty")]
     pub frames: FrameSeries,
     /// Median times of its passes, in plan order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub passes: Vec<PassTime>,
-    /// Mean number of entities a frame with each verdict, summed over all views, by the verdict's name.
+    /// Entities with each verdict, by the verdict's name: mean over the frames, summed over all views.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub verdicts: BTreeMap<String, f64>,
-    /// Whether it was asked to audit itself; false in reports of before this was written down.
+    /// Whether a self-audit was requested for it; false in old reports.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub audited: bool,
-    /// What it said of its own wrong pixels; absent where there was no audit.
+    /// Its own estimate of its wrong pixels; absent where there was no audit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub audit: Option<AuditReport>,
-    /// What it was to keep in place of settings; absent where settings stood. `settings` are those of the last frame then.
+    /// The budget that it had in place of settings; absent where there was none. With a budget, `settings` are those of the last frame.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub budget: Option<BudgetReport>,
     /// The frame with the most wrong pixels, with its pictures.
@@ -208,7 +202,7 @@ pub struct StrategyReport {
     pub worst: Option<WorstFrame>,
 }
 
-/// The middle of a series and its upper end.
+/// The median and the 95th percentile of a series.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Spread {
     /// The median.
@@ -226,7 +220,7 @@ pub struct MeanMax {
     pub max: f64,
 }
 
-/// What was drawn, mean a frame.
+/// What was drawn: means over the frames.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Drawn {
     /// Entities.
@@ -235,30 +229,30 @@ pub struct Drawn {
     pub triangles: f64,
 }
 
-/// What was got wrong against the reference.
+/// Differences from the reference.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct ErrorReport {
     /// Wrong pixels in percent of the view.
     pub wrong_pixels_percent: MeanMax,
     /// False culls.
     pub false_culls: FalseCulls,
-    /// The FLIP difference of the shaded images, 0 (alike) to 1.
+    /// The FLIP difference of the shaded images, 0 (equal) to 1.
     pub flip: MeanMax,
 }
 
 /// Entities that own pixels of the reference and were not drawn.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct FalseCulls {
-    /// False culls summed over all poses: an entity missed in three frames counts three times.
+    /// False culls summed over all poses: an entity that is missing in three frames counts three times.
     pub entities: u64,
-    /// The pose with the most of them; absent when there are none.
+    /// The pose with the most false culls; absent when there are none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub worst_frame: Option<u64>,
     /// The longest run of consecutive frames with a false cull in each.
     pub longest_run_frames: u64,
 }
 
-/// Values a pose, in path order.
+/// Series with one value for each pose, in path order.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct FrameSeries {
     /// Serialised frame time in milliseconds, the median of the repetitions of that pose.
@@ -267,16 +261,16 @@ pub struct FrameSeries {
     /// Triangles drawn, all views together.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub drawn_triangles: Vec<u64>,
-    /// Questions asked, all views together.
+    /// Queries, all views together.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub queries: Vec<u64>,
-    /// Sync points waited at.
+    /// Sync points at which the frame waited.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub sync_points: Vec<u32>,
     /// Wrong pixels in percent of the pixels of all views.
     #[serde(default)]
     pub wrong_pixels_percent: Vec<f64>,
-    /// Wrong pixels in percent of an eye's pixels: a series an eye, left first; empty for a single view.
+    /// Wrong pixels in percent of an eye's pixels: a series for each eye, left first; empty for a single view.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub wrong_pixels_percent_a_view: Vec<Vec<f64>>,
 }
@@ -284,14 +278,14 @@ pub struct FrameSeries {
 /// Median times of one pass.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PassTime {
-    /// The pass as the plan names it.
+    /// The pass's name in the plan.
     pub name: String,
-    /// What it serves: `cull`, `draw`, or another word.
+    /// Its timing group: `cull`, `draw`, or another.
     pub group: String,
-    /// Time to record or run it on the CPU, milliseconds.
+    /// CPU time of recording or running it, milliseconds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cpu_ms: Option<f64>,
-    /// Time on the GPU from timestamps, milliseconds; absent where the device has none.
+    /// GPU time from timestamps, milliseconds; absent where the device has none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gpu_ms: Option<f64>,
 }
@@ -299,7 +293,7 @@ pub struct PassTime {
 /// The frame with the most wrong pixels.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct WorstFrame {
-    /// The pose, the first is 0.
+    /// The pose; the first is 0.
     pub frame: u64,
     /// The view: 0, or 1 for the right eye.
     pub view: u32,
@@ -314,13 +308,12 @@ pub struct WorstImages {
     pub reference: String,
     /// What the strategy drew.
     pub strategy: String,
-    /// What it drew, in grey, the wrong pixels in magenta.
+    /// What the strategy drew in grey, with the wrong pixels in magenta.
     pub marked: String,
 }
 
 impl Noise {
-    /// The ratio of times that a difference in speed must exceed to show anything: that of the A/A
-    /// run, and half a percent at least, which is all there is without one.
+    /// The ratio of times above which a difference in speed is significant: that of the A/A run, and at least half a percent.
     pub fn least_ratio(&self) -> f64 {
         self.frame_time_ratio_p95.unwrap_or(1.0).max(LEAST_RATIO)
     }
@@ -347,8 +340,8 @@ impl Report {
         })
     }
 
-    /// What the tables and plots of this report call a strategy: its title, less what the settings
-    /// of a single swept strategy have in common.
+    /// A strategy's name in the tables and plots of this report: its title, without the part that all settings of a single swept strategy
+    /// share.
     pub fn title_of<'a>(&self, strategy: &'a StrategyReport) -> &'a str {
         let swept = self.sweep.as_ref().map(|sweep| sweep.strategies.as_slice());
         let shorter = match swept {
@@ -361,7 +354,7 @@ impl Report {
 }
 
 impl StrategyReport {
-    /// What tables and plots call it: the label, or the name where there is none.
+    /// The label, or the name where there is none.
     pub fn title(&self) -> &str {
         if self.label.is_empty() {
             &self.name
@@ -370,21 +363,19 @@ impl StrategyReport {
         }
     }
 
-    /// Time of ideal over its own time: 1 is perfect. None where `ideal` was not measured.
+    /// Time of `ideal` over its own time: 1 is perfect. `None` where `ideal` was not measured.
     pub fn efficiency(&self) -> Option<f64> {
         self.time_vs_ideal
             .filter(|ratio| *ratio > 0.0)
             .map(f64::recip)
     }
 
-    /// Whether it is one of the three yardsticks (`none`, `frustum`, `ideal`) that the others are
-    /// held against.
+    /// Whether it is one of the three yardsticks (`none`, `frustum`, `ideal`) with which the others are compared.
     pub fn is_yardstick(&self) -> bool {
         matches!(self.name.as_str(), "none" | "frustum" | "ideal")
     }
 
-    /// Whether it claims to be conservative and yet missed something: a defect of the strategy, to
-    /// be said loudly.
+    /// Whether it claims to be conservative and has an error: a defect of the strategy.
     pub fn breaks_its_promise(&self) -> bool {
         self.conservative
             && (self.error.false_culls.entities > 0 || self.error.wrong_pixels_percent.max > 0.0)

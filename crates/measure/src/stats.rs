@@ -1,13 +1,12 @@
-//! The statistics of a fair comparison: medians, percentiles, ratios block by block, and runs of
-//! frames.
+//! The statistics of a comparison: medians, percentiles, ratios by block, and runs of frames.
 //!
-//! Strategies are measured in blocks of consecutive poses and in rotation, so that heat, clocks and
-//! neighbours on the machine strike all of them alike; the ratio is taken within a block, where
-//! both met the same conditions, and then the median over the blocks.
+//! Strategies are measured in blocks of consecutive poses and in rotation, so that temperature, clock rates and other load on the machine
+//! affect all of them alike. A ratio is taken within a block, where both strategies ran under the same conditions; the result is the median
+//! over the blocks.
 
 use crate::MeasureError;
 
-/// The middle value; of an even number, the mean of the middle two.
+/// The median; for an even number of values, the mean of the middle two.
 ///
 /// # Errors
 /// No values, or one that is not finite.
@@ -43,8 +42,8 @@ pub fn mean(values: &[f64]) -> Result<f64, MeasureError> {
         .fold(0.0, |mean, (value, n)| mean + (value - mean) / n as f64))
 }
 
-/// The ratio of the medians, block by block: `times` over `baseline`, both a value a pose in path
-/// order and measured at the same poses. A last block that is not full counts as a block.
+/// The ratio of the medians of each block: `times` over `baseline`, both with one value for each pose, in path order and of the same poses. A
+/// last block that is not full counts as a block.
 ///
 /// # Errors
 /// Different lengths, a block length of 0, no values, one that is not finite, or a block whose
@@ -88,7 +87,7 @@ pub struct RatioEstimate {
 /// Cochran, *Sampling Techniques*, 3rd edition, 1977, chapter 6: the ratio estimator.
 ///
 /// # Errors
-/// As for [`block_ratios`], but that a block of the baseline may take no time as long as not all do.
+/// As for [`block_ratios`], except that a block of the baseline may sum to 0, as long as not all blocks do.
 pub fn ratio_of_sums(
     times: &[f64],
     baseline: &[f64],
@@ -116,9 +115,8 @@ pub fn ratio_of_sums(
     })
 }
 
-/// The noise of an A/A run, in which the same strategy stood on both sides: the 95th percentile of
-/// its block ratios, each turned so that it is at least 1. A difference between strategies that is
-/// smaller shows nothing.
+/// The noise of an A/A run, in which the same strategy was measured twice: the 95th percentile of its block ratios, each inverted if it is
+/// below 1. A smaller difference between strategies is not significant.
 ///
 /// # Errors
 /// No ratios, or one that is not finite and positive.
@@ -126,23 +124,22 @@ pub fn noise_p95(ratios: &[f64]) -> Result<f64, MeasureError> {
     if let Some(i) = ratios.iter().position(|ratio| *ratio <= 0.0) {
         return Err(wrong("noise", format!("ratio {i} is not positive")));
     }
-    let turned: Vec<f64> = ratios
+    let factors: Vec<f64> = ratios
         .iter()
         .map(|ratio| ratio.max(ratio.recip()))
         .collect();
-    quantile("noise", &turned, 0.95)
+    quantile("noise", &factors, 0.95)
 }
 
-/// How probable it is that of `all` fair coins at least `heads` show heads: the one-sided sign test,
-/// 1 for no coins. With blocks for coins it says how easily chance alone would make one strategy the
-/// slower one so often.
+/// The one-sided sign test: the probability that at least `heads` of `all` fair coins show heads; 1 for no coins. With blocks as coins, it is
+/// the probability that a strategy of equal speed is the slower one this often.
 ///
 /// John Arbuthnot, "An Argument for Divine Providence", 1710.
 pub fn sign_test(heads: u64, all: u64) -> f64 {
     if heads == 0 {
         return 1.0;
     }
-    // Logarithms, since 0.5 to the power of some thousands is less than a number can hold.
+    // Logarithms, since 0.5 to the power of some thousands underflows.
     let (mut ways, mut sum) = (-(all as f64) * std::f64::consts::LN_2, 0.0);
     for heads in (heads..=all).rev() {
         sum += ways.exp();
@@ -169,7 +166,7 @@ fn quantile(name: &'static str, values: &[f64], q: f64) -> Result<f64, MeasureEr
     let place = q * (sorted.len() - 1) as f64;
     let (below, above) = (place.floor() as usize, place.ceil() as usize);
     match (sorted.get(below), sorted.get(above)) {
-        // lerp as a weighted sum: a difference of two large values could overflow.
+        // Interpolation as a weighted sum, since the difference of two large values could overflow.
         (Some(&a), Some(&b)) if a < b => {
             let t = place - below as f64;
             Ok((a * (1.0 - t) + b * t).clamp(a, b))
@@ -179,7 +176,7 @@ fn quantile(name: &'static str, values: &[f64], q: f64) -> Result<f64, MeasureEr
     }
 }
 
-/// Whether two series can be held against each other, block by block.
+/// Checks that two series can be compared by block.
 fn pairs(
     name: &'static str,
     times: &[f64],

@@ -1,12 +1,11 @@
-//! The pictures of two eyes made into one: side by side, or as a red-cyan anaglyph.
+//! Combines the pictures of two eyes: side by side, or as a red-cyan anaglyph.
 //!
-//! The anaglyph's matrices are Eric Dubois', *A projection method to generate anaglyph stereo images* (ICASSP 2001), with the
-//! numbers for red-cyan glasses of his *Conversion of a Stereo Pair to Anaglyph with the Least-Squares Projection Method*
-//! (2009). Of all pictures they give the one that, seen through such glasses, differs least from the pair. A half-colour
-//! anaglyph (the left eye's luminance in red, the right eye's own green and blue) is simpler, but shows a scene of saturated
-//! colours badly: what is red is bright to the left eye and black to the right, which flickers to whoever looks. The
-//! projection mixes such colours so that both eyes get about the same brightness, and takes back some of what each lens lets
-//! through of the other eye's picture.
+//! The anaglyph's matrices are those of Eric Dubois, *A projection method to generate anaglyph stereo images* (ICASSP 2001), with the
+//! numbers for red-cyan glasses of his *Conversion of a Stereo Pair to Anaglyph with the Least-Squares Projection Method* (2009). They give
+//! the picture that, seen through such glasses, differs least from the pair. A half-colour anaglyph (the left eye's luminance in red, the
+//! right eye's green and blue) is simpler, but unsuitable for saturated colours: red is bright to the left eye and black to the right, which
+//! flickers. The projection mixes such colours so that both eyes get about the same brightness, and subtracts some of the crosstalk of the
+//! glasses.
 
 use std::fmt;
 use std::str::FromStr;
@@ -15,29 +14,29 @@ use image::RgbaImage;
 
 use crate::MeasureError;
 
-/// How the pictures of two eyes are put together.
+/// How the pictures of two eyes are combined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum StereoLayout {
-    /// One picture of twice the width, the left eye's on the left: to look at with parallel eyes, or through a viewer.
+    /// One picture of twice the width, the left eye's on the left, for parallel viewing or a stereoscope.
     #[default]
     SideBySide,
-    /// One picture for glasses with red on the left and cyan on the right.
+    /// One anaglyph for glasses with red on the left and cyan on the right.
     RedCyan,
-    /// A picture an eye.
+    /// One picture for each eye.
     Separate,
 }
 
 /// One picture of a layout.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StereoPicture {
-    /// What a file's name gets before its ending: nothing where there is one picture, else `-left` or `-right`.
+    /// The suffix of its file name before the extension: `-left` or `-right`; empty where there is one picture.
     pub suffix: &'static str,
     /// The picture.
     pub picture: RgbaImage,
 }
 
 impl StereoLayout {
-    /// All of them.
+    /// All layouts.
     pub const ALL: [Self; 3] = [Self::SideBySide, Self::Separate, Self::RedCyan];
 
     /// Its name on the command line.
@@ -68,10 +67,10 @@ impl FromStr for StereoLayout {
     }
 }
 
-/// Puts the pictures of two eyes together: one picture, or for [`StereoLayout::Separate`] the two as they are, left first.
+/// Combines the pictures of two eyes into one; for [`StereoLayout::Separate`], returns both unchanged, left first.
 ///
 /// # Errors
-/// [`MeasureError::SizeMismatch`] when they are not of one size.
+/// [`MeasureError::SizeMismatch`] where they differ in size.
 pub fn combine_eyes(
     left: RgbaImage,
     right: RgbaImage,
@@ -116,7 +115,7 @@ fn side_by_side(left: &RgbaImage, right: &RgbaImage) -> Option<RgbaImage> {
     RgbaImage::from_raw(width.checked_mul(2)?, height, bytes.copied().collect())
 }
 
-/// Red, green and blue of the anaglyph, each out of red, green and blue of the left eye and then the right; in linear light.
+/// Rows: red, green and blue of the anaglyph. Columns: red, green and blue of the left eye, then of the right. In linear light.
 const DUBOIS: [[f32; 6]; 3] = [
     [0.437, 0.449, 0.164, -0.011, -0.032, -0.007],
     [-0.062, -0.062, -0.024, 0.377, 0.761, 0.009],
@@ -140,7 +139,7 @@ fn red_cyan(left: &RgbaImage, right: &RgbaImage) -> RgbaImage {
     out
 }
 
-/// sRGB's byte to linear light, 0 to 1.
+/// Linear light of an sRGB byte, 0 to 1.
 fn decode(value: u8) -> f32 {
     let value = f32::from(value) / 255.0;
     if value <= 0.04045 {
@@ -150,7 +149,7 @@ fn decode(value: u8) -> f32 {
     }
 }
 
-/// Linear light to sRGB's byte; what lies outside 0 to 1 is clipped.
+/// The sRGB byte of linear light, clipped to 0 to 1.
 fn encode(light: f32) -> u8 {
     let light = light.clamp(0.0, 1.0);
     let value = if light <= 0.003_130_8 {

@@ -1,42 +1,40 @@
-//! What a person would say on seeing the numbers: how fast against the yardsticks, how wrong, and
-//! which strategy to take.
+//! Sentences about a report: the speed and the errors of each strategy, and recommendations.
 
 use crate::format;
 use crate::report::{Report, StrategyReport};
 
-/// Up to this share of wrong pixels (percent, mean) most viewers of a moving picture notice
-/// nothing; the picks of [`recommendations`] use it.
-const HARDLY_WRONG_PERCENT: f64 = 0.1;
+/// Most viewers of a moving image do not notice up to this share of wrong pixels (percent, mean). [`recommendations`] use it.
+const UNNOTICED_PERCENT: f64 = 0.1;
 
-/// How a strategy fared, beyond the words.
+/// The rating of a strategy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Tone {
-    /// A yardstick: nothing to judge.
+    /// A yardstick, which is not rated.
     Yardstick,
-    /// Faster than the baseline, every pixel right.
+    /// Faster than the yardstick, without wrong pixels.
     Good,
     /// Faster, with errors.
     Trade,
     /// Not faster.
     Poor,
-    /// It claims to be conservative and culled what is seen.
+    /// It claims to be conservative and has culled a visible entity.
     Broken,
 }
 
-/// The words about one strategy.
+/// The summary of one strategy.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Summary {
     /// One line without the strategy's name: "3.4 times as fast as frustum, 0.012 % wrong pixels on
     /// average (0.31 % in the worst frame)".
     pub text: String,
-    /// How it fared.
+    /// Its rating.
     pub tone: Tone,
 }
 
-/// One answer to "which shall I take".
+/// A recommended strategy.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recommendation<'a> {
-    /// The question it answers, e.g. "Fastest with every pixel right".
+    /// What it is recommended for, such as "Fastest with every pixel right".
     pub title: &'static str,
     /// The strategy.
     pub strategy: &'a StrategyReport,
@@ -44,13 +42,12 @@ pub struct Recommendation<'a> {
     pub summary: Summary,
 }
 
-/// Judges one strategy of a report.
+/// Summarises one strategy of a report.
 pub fn summarise(report: &Report, strategy: &StrategyReport) -> Summary {
-    let (speed, faster) = speed(report, strategy);
+    let SpeedSummary { text, faster } = speed(report, strategy);
     let wrong = strategy.error.wrong_pixels_percent;
     let right = all_right(strategy);
-    let mut text = speed;
-    text += ", ";
+    let mut text = text + ", ";
     text += &if right {
         "every pixel right".to_owned()
     } else if wrong.max == 0.0 {
@@ -75,23 +72,25 @@ pub fn summarise(report: &Report, strategy: &StrategyReport) -> Summary {
     Summary { text, tone }
 }
 
-/// The strategies to look at first: the fastest with every pixel right, the fastest that is hardly
-/// wrong, the fastest of all. A strategy is named once, by its best title; yardsticks are not
-/// picked.
+/// The fastest strategy without wrong pixels, the fastest with hardly any, and the fastest of all. Each strategy appears once, with its best
+/// title. Yardsticks are left out.
 pub fn recommendations(report: &Report) -> Vec<Recommendation<'_>> {
-    type Question = (&'static str, &'static str, fn(&StrategyReport) -> bool);
-    let questions: [Question; 3] = [
-        (
-            "Fastest with every pixel right",
-            "Fastest of all, and every pixel right",
-            all_right,
-        ),
-        (
-            "Fastest with at most 0.1 % wrong pixels",
-            "Fastest of all, with at most 0.1 % wrong pixels",
-            hardly_wrong,
-        ),
-        ("Fastest of all", "Fastest of all", |_| true),
+    let criteria = [
+        Criterion {
+            title: "Fastest with every pixel right",
+            title_of_all: "Fastest of all, and every pixel right",
+            fits: all_right,
+        },
+        Criterion {
+            title: "Fastest with at most 0.1 % wrong pixels",
+            title_of_all: "Fastest of all, with at most 0.1 % wrong pixels",
+            fits: hardly_wrong,
+        },
+        Criterion {
+            title: "Fastest of all",
+            title_of_all: "Fastest of all",
+            fits: |_| true,
+        },
     ];
     let fastest = |fits: fn(&StrategyReport) -> bool| {
         let runners = report
@@ -101,28 +100,36 @@ pub fn recommendations(report: &Report) -> Vec<Recommendation<'_>> {
         runners.min_by(|a, b| a.frame_ms.median.total_cmp(&b.frame_ms.median))
     };
     let of_all = fastest(|_| true);
-    let mut picks: Vec<Recommendation<'_>> = Vec::new();
-    for (title, title_of_all, fits) in questions {
-        let Some(strategy) = fastest(fits) else {
+    let mut recommended: Vec<Recommendation<'_>> = Vec::new();
+    for criterion in criteria {
+        let Some(strategy) = fastest(criterion.fits) else {
             continue;
         };
         let title = if of_all.is_some_and(|s| std::ptr::eq(s, strategy)) {
-            title_of_all
+            criterion.title_of_all
         } else {
-            title
+            criterion.title
         };
-        if picks
+        if recommended
             .iter()
             .all(|pick| !std::ptr::eq(pick.strategy, strategy))
         {
-            picks.push(Recommendation {
+            recommended.push(Recommendation {
                 title,
                 strategy,
                 summary: summarise(report, strategy),
             });
         }
     }
-    picks
+    recommended
+}
+
+/// What a strategy is recommended for.
+struct Criterion {
+    title: &'static str,
+    /// The title where the strategy is the fastest of all.
+    title_of_all: &'static str,
+    fits: fn(&StrategyReport) -> bool,
 }
 
 fn all_right(strategy: &StrategyReport) -> bool {
@@ -130,12 +137,19 @@ fn all_right(strategy: &StrategyReport) -> bool {
 }
 
 fn hardly_wrong(strategy: &StrategyReport) -> bool {
-    strategy.error.wrong_pixels_percent.mean <= HARDLY_WRONG_PERCENT
+    strategy.error.wrong_pixels_percent.mean <= UNNOTICED_PERCENT
 }
 
-/// "3.4 times as fast as frustum", or as another yardstick, and whether that is faster beyond the
-/// noise.
-pub(crate) fn speed(report: &Report, strategy: &StrategyReport) -> (String, bool) {
+/// A strategy's speed in words.
+pub(crate) struct SpeedSummary {
+    /// For example "3.4 times as fast as frustum".
+    pub text: String,
+    /// Whether it is significantly faster.
+    pub faster: bool,
+}
+
+/// A strategy's speed against `frustum` or, where that was not measured, against `none`.
+pub(crate) fn speed(report: &Report, strategy: &StrategyReport) -> SpeedSummary {
     match (strategy.time_vs_frustum, strategy.time_vs_none) {
         _ if strategy.name == "frustum" => against(report, "none", strategy.time_vs_none),
         (Some(ratio), _) => against(report, "frustum", Some(ratio)),
@@ -143,27 +157,24 @@ pub(crate) fn speed(report: &Report, strategy: &StrategyReport) -> (String, bool
     }
 }
 
-fn against(report: &Report, baseline: &str, ratio: Option<f64>) -> (String, bool) {
+fn against(report: &Report, yardstick: &str, ratio: Option<f64>) -> SpeedSummary {
+    let not_faster = |text| SpeedSummary {
+        text,
+        faster: false,
+    };
     let Some(ratio) = ratio.filter(|r| *r > 0.0) else {
-        return (format!("not measured against {baseline}"), false);
+        return not_faster(format!("not measured against {yardstick}"));
     };
     if ratio.max(ratio.recip()) <= report.noise.least_ratio() {
-        (format!("as fast as {baseline}, within the noise"), false)
+        not_faster(format!("as fast as {yardstick}, within the noise"))
     } else if ratio < 1.0 {
-        (
-            format!(
-                "{} times as fast as {baseline}",
-                format::factor(ratio.recip())
-            ),
-            true,
-        )
+        let factor = format::factor(ratio.recip());
+        SpeedSummary {
+            text: format!("{factor} times as fast as {yardstick}"),
+            faster: true,
+        }
     } else {
-        (
-            format!(
-                "takes {} times as long as {baseline}",
-                format::factor(ratio)
-            ),
-            false,
-        )
+        let factor = format::factor(ratio);
+        not_faster(format!("takes {factor} times as long as {yardstick}"))
     }
 }

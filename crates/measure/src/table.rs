@@ -1,4 +1,4 @@
-//! The comparison as a table: for a terminal, for Markdown, and, by its cells, for the page.
+//! Comparison tables: for terminals, for Markdown and, by their cells, for the page.
 
 use std::io::IsTerminal;
 
@@ -15,22 +15,22 @@ mod sweep;
 pub struct Table {
     /// The columns, left to right.
     pub columns: Vec<Column>,
-    /// A row a strategy, a cell a column.
+    /// The rows, one for each strategy; each has a cell for each column.
     pub rows: Vec<Row>,
 }
 
-/// What a column holds.
+/// The heading of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Column {
     /// The heading's first line.
     pub title: &'static str,
     /// The heading's second line: the unit, or the rest of the title.
     pub unit: &'static str,
-    /// Numbers stand to the right.
+    /// Whether its cells are right-aligned, as numbers are.
     pub right: bool,
 }
 
-/// One strategy.
+/// The row of a strategy.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Row {
     /// Its cells.
@@ -41,32 +41,37 @@ pub struct Row {
     pub broken: bool,
 }
 
-/// One value.
+/// A cell.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TableCell {
-    /// The text, free of control characters; `-` for what was not measured.
+    /// The text, without control characters; `-` where nothing was measured.
     pub text: String,
-    /// Whether it is the best of its column, yardsticks aside.
+    /// Whether it is the best of its column, without the yardsticks.
     pub best: bool,
 }
 
 type Show = fn(&Report, &StrategyReport) -> Option<String>;
 type Cost = fn(&StrategyReport) -> Option<f64>;
 
-/// A column: how a strategy's cell reads, and what the best one has the least of, where less is
-/// better.
-struct Definition(Column, Show, Option<Cost>);
+/// The definition of a column.
+struct Definition {
+    column: Column,
+    /// The text of a strategy's cell.
+    show: Show,
+    /// The value of which the best strategy has the least; `None` where no strategy is the best.
+    cost: Option<Cost>,
+}
 
 const fn text(title: &'static str, unit: &'static str, show: Show) -> Definition {
-    Definition(
-        Column {
+    Definition {
+        column: Column {
             title,
             unit,
             right: false,
         },
         show,
-        None,
-    )
+        cost: None,
+    }
 }
 
 const fn number(
@@ -75,15 +80,15 @@ const fn number(
     show: Show,
     cost: Option<Cost>,
 ) -> Definition {
-    Definition(
-        Column {
+    Definition {
+        column: Column {
             title,
             unit,
             right: true,
         },
         show,
         cost,
-    )
+    }
 }
 
 const COLUMNS: &[Definition] = &[
@@ -173,8 +178,8 @@ fn speed(time_ratio: Option<f64>) -> Option<String> {
 }
 
 impl Table {
-    /// The table of a report, for a sweep with its efficient edge. A column in which nothing was
-    /// measured is left out.
+    /// The table of a report; for a sweep, with a mark on the settings of the efficient edge. Columns in which nothing was measured are left
+    /// out.
     pub fn new(report: &Report) -> Self {
         Self::of(report, COLUMNS).with_edge(report)
     }
@@ -182,22 +187,22 @@ impl Table {
     fn of<'a>(report: &Report, columns: impl IntoIterator<Item = &'a Definition>) -> Self {
         let used: Vec<&Definition> = columns
             .into_iter()
-            .filter(|Definition(_, show, _)| {
-                report.strategies.is_empty()
-                    || report.strategies.iter().any(|s| show(report, s).is_some())
+            .filter(|definition| {
+                let shows = |s| (definition.show)(report, s).is_some();
+                report.strategies.is_empty() || report.strategies.iter().any(shows)
             })
             .collect();
-        let contest: Vec<&StrategyReport> = report
+        let compared: Vec<&StrategyReport> = report
             .strategies
             .iter()
             .filter(|s| !s.is_yardstick())
             .collect();
         let best: Vec<Option<f64>> = used
             .iter()
-            .map(|Definition(.., cost)| {
-                // Best of one says nothing.
-                let cost = cost.filter(|_| contest.len() > 1)?;
-                contest
+            .map(|Definition { cost, .. }| {
+                // A single strategy is not marked as the best.
+                let cost = cost.filter(|_| compared.len() > 1)?;
+                compared
                     .iter()
                     .filter_map(|s| cost(s))
                     .min_by(f64::total_cmp)
@@ -207,7 +212,7 @@ impl Table {
             cells: used
                 .iter()
                 .zip(&best)
-                .map(|(Definition(_, show, cost), best)| TableCell {
+                .map(|(Definition { show, cost, .. }, best)| TableCell {
                     text: show(report, s).unwrap_or_else(|| "-".to_owned()),
                     best: !s.is_yardstick()
                         && best.is_some()
@@ -218,13 +223,13 @@ impl Table {
             broken: s.breaks_its_promise(),
         });
         Self {
-            columns: used.iter().map(|d| d.0).collect(),
+            columns: used.iter().map(|definition| definition.column).collect(),
             rows: rows.collect(),
         }
     }
 
-    /// The table for a terminal, its columns aligned. With `colour` the best values are bold, the
-    /// yardsticks dim and broken promises red.
+    /// The table for a terminal, with aligned columns. With `colour`, the best values are bold, yardsticks are dim, and strategies that claim to
+    /// be conservative and are not are red.
     pub fn terminal(&self, colour: bool) -> String {
         let widths = self.widths();
         let mut out = String::new();
@@ -265,7 +270,7 @@ impl Table {
         out
     }
 
-    /// The table as Markdown, the best values bold.
+    /// The table as Markdown, with the best values in bold.
     pub fn markdown(&self) -> String {
         let row = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
         let heads = self
@@ -311,13 +316,12 @@ impl Table {
     }
 }
 
-/// Whether a stream wants colour: it is a terminal and `NO_COLOR` is not set.
+/// Whether to colour the output to a stream: it is a terminal, and `NO_COLOR` is not set.
 pub fn wants_colour(stream: &impl IsTerminal) -> bool {
     stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
 }
 
-/// What was measured, in two lines: the scene and how it was looked at, the adapter and the noise. In stereo the first says
-/// how the eyes stand.
+/// The comparison in two lines: first the scene with the views and the path, then the adapter and the noise.
 pub fn facts(report: &Report) -> [String; 2] {
     let scene = &report.scene;
     let path = if scene.path.is_empty() {
@@ -355,7 +359,7 @@ pub fn facts(report: &Report) -> [String; 2] {
     ]
 }
 
-/// Everything that Markdown or the HTML in it would take for its own.
+/// Escapes the characters that have a meaning in Markdown, or in HTML within it.
 fn escape_markdown(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars() {

@@ -1,41 +1,39 @@
-//! The trade of a sweep: speed against error, the settings worth having, and the one to take under
-//! a budget of errors.
+//! The trade-off of a sweep, speed against error: the Pareto front of the settings, and the setting to take under a limit of errors.
 //!
-//! A setting is worth having when no other is both faster and no worse in error: such settings are
-//! the *efficient edge*, Vilfredo Pareto's front ("Manuale di economia politica", 1906). A choice
-//! among them is what the literature calls an epsilon-constraint (Yacov Haimes, Leon Lasdon and
-//! David Wismer, 1971): the errors get a limit, and the fastest setting that keeps it is taken.
-//! Errors are counted and the same in every run; times are not, so that both ask of a difference
-//! in speed that it exceeds the noise of the run.
+//! A setting is on the front when no other is faster without more error (Vilfredo Pareto, "Manuale di economia politica", 1906). Reports call
+//! the front the *efficient edge*. To choose a setting, one error gets a limit, and the fastest setting within it is taken: the
+//! epsilon-constraint method of Yacov Haimes, Leon Lasdon and David Wismer, 1971. Errors are the same in every run, but times are not; so a
+//! difference in speed counts only if it exceeds the noise of the run.
 //!
-//! Everything here reads a [`Report`] and nothing else.
+//! Everything here is computed from a [`Report`].
 
-use crate::report::{Report, StrategyReport, Sweep, VariedSetting};
+use crate::report::{Report, Sweep, VariedSetting};
 
 mod choice;
 mod limit;
 mod pareto;
 mod sentences;
+mod settings;
 mod speed;
 mod time_base;
 
 pub use choice::choose;
 pub use limit::ErrorLimit;
-pub(crate) use pareto::front;
 pub use pareto::pareto_front;
+pub(crate) use pareto::{Cost, front};
 pub use sentences::{ChoiceText, EDGE_LEGEND, choice_texts, sweep_title};
 pub(crate) use time_base::TimeBase;
 
-/// What a report says of a sweep of `strategies` (as they were asked for) over `vary`: its edge and
-/// what each budget chooses. The report's own [`Report::sweep`] plays no part.
+/// The results of a sweep of `strategies` (as they were requested) over `vary`: its Pareto front, and what each limit selects. The report's
+/// own [`Report::sweep`] is not read.
 ///
 /// ```no_run
 /// # use antumbra_measure::{MeasureError, report::{Report, VariedSetting}, trade_off};
 /// # fn main() -> Result<(), MeasureError> {
 /// let mut report = Report::load("out/report.json")?;
 /// let threshold = VariedSetting { strategy: None, key: "threshold".into(), values: vec!["1".into(), "4".into()] };
-/// let budget = "wrong_pixels=0.05%".parse()?;
-/// report.sweep = Some(trade_off::sweep(&report, vec!["three-pass".into()], vec![threshold], &[budget]));
+/// let limit = "wrong_pixels=0.05%".parse()?;
+/// report.sweep = Some(trade_off::sweep(&report, vec!["three-pass".into()], vec![threshold], &[limit]));
 /// # Ok(())
 /// # }
 /// ```
@@ -43,20 +41,13 @@ pub fn sweep(
     report: &Report,
     strategies: Vec<String>,
     vary: Vec<VariedSetting>,
-    budgets: &[ErrorLimit],
+    limits: &[ErrorLimit],
 ) -> Sweep {
-    let edge = pareto_front(report).into_iter();
+    let front = pareto_front(report).into_iter();
     Sweep {
         strategies,
         vary,
-        edge: edge.map(|s| s.title().to_owned()).collect(),
-        budgets: budgets.iter().map(|b| choose(report, *b)).collect(),
+        edge: front.map(|s| s.title().to_owned()).collect(),
+        budgets: limits.iter().map(|limit| choose(report, *limit)).collect(),
     }
-}
-
-/// The settings of a sweep: what is no yardstick, and was timed.
-fn settings(report: &Report) -> impl Iterator<Item = (&StrategyReport, f64)> {
-    let clock = TimeBase::of(report);
-    let measured = report.strategies.iter().filter(|s| !s.is_yardstick());
-    measured.filter_map(move |s| Some((s, clock.time(s)?)))
 }

@@ -1,5 +1,5 @@
-//! The picture of a walk, for whoever debugs one: on the left what of the screen had been drawn to when the first question was asked, on the
-//! right every node that was met, coloured by the batch it was asked about in. An SVG, so that a browser can be pointed at each node.
+//! Draws a traversal of a hierarchy as SVG, for debugging. On the left are the blocks of the screen that were drawn to before the first query, on
+//! the right all visited nodes, coloured by the batch of their query. In a browser, pointing at a node shows its data.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -11,25 +11,26 @@ use crate::MeasureError;
 use crate::files::write_beside;
 use crate::image_error::{data_uri, encode};
 
-/// Room above the panels and below them, and between them, in pixels.
+/// Space above the panels in pixels.
 const HEAD: u32 = 30;
+/// Space below and between the panels in pixels.
 const GAP: u32 = 16;
-/// Height of a line of the legend.
+/// Height of a line of the legend in pixels.
 const LINE: u32 = 22;
-/// Width of a batch's entry in it.
+/// Width of a legend entry in pixels.
 const ENTRY: u32 = 240;
 
-/// Writes the picture of a walk over the image it led to.
+/// Writes the picture of a traversal over the image of its frame.
 ///
 /// # Errors
-/// When it cannot be encoded or written; nothing is left behind then.
+/// [`MeasureError`] where it cannot be encoded or written. No file is left behind then.
 pub fn save_traversal(image: &RgbaImage, sketch: &Sketch, path: &Path) -> Result<(), MeasureError> {
     let png = data_uri(ImageFormat::Png.to_mime_type(), &encode(image, path)?);
     let picture = draw(image.dimensions(), &png, sketch);
     write_beside(path, picture.as_bytes())
 }
 
-/// The SVG. Writing to a string does not fail.
+/// The SVG text. Writing to a string does not fail.
 fn draw((width, height): (u32, u32), png: &str, sketch: &Sketch) -> String {
     let batches = sketch
         .nodes()
@@ -60,7 +61,7 @@ fn draw((width, height): (u32, u32), png: &str, sketch: &Sketch) -> String {
         &mut out,
         GAP,
         &format!(
-            "before the first question {share} % of the blocks ({} pixels wide) are taken: blue",
+            "before the first query {share} % of the blocks ({} pixels wide) are taken: blue",
             sketch.block()
         ),
     );
@@ -86,7 +87,7 @@ fn draw((width, height): (u32, u32), png: &str, sketch: &Sketch) -> String {
         );
         let words = match batch {
             0 => format!(
-                "not asked: {}",
+                "not queried: {}",
                 of(NodeOutcome::Free) + of(NodeOutcome::Visible) + of(NodeOutcome::Occluded)
             ),
             _ => format!(
@@ -107,7 +108,7 @@ fn draw((width, height): (u32, u32), png: &str, sketch: &Sketch) -> String {
     out
 }
 
-/// Opens a panel: its words, and the image, fainter.
+/// Opens a panel: its title, and the image at reduced opacity.
 fn panel(out: &mut String, x: u32, words: &str) {
     let _ = writeln!(
         out,
@@ -116,7 +117,7 @@ fn panel(out: &mut String, x: u32, words: &str) {
     );
 }
 
-/// The taken blocks, a rectangle a run in a row.
+/// The occupied blocks, a rectangle for each run in a row.
 fn taken(out: &mut String, sketch: &Sketch) {
     let (map, block) = (sketch.occupancy(), sketch.block());
     let [columns, rows] = map.size();
@@ -141,14 +142,14 @@ fn taken(out: &mut String, sketch: &Sketch) {
     out.push_str("\"/>\n");
 }
 
-/// A node's rectangle.
+/// The rectangle of a node.
 fn outline(out: &mut String, node: &SketchNode, batches: u32) {
     let (least, greatest) = (node.pixels.least, node.pixels.greatest);
     let size = (greatest - least).max(glam::Vec2::ONE);
     let (style, words) = match node.outcome {
         NodeOutcome::Free => (
             "fill-opacity=\"0\" stroke-opacity=\"0.5\" stroke-width=\"1\"",
-            "free: no question",
+            "drawn without a query",
         ),
         NodeOutcome::Visible => ("fill-opacity=\"0\" stroke-width=\"1.5\"", "visible"),
         NodeOutcome::Occluded => (
@@ -164,7 +165,7 @@ fn outline(out: &mut String, node: &SketchNode, batches: u32) {
     );
 }
 
-/// Green for what was not asked about; then from blue to red.
+/// The colour of a batch: green for nodes without a query, then from blue to red.
 fn colour(batch: u32, batches: u32) -> String {
     match batch {
         0 => "#18a058".to_owned(),

@@ -1,4 +1,4 @@
-//! Audits and budgets in words.
+//! Sentences about audits and budgets.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 #[path = "common/synthetic.rs"]
@@ -38,7 +38,7 @@ fn an_audit_is_held_against_the_truth_and_its_cost_against_the_same_without() {
         panic!("{all:?}");
     };
     assert_eq!(only.strategy.label, "late audited");
-    // Older reports say by the audit's block alone that an entry was audited.
+    // Old reports mark an audited entry only by its audit block.
     assert!(!only.strategy.audited);
     let text = only.lines.join("; ");
     for part in [

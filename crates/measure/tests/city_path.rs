@@ -1,4 +1,4 @@
-//! The camera paths that the city is measured along: that they are what their descriptions say, and that their eyes stay in the open.
+//! The camera paths of the city: they match their descriptions, and their eyes are not inside of anything.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_demo_scenes::{CityOptions, city};
@@ -6,9 +6,9 @@ use antumbra_measure::path::{CameraPath, Pose};
 use antumbra_scene::{Aabb, Camera, EntityKey, Projection, Scene};
 use glam::{DMat3, DVec3};
 
-/// Poses of the flight; those after it walk.
+/// Poses of the flight; the rest are a walk.
 const FLIGHT: usize = 34;
-/// Metres that the eye keeps from everything.
+/// Least distance of the eye from everything, in metres.
 const CLEAR: f64 = 0.15;
 
 const PATHS: [&str; 2] = ["city.json", "city-middle.json"];
@@ -22,7 +22,7 @@ fn ahead(pose: &Pose) -> DVec3 {
     pose.rotation * DVec3::NEG_Z
 }
 
-/// The entities whose boxes reach into another, with their triangles as placed.
+/// The entities whose boxes overlap a box, with their triangles in world space.
 fn near(scene: &Scene, within: &Aabb) -> Vec<(EntityKey, Vec<[DVec3; 3]>)> {
     let drawables = scene.drawables().filter(|(entity, _)| {
         let bounds = scene.world_bounds(*entity).unwrap();
@@ -40,7 +40,7 @@ fn near(scene: &Scene, within: &Aabb) -> Vec<(EntityKey, Vec<[DVec3; 3]>)> {
     placed.collect()
 }
 
-/// Where on a triangle the place nearest to `from` lies.
+/// The point of a triangle that is nearest to `from`.
 fn nearest([a, b, c]: [DVec3; 3], from: DVec3) -> DVec3 {
     let normal = (b - a).cross(c - a);
     let inside = |p: DVec3, q: DVec3| normal.dot((q - p).cross(from - p)) >= 0.0;
@@ -56,7 +56,7 @@ fn nearest([a, b, c]: [DVec3; 3], from: DVec3) -> DVec3 {
     ends.into_iter().min_by(by_distance).unwrap()
 }
 
-/// Whether the way between two places goes through a triangle.
+/// Whether the segment between two points intersects a triangle.
 fn crosses([a, b, c]: [DVec3; 3], from: DVec3, to: DVec3) -> bool {
     let sides = DMat3::from_cols(b - a, c - a, from - to);
     if sides.determinant().abs() < 1e-15 {
@@ -138,7 +138,7 @@ fn one_comes_in_from_outside_and_walks_along_the_edge() {
     let (flight, walk) = path.poses().split_at(FLIGHT);
     assert!(flight[0].position.y > 40.0 && !all.contains(flight[0].position));
     assert!(walk.iter().all(|pose| (pose.position.y - 1.7).abs() < 1e-3));
-    // Looked at from its corner, most of the city lies ahead, and some of it never does.
+    // Seen from its corner, most of the city is ahead, and some of it never is.
     let middle = |entity: &EntityKey| scene.world_bounds(*entity).unwrap().centre();
     let entities: Vec<EntityKey> = scene.drawables().map(|(entity, _)| entity).collect();
     for pose in path.poses().iter().step_by(8) {

@@ -1,4 +1,4 @@
-//! FLIP, and the pictures that show where a frame is wrong.
+//! FLIP, and pictures with marked wrong pixels.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_measure::image_error::{flip, mark_wrong};

@@ -1,4 +1,4 @@
-//! The plots and the page: whole, self-contained, and safe with any names.
+//! The plots and the page: complete, self-contained, and safe with any names.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 #[path = "common/pictures.rs"]
@@ -47,7 +47,7 @@ fn the_page_is_one_file_with_everything_inside() {
     assert!(file.ends_with("report.html"));
     assert_eq!(html.matches("<svg ").count(), 3);
     assert_eq!(html.matches("</svg>").count(), 3);
-    // Two strategies were wrong; three pictures each.
+    // Two strategies have wrong pixels; three pictures each.
     assert_eq!(html.matches("src=\"data:image/png;base64,").count(), 6);
     assert_eq!(html.matches("src=").count(), 6);
     assert_eq!(
@@ -93,7 +93,7 @@ fn a_picture_that_cannot_be_shown_is_said_to_be_missing() {
     let report = synthetic::report();
     let html = page(&report, dir.path()).unwrap();
     assert_eq!(html.matches("No picture: cannot read").count(), 6);
-    // A file that is something else than its name says does not get in.
+    // A file whose content does not match its name is not embedded.
     pictures::draw(&report, dir.path());
     let marked = dir
         .path()
@@ -134,7 +134,7 @@ fn stereo_reports_name_the_eye() {
     right.wrong_pixels_percent.max = 0.25;
     report.strategies[4].views = vec![report.strategies[4].error, right];
     let html = page(&report, dir.path()).unwrap();
-    // Its own percentage, not that of both eyes together.
+    // The eye's own percentage, not that of both eyes together.
     assert!(html.contains("three-pass: frame 4, right eye, 0.25 % wrong pixels"));
     assert!(html.contains("Each eye") && html.contains("right, mean %"));
     report.scene.views = 1;
@@ -168,7 +168,7 @@ fn plots_of_odd_reports_are_drawn_or_left_out() {
             stage_times(report).unwrap(),
         ]
     };
-    // Nothing wrong anywhere, nothing timed against anything, no time at all, one pose.
+    // No errors, no yardsticks, no times, one pose.
     for strategy in &mut report.strategies {
         strategy.error = Default::default();
         strategy.time_vs_frustum = None;
@@ -181,7 +181,7 @@ fn plots_of_odd_reports_are_drawn_or_left_out() {
     for svg in all(&report) {
         assert!(!svg.unwrap().contains("NaN"));
     }
-    // Errors from the smallest to the largest there are.
+    // Errors from the smallest to the largest possible.
     for (strategy, wrong) in
         report
             .strategies
@@ -233,16 +233,16 @@ fn a_sweep_shows_its_trade() {
         "threshold=4 (chosen: 0.050 % mean, 0.050 % worst)",
         "threshold=0 (chosen: 0 % mean, 0 % worst)",
         "threshold=99",
-        "budget 0.050 %",
+        "limit 0.050 %",
         "noise of 5.0 %",
         "every pixel right",
         "efficient edge",
-        "beaten, or faster within the noise alone",
-        "chosen by a budget",
+        "dominated, or faster only within the noise",
+        "chosen by a limit",
     ] {
         assert!(svg.contains(words), "{words}");
     }
-    // The yardsticks do not compete, and ideal, 4.9 times as fast, is beyond the sheet.
+    // The yardsticks are not settings, and ideal, 4.9 times as fast, is outside of the plot.
     assert!(!svg.contains(">\nfrustum\n") && svg.contains("further right, at 4.90x"));
     let dir = tempfile::tempdir().unwrap();
     let html = page(&report, dir.path()).unwrap();
@@ -297,14 +297,14 @@ fn odd_sweeps_are_drawn_too() {
         let dir = tempfile::tempdir().unwrap();
         assert!(page(&report, dir.path()).unwrap().ends_with("</html>\n"));
     }
-    // No axis is endless.
+    // Axes are bounded.
     let mut extreme = odd(vec![(0.4, 1.0), (0.5, 2.0)], Some(1e300));
     for (at, time) in [(2, 1e-300), (3, f64::MIN_POSITIVE), (4, f64::MAX)] {
         extreme.strategies[at].time_vs_frustum = Some(time);
     }
     let svg = speed_against_error(&extreme).unwrap().unwrap();
     assert!(!svg.contains("NaN") && !svg.contains("inf"));
-    // Nothing was swept, and strangers' names.
+    // No swept strategies, and hostile names.
     let none = odd(Vec::new(), None);
     assert_eq!(speed_against_error(&none).unwrap(), None);
     let mut strange = swept::known();

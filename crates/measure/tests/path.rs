@@ -1,7 +1,7 @@
-//! Camera paths: that they go where they should, smoothly, and that files cannot harm.
+//! Camera paths: their course, their smoothness, and hostile files.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_measure::path::{CameraPath, MAX_PATH_BYTES, MAX_POSES, Orbit, Pose};
+use antumbra_measure::path::{CameraPath, MAX_PATH_BYTES, MAX_POSES, Orbit, Pose, Waypoint};
 use antumbra_scene::{Aabb, Projection};
 use glam::{DQuat, DVec2, DVec3};
 use proptest::prelude::*;
@@ -35,7 +35,7 @@ proptest! {
         let path = CameraPath::flight(&bounds, seed, frames).unwrap();
         prop_assert_eq!(path.poses().len(), frames);
         let radius = bounds.half_extents().length();
-        // Ten points, nine stretches; no two neighbours among them are further apart than 4 radii.
+        // Ten control points, nine segments; neighbours are at most 4 radii apart.
         let step = 9.0 / (frames - 1) as f64;
         for (i, w) in path.poses().windows(3).enumerate() {
             let way = w[1].position - w[0].position;
@@ -202,7 +202,7 @@ fn every_bad_pose_is_named() {
         (r#"{"eye":[0,0,1],"target":[0,0,1]}"#, "coincide"),
         (
             r#"{"eye":[0,0,1],"target":[0,0,0],"up":[0,0,1]}"#,
-            "along the view",
+            "parallel to the view",
         ),
         (r#"{"eye":[0,0,1]}"#, "target"),
         (r#"{"eye":[0,0,1],"rotation":[0,0,0,2]}"#, "length is 2"),
@@ -318,32 +318,35 @@ fn a_huge_file_is_left_before_memory_is() {
 
 #[test]
 fn a_flight_through_places_goes_from_the_first_to_the_last() {
-    let places: Vec<(DVec3, DVec3)> = (0..6)
-        .map(|i| (DVec3::new(f64::from(i) * 100.0, 50.0, 80.0), DVec3::ZERO))
+    let waypoints: Vec<Waypoint> = (0..6)
+        .map(|i| Waypoint {
+            eye: DVec3::new(f64::from(i) * 100.0, 50.0, 80.0),
+            target: DVec3::ZERO,
+        })
         .collect();
     let projection = Projection::Perspective {
         fov_y: 1.0,
         near: 0.5,
     };
     let through =
-        |whole, frames| CameraPath::through("mine", &places, projection, whole, frames).unwrap();
+        |whole, frames| CameraPath::through("mine", &waypoints, projection, whole, frames).unwrap();
     let whole = through(60, 60);
     let [first, last] = [whole.poses()[0], whole.poses()[59]];
-    // The spline's ends are repeated keys: near them, not in them.
+    // The spline repeats its end points, so the path ends near them, not at them.
     assert!(
-        first.position.distance(places[0].0) < 20.0,
+        first.position.distance(waypoints[0].eye) < 20.0,
         "{}",
         first.position
     );
     assert!(
-        last.position.distance(places[5].0) < 20.0,
+        last.position.distance(waypoints[5].eye) < 20.0,
         "{}",
         last.position
     );
     assert!((first.rotation * DVec3::NEG_Z).dot((DVec3::ZERO - first.position).normalize()) > 0.98);
     assert!(whole.poses().iter().all(|pose| !pose.cut));
 
-    // In bursts: each pose is one of the whole flight's, and follows on the one before but at a cut.
+    // In bursts: each pose is one of the whole flight's, and follows the one before except at a cut.
     let parts = through(60, 30);
     assert_eq!(parts.poses().len(), 30);
     let at = |pose: &Pose| {

@@ -1,5 +1,5 @@
-//! The camera paths through files that are fetched: that they are what their descriptions say. Where such a file is not there
-//! (`scripts/data.sh engine city` brings them), the path alone is looked at.
+//! The camera paths through fetched files: they match their descriptions. Where a file is missing (`scripts/data.sh engine city` fetches
+//! them), only the path is tested.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_formats::{LoadOptions, load};
@@ -7,11 +7,11 @@ use antumbra_measure::path::{CameraPath, Pose};
 use antumbra_scene::{Aabb, Projection, Scene};
 use glam::DVec3;
 
-/// Width over height of the pictures they are made for: 1280 x 1024.
+/// Width over height of their images: 1280 x 1024.
 const ASPECT: f64 = 1.25;
 /// Poses on foot, in Delft.
 const WALK: usize = 67;
-/// Poses from which the engine is whole.
+/// Poses from which the whole engine is in view.
 const WHOLE: usize = 56;
 
 fn repository() -> std::path::PathBuf {
@@ -32,7 +32,7 @@ fn path(name: &str, fov_y_degrees: f64, near: f64) -> CameraPath {
     path
 }
 
-/// The scene of a fetched file, if it is there.
+/// The scene of a fetched file; `None` where the file is missing.
 fn scene(name: &str) -> Option<Scene> {
     let file = repository().join("data").join(name);
     if !file.is_file() {
@@ -57,7 +57,7 @@ fn assert_close(poses: &[Pose], way: f64, turn: f64) {
     }
 }
 
-/// The boxes around what is drawn.
+/// The boxes of all drawables.
 fn boxes(scene: &Scene) -> Vec<Aabb> {
     let drawn = scene.drawables();
     drawn.filter_map(|(e, _)| scene.world_bounds(e)).collect()
@@ -69,7 +69,7 @@ fn aside(bounds: &Aabb, point: DVec3) -> f64 {
     nearest.with_y(0.0).length()
 }
 
-/// Whether a vertical or any other line from a point meets an odd number of faces of an entity.
+/// Whether a line from a point crosses an odd number of faces of an entity.
 fn is_inside(scene: &Scene, point: DVec3) -> bool {
     scene.drawables().any(|(entity, drawable)| {
         let bounds = scene.world_bounds(entity).unwrap();
@@ -160,7 +160,7 @@ fn the_engine_is_whole_first_and_reaches_out_of_the_picture_then() {
     let bounds = scene.bounds().unwrap();
     let tan = 22.5_f64.to_radians().tan();
     let boxes = boxes(&scene);
-    // How far out a point is: 1 is the picture's edge.
+    // The distance of a point from the image's centre; 1 is the edge.
     let reach = |pose: &Pose, point: DVec3| {
         let seen = pose.rotation.inverse() * (point - pose.position);
         if seen.z >= 0.0 {

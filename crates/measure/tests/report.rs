@@ -1,4 +1,4 @@
-//! `report.json`: its published names, its way to disk and back, and what it refuses.
+//! `report.json`: its published names, writing and reading, and what it refuses.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 #[path = "common/swept.rs"]
@@ -104,7 +104,7 @@ fn a_failed_save_leaves_the_old_report_alone() {
     report.strategies[0].queries = f64::NAN;
     report.save(&file).unwrap_err();
     assert_eq!(std::fs::read(&file).unwrap(), before);
-    // A folder stands where the file should go: the rename fails, the part file goes.
+    // A folder has the name of the file: the rename fails, and the temporary file is removed.
     let taken = dir.path().join("taken");
     std::fs::create_dir(&taken).unwrap();
     let error = synthetic::report().save(&taken).unwrap_err();
@@ -179,7 +179,7 @@ fn no_number_that_is_none_is_written_and_its_field_is_named() {
     ] {
         assert!(field.contains(words) && field.contains("finite"), "{field}");
     }
-    // Settings are free-form: a null there is a value.
+    // Settings are free-form, so null is a value there.
     let mut report = synthetic::report();
     report.strategies[0]
         .settings
@@ -297,7 +297,7 @@ fn a_sweep_keeps_its_names_and_comes_back() {
     ] {
         assert!(!choices[0]["next"][field].is_null(), "{field}");
     }
-    // Tables leave out what all settings of one strategy have in common.
+    // Tables leave out the part of the title that all settings of one strategy share.
     assert_eq!(report.title_of(&report.strategies[4]), "threshold=0");
     assert_eq!(report.title_of(&report.strategies[0]), "none");
 }

@@ -64,7 +64,7 @@ proptest! {
 
     #[test]
     fn a_drift_of_the_machine_does_not_reach_the_ratio(base in values(), block in 1usize..20) {
-        // The machine slows down block by block, for both alike.
+        // The machine slows down from block to block, for both alike.
         let slow = |values: &[f64], k: f64| -> Vec<f64> {
             values.iter().enumerate().map(|(i, t)| t * k * (1 + i / block) as f64).collect()
         };
@@ -128,7 +128,7 @@ fn what_has_no_answer_is_refused_with_the_place() {
 
 #[test]
 fn the_sign_test_counts_coins() {
-    // Six of six are one way in 64; five or more, seven.
+    // Six of six: 1 of 64 outcomes. Five or more: 7.
     for (heads, all, chance) in [
         (6, 6, 1.0 / 64.0),
         (5, 6, 7.0 / 64.0),
@@ -144,7 +144,7 @@ fn the_sign_test_counts_coins() {
             "{heads} of {all}: {tested}"
         );
     }
-    // Where 0.5 to that power is no number any more: two standard deviations above the middle.
+    // 0.5 to this power underflows. Two standard deviations above the mean.
     let tested = sign_test(5_100, 10_000);
     assert!((0.02..0.025).contains(&tested), "{tested}");
     assert_eq!(sign_test(10_000, 10_000), 0.0);

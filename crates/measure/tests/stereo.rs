@@ -1,4 +1,4 @@
-//! Comparing two views: each eye is judged on its own, and both together are what a frame got wrong.
+//! Comparisons with two views: errors of each eye, and errors of both together.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::sync::Arc;
@@ -17,7 +17,7 @@ const SIZE: [u32; 2] = [96, 72];
 const FRAMES: usize = 3;
 const EXACT: &str =
     "three-pass:latency=same-frame:threshold=0:scale=1:occluders=full:occludees=full";
-/// Far too few samples for what the grid hides: wrong in every frame.
+/// A threshold that is far too high for the grid, so that every frame has wrong pixels.
 const WRONG: &str = "three-pass:latency=same-frame:threshold=40";
 
 fn scene() -> (Scene, CameraPath) {
@@ -27,7 +27,7 @@ fn scene() -> (Scene, CameraPath) {
     (scene, path)
 }
 
-/// Eyes far apart, so that one sees what the other does not.
+/// Eyes that are far apart, so that each sees entities that the other does not.
 fn stereo() -> Stereo {
     Stereo::new(2.0, 15.0).unwrap()
 }
@@ -119,7 +119,7 @@ fn each_eye_is_judged_and_both_together() {
     assert!(percent(worst.view as usize) >= percent(1 - worst.view as usize));
     let series = &wrong.frames.wrong_pixels_percent_a_view[worst.view as usize];
     close(series[worst.frame as usize], percent(worst.view as usize));
-    // The pictures are that eye's: as many pixels are magenta as were wrong.
+    // The pictures are those of this eye: as many pixels are magenta as are wrong.
     let marked = &comparison.pictures[&worst.images.marked];
     let magenta = marked.pixels().filter(|p| p.0 == [255, 0, 255, 255]);
     close(
@@ -128,7 +128,7 @@ fn each_eye_is_judged_and_both_together() {
     );
 }
 
-/// What `ideal` draws are the owners of each eye's pixels, and those are not the same.
+/// `ideal` draws the owners of each eye's pixels, and those differ.
 #[test]
 fn what_owns_pixels_differs_from_eye_to_eye() {
     let (mut scene, path) = scene();
@@ -165,10 +165,10 @@ fn eyes_in_one_place_are_one_view_twice() {
         close(two.drawn.triangles, 2.0 * one.drawn.triangles);
         close(two.overdrawn_entities, 2.0 * one.overdrawn_entities);
         assert_eq!(two.queries_a_view, [one.queries; 2]);
-        // Of equals the left eye is shown.
+        // In a tie, the left eye is shown.
         assert_eq!(two.worst, one.worst);
     }
-    // One view says nothing of eyes.
+    // With one view, there are no eyes.
     let text = one.report.to_json().unwrap();
     for field in ["stereo", "queries_a_view", "wrong_pixels_percent_a_view"] {
         assert!(!text.contains(field), "{field}");

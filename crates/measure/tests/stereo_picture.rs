@@ -1,4 +1,4 @@
-//! Pictures of two eyes put together: each eye's picture reaches the eye it is for.
+//! Combined pictures of two eyes: each picture reaches its eye.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_measure::MeasureError;
@@ -10,7 +10,7 @@ fn plain(colour: [u8; 3]) -> RgbaImage {
     RgbaImage::from_pixel(4, 3, Rgba([r, g, b, 255]))
 }
 
-/// The anaglyph of two plain pictures.
+/// The anaglyph of two plain colours.
 fn anaglyph(left: [u8; 3], right: [u8; 3]) -> [u8; 3] {
     let parts = combine_eyes(plain(left), plain(right), StereoLayout::RedCyan).unwrap();
     let [part] = parts.as_slice() else {
@@ -52,7 +52,7 @@ fn the_left_eye_stands_left() {
 
 #[test]
 fn what_one_eye_sees_reaches_its_lens() {
-    // White to the left eye alone is red, to the right eye alone cyan.
+    // White for the left eye only is red; for the right eye only, cyan.
     let [r, g, b] = anaglyph([255; 3], [0; 3]);
     assert!(r > 250 && g == 0 && b == 0, "{r} {g} {b}");
     let [r, g, b] = anaglyph([0; 3], [255; 3]);
@@ -68,7 +68,7 @@ fn greys_stay_grey_in_the_screen_plane() {
     }
 }
 
-/// A half-colour anaglyph would leave 0 in the right lens here.
+/// With a half-colour anaglyph, the right lens would show 0 here.
 #[test]
 fn red_is_seen_by_both_eyes() {
     let [r, g, _] = anaglyph([255, 0, 0], [255, 0, 0]);

@@ -1,5 +1,4 @@
-//! The table and the verdicts: that a reader finds what the report says, and that no name can
-//! repaint a terminal.
+//! Tables and summaries: they show the report's numbers, and no name can change a terminal.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 #[path = "common/swept.rs"]
@@ -62,7 +61,7 @@ fn terminal_columns_are_aligned_and_plain_without_colour() {
     assert!(!text.contains('\x1b'));
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines.len(), 2 + 7);
-    // Right-aligned numbers of a column end at one place.
+    // Right-aligned numbers of a column end at the same position.
     let end = |line: &str, number: &str| line.find(number).unwrap() + number.len();
     assert_eq!(
         end(lines[2], "31.9"),
@@ -79,7 +78,7 @@ fn wide_letters_keep_the_columns_aligned() {
     let text = Table::new(&report).terminal(false);
     let line = text.lines().find(|l| l.contains('\u{7acb}')).unwrap();
     let other = text.lines().find(|l| l.contains("three-pass")).unwrap();
-    // Two letters of double width: two columns fewer in letters, three bytes each.
+    // Two letters of double width take two columns more than their number, and three bytes each.
     let letters = |l: &str, word: &str| l[..l.find(word).unwrap()].chars().count();
     assert_eq!(letters(line, "on-gpu") + 2, letters(other, "frame-late"));
 }

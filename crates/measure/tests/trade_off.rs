@@ -1,4 +1,4 @@
-//! The trade of a sweep: the efficient edge, and the choice under a budget of errors.
+//! The trade-off of a sweep: the Pareto front, and the choice under a limit of errors.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 #[path = "common/swept.rs"]
@@ -27,11 +27,11 @@ fn chosen(report: &Report, budget: &str) -> Vec<Choice> {
 #[test]
 fn the_edge_of_a_known_report() {
     assert_eq!(thresholds(&known()), ["0", "4", "64"]);
-    // A quieter run tells 5 from 4.
+    // With less noise, 5 differs from 4.
     let mut quiet = known();
     quiet.noise.frame_time_ratio_p95 = Some(1.02);
     assert_eq!(thresholds(&quiet), ["0", "4", "5", "64"]);
-    // In a louder one only the ends are left, then only what is right.
+    // With more noise only the ends are left, then only the setting without errors.
     let mut loud = known();
     loud.noise.frame_time_ratio_p95 = Some(1.3);
     assert_eq!(thresholds(&loud), ["0", "64"]);
@@ -63,7 +63,7 @@ fn the_choice_of_a_known_report() {
     let [mean, worst] = &chosen(&report, "wrong_pixels=0.05%")[..] else {
         panic!("one for the mean and one for the worst pose")
     };
-    // 5 is the fastest within, 4 as fast for all one knows and less wrong; then comes 0.
+    // 5 is the fastest within the limit; 4 is as fast within the noise and has less error; 0 is the next.
     assert_eq!(mean.over, Aggregate::Mean);
     assert_eq!(mean.setting, "three-pass threshold=4");
     assert_eq!(mean.fastest.as_deref(), Some("three-pass threshold=5"));
@@ -79,7 +79,7 @@ fn the_choice_of_a_known_report() {
         (Aggregate::Max, "three-pass threshold=4")
     );
 
-    // 0.02 % on average is 0.04 % in the worst frame: the budget itself is within, what is above is not.
+    // 0.02 % on average is 0.04 % in the worst frame. An error equal to the limit is within it.
     let [mean, worst] = &chosen(&report, "wrong_pixels=0.02%")[..] else {
         panic!()
     };
@@ -114,14 +114,14 @@ fn where_nothing_stays_within_the_nearest_is_named() {
     }
     let report = with(report, &["wrong_pixels=0"]);
     let said = choice_texts(&report);
-    // No wrong pixel on average is none in the worst frame: said once.
+    // No wrong pixel on average means none in the worst frame, so there is one sentence.
     assert_eq!(said.len(), 1);
     assert_eq!(said[0].heading, "No setting has no wrong pixel; nearest");
 }
 
 #[test]
 fn blocks_that_disagree_show_nothing() {
-    // By the yardstick 2 is a fifth faster; block by block it was faster only once.
+    // By the yardstick, 2 is a fifth faster. By blocks, it was faster only once.
     let mut right = setting("1", 0.50, 0.0);
     let mut wrong = setting("2", 0.40, 0.1);
     right.frames.frame_ms = vec![50.0; 12];
@@ -178,7 +178,7 @@ fn answers_say_how_certain_they_are() {
     assert_eq!(
         text(0),
         "Fastest with at most 0.050 % wrong pixels on average: 2.5 times as fast as frustum, 0.010 % wrong pixels, \
-         20 % of the budget; as fast, within the noise of 5.0 %, but no less wrong: threshold=5; slower, beyond the \
+         20 % of the limit; as fast, within the noise of 5.0 %, but no less wrong: threshold=5; slower, beyond the \
          noise of 5.0 %: threshold=0 takes 1.28 times as long as threshold=5, slower in 6 of 6 blocks (by chance 1 \
          time in 64)"
     );
@@ -188,13 +188,13 @@ fn answers_say_how_certain_they_are() {
     );
     assert_eq!(
         text(2),
-        "Fastest with no wrong pixel: 2.0 times as fast as frustum, no wrong pixel; all others are beyond the budget"
+        "Fastest with no wrong pixel: 2.0 times as fast as frustum, no wrong pixel; all others are beyond the limit"
     );
     assert!(text(3).starts_with("Fastest with at most 500 false culls in all frames: 3.3 times"));
     assert!(choice_texts(&known()).is_empty());
 }
 
-/// Settings with times and errors of which many are equal, without series.
+/// Settings without series, many of them with equal times and errors.
 fn settings() -> impl Strategy<Value = (Report, f64)> {
     let one = (1u32..40, prop_oneof![Just(0u32), 0u32..6, 0u32..1000]);
     let noise = prop_oneof![Just(1.0), 1.0..1.5f64];

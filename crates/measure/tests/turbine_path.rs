@@ -1,4 +1,4 @@
-//! The camera path that the turbine is measured along: that it is what its description says.
+//! The camera path of the turbine: it matches its description.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_demo_scenes::{TurbineOptions, turbine};
@@ -6,7 +6,7 @@ use antumbra_measure::path::{CameraPath, Pose};
 use antumbra_scene::{Aabb, Projection};
 use glam::DVec3;
 
-/// Width over height of the picture it is made for: 1280 x 1024.
+/// Width over height of its images: 1280 x 1024.
 const ASPECT: f64 = 1.25;
 /// Metres between two eyes.
 const EYES: f64 = 0.065;
@@ -32,7 +32,7 @@ fn engines() -> [Aabb; 2] {
     })
 }
 
-/// How far out a box reaches in the picture of an eye `aside` metres to the right of the pose's: 1 is the picture's edge.
+/// The largest distance of a box from the image's centre, for an eye `aside` metres to the right of the pose; 1 is the edge.
 fn reach(pose: &Pose, aside: f64, fov_y: f64, bounds: &Aabb) -> f64 {
     let tan = (fov_y / 2.0).tan();
     let eye = pose.position + pose.rotation * DVec3::X * aside;
@@ -44,7 +44,7 @@ fn reach(pose: &Pose, aside: f64, fov_y: f64, bounds: &Aabb) -> f64 {
     out.into_iter().fold(0.0, f64::max)
 }
 
-/// Metres between two poses' eyes, and degrees between where they look.
+/// Metres between the eyes of two poses, and degrees between their viewing directions.
 fn step(from: &Pose, to: &Pose) -> [f64; 2] {
     let turn = from.rotation.angle_between(to.rotation).to_degrees();
     [from.position.distance(to.position), turn]

@@ -1,5 +1,4 @@
-//! Bind group layout entries from global variables: the same derivation wgpu-core makes for automatic layouts, which it
-//! keeps to itself.
+//! Bind group layout entries of global variables, derived as wgpu-core derives them for automatic layouts, which are not public.
 
 use std::{
     borrow::Cow,
@@ -21,7 +20,7 @@ use crate::{
 /// No wgpu backend has more than eight bind groups (`wgpu_hal::MAX_BIND_GROUPS`).
 const LAST_GROUP: u32 = 7;
 
-/// The bindings that entry points use, sorted by group and number.
+/// The bindings that entry points use, by group and number.
 pub(super) fn reflect(
     file: &str,
     module: &naga::Module,
@@ -86,7 +85,7 @@ pub(super) fn reflect(
     Ok(bindings)
 }
 
-/// Whether the entry point samples this image with a sampler that filters; a comparison sampler reads depth textures.
+/// Whether the entry point samples this image with a filtering sampler. Comparison samplers read depth textures.
 fn filters(module: &naga::Module, info: &FunctionInfo, image: Handle<GlobalVariable>) -> bool {
     info.sampling_set.iter().any(|pair| {
         let sampler = &module.types[module.global_variables[pair.sampler].ty].inner;
@@ -105,7 +104,7 @@ fn binding_type(
         TypeInner::BindingArray { base, size } => {
             let count = match size {
                 naga::ArraySize::Constant(count) => count,
-                // An unsized binding array takes its length from the layout: the author must name it there.
+                // The length of an unsized binding array is set in the layout.
                 naga::ArraySize::Pending(_) | naga::ArraySize::Dynamic => NonZeroU32::MIN,
             };
             (&module.types[base].inner, Some(count))

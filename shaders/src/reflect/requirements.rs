@@ -1,13 +1,21 @@
-//! What a device must offer, found by taking capabilities away until the module no longer validates. So the list is
-//! naga's own, and stays right when naga learns more.
+//! The device requirements of a job, found by removing capabilities as long as the module validates. So they are always those of naga.
 
 use wgpu::{BindingType, BufferBindingType, DownlevelFlags, Features, ShaderStages};
 
 use crate::{job::Binding, report};
 
-/// The smallest set of features and downlevel flags that the job needs.
-pub(super) fn reflect(module: &naga::Module, bindings: &[Binding]) -> (Features, DownlevelFlags) {
-    let (mut features, mut downlevel) = validated(module);
+/// What a job needs of a device.
+pub(super) struct Requirements {
+    pub features: Features,
+    pub downlevel: DownlevelFlags,
+}
+
+/// The smallest sets of features and downlevel flags that the job needs.
+pub(super) fn reflect(module: &naga::Module, bindings: &[Binding]) -> Requirements {
+    let Requirements {
+        mut features,
+        mut downlevel,
+    } = validated(module);
     if module
         .entry_points
         .iter()
@@ -33,10 +41,13 @@ pub(super) fn reflect(module: &naga::Module, bindings: &[Binding]) -> (Features,
             }
         }
     }
-    (features, downlevel)
+    Requirements {
+        features,
+        downlevel,
+    }
 }
 
-/// `Some(whether written)` for storage buffers and textures.
+/// For storage buffers and textures, whether they are written; else `None`.
 fn storage(ty: &BindingType) -> Option<bool> {
     match ty {
         BindingType::Buffer {
@@ -50,13 +61,17 @@ fn storage(ty: &BindingType) -> Option<bool> {
     }
 }
 
-fn validated(module: &naga::Module) -> (Features, DownlevelFlags) {
+/// The smallest sets with which naga validates the module.
+fn validated(module: &naga::Module) -> Requirements {
     let passes = |features, downlevel| {
         let capabilities = wgpu_naga_bridge::features_to_naga_capabilities(features, downlevel);
         report::validate(module, capabilities).is_ok()
     };
     if passes(Features::empty(), DownlevelFlags::empty()) {
-        return (Features::empty(), DownlevelFlags::empty());
+        return Requirements {
+            features: Features::empty(),
+            downlevel: DownlevelFlags::empty(),
+        };
     }
     let mut downlevel = DownlevelFlags::all();
     for flag in DownlevelFlags::all().iter() {
@@ -65,12 +80,15 @@ fn validated(module: &naga::Module) -> (Features, DownlevelFlags) {
         }
     }
     let mut features = Features::all();
-    // From the last flag to the first: where two would do, the stronger one stands later and goes first.
+    // From the last flag to the first: where either of two flags is enough, the stronger one comes later, so it is removed.
     let flags: Vec<Features> = Features::all().iter().collect();
     for flag in flags.into_iter().rev() {
         if passes(features - flag, downlevel) {
             features.remove(flag);
         }
     }
-    (features, downlevel)
+    Requirements {
+        features,
+        downlevel,
+    }
 }

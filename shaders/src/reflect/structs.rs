@@ -1,4 +1,4 @@
-//! Struct layouts: byte offsets of what lies in uniform, storage and immediate variables, and of packed vertex inputs.
+//! Struct layouts: byte offsets in uniform, storage and immediate variables, and in packed vertex inputs.
 
 use std::borrow::Cow;
 
@@ -7,11 +7,11 @@ use naga::{AddressSpace, ArraySize, Handle, ShaderStage, StructMember, Type, Typ
 use super::vertex;
 use crate::job::{FieldLayout, LayoutKind, StructLayout, TailLayout};
 
-/// All structs of the module that a host writes or reads, by name.
+/// All structs of the module that the host writes or reads, by name.
 pub(super) fn reflect(module: &naga::Module) -> Vec<StructLayout> {
     let mut layouter = naga::proc::Layouter::default();
     if layouter.update(module.to_ctx()).is_err() {
-        // Not for a validated module: the validator makes the same call.
+        // Cannot fail for a validated module, since the validator makes the same call.
         return Vec::new();
     }
     let mut in_memory = Vec::new();

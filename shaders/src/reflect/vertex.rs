@@ -1,4 +1,4 @@
-//! Vertex attributes of an entry point.
+//! The vertex attributes of an entry point.
 
 use std::borrow::Cow;
 
@@ -7,7 +7,7 @@ use wgpu::VertexFormat;
 
 use crate::job::VertexInput;
 
-/// The `@location` arguments of a function, those inside of struct arguments included, by location.
+/// The `@location` arguments of a function, with those in struct arguments, by location.
 pub(super) fn inputs(module: &naga::Module, function: &naga::Function) -> Vec<VertexInput> {
     let mut found = Vec::new();
     for argument in &function.arguments {
@@ -23,7 +23,7 @@ pub(super) fn inputs(module: &naga::Module, function: &naga::Function) -> Vec<Ve
     found
 }
 
-/// The `@location` members of an input struct, in their order.
+/// The `@location` members of an input struct, in order.
 pub(super) fn of_members(
     module: &naga::Module,
     members: &[naga::StructMember],
@@ -78,7 +78,7 @@ fn format(inner: &TypeInner) -> Option<VertexFormat> {
         (ScalarKind::Sint, 4, 4) => VertexFormat::Sint32x4,
         (ScalarKind::Float, 2, 1) => VertexFormat::Float16,
         (ScalarKind::Float, 2, 2) => VertexFormat::Float16x2,
-        // There is no format of three halves: the fourth is fetched and dropped.
+        // There is no format of three halves. The fourth is fetched and ignored.
         (ScalarKind::Float, 2, 3 | 4) => VertexFormat::Float16x4,
         (ScalarKind::Float, 8, 1) => VertexFormat::Float64,
         (ScalarKind::Float, 8, 2) => VertexFormat::Float64x2,

@@ -1,8 +1,8 @@
 //!import view
-// The one way from world space relative to the eye onto the screen.
+// From world space relative to the eye to clip space. All passes use this function.
 
-// Rasterisers snap vertices to 1/256 of a pixel. One that finds depth's slope from what was before the snap (llvmpipe does) may be off by
-// metres in a sliver seen on edge, and show what lies far behind: so they come snapped.
+// Rasterisers snap vertices to 1/256 of a pixel. A rasteriser that computes the slope of depth before it snaps (llvmpipe does) can be wrong by
+// metres for a sliver that is seen edge-on, and draw what is far behind it. So vertices are snapped here already.
 const SUBPIXELS: f32 = 256.0;
 
 fn clip_position(relative: vec3<f32>) -> vec4<f32> {

@@ -1,4 +1,4 @@
-// A drawn entity: rows of its linear transform with the origin's high parts in w, and the origin's low parts.
+// An entity's instance data: the rows of its linear transform with the origin's high parts in w, and the origin's low parts.
 struct Instance {
     row_x: vec4<f32>,
     row_y: vec4<f32>,

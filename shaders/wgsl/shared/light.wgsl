@@ -1,5 +1,5 @@
 // Up to eight lights: directional, positional, spot. Positions are relative to the eye.
-const LIGHTS_MOST: u32 = 8u;
+const MAX_LIGHTS: u32 = 8u;
 const LIGHT_DIRECTIONAL: u32 = 0u;
 const LIGHT_POINT: u32 = 1u;
 const LIGHT_SPOT: u32 = 2u;
@@ -7,32 +7,32 @@ const LIGHT_SPOT: u32 = 2u;
 struct Light {
     colour: vec3<f32>,
     kind: u32,
-    // Towards where the light shines, unit length.
+    // The direction in which the light shines, unit length.
     direction: vec3<f32>,
-    // Metres; 0 means without end.
+    // Metres; 0 means infinite.
     range: f32,
     position: vec3<f32>,
     cos_outer: f32,
     cos_inner: f32,
-    // Distance in metres at which a positional light has the strength that `colour` says.
+    // Distance in metres at which a positional light has the intensity of `colour`.
     reference_distance: f32,
     padding: vec2<f32>,
 }
 
 struct Lights {
-    // What comes from all sides; where the scene has an environment, what that is multiplied with.
+    // Ambient light; where the scene has an environment, a factor for it.
     ambient: vec3<f32>,
     count: u32,
     lights: array<Light, 8>,
 }
 
-// Whether any light has a place; a constant a pipeline, so that parallel light alone needs no distances.
+// Whether any light is positional. A pipeline constant, so that directional lights alone compute no distances.
 override positional_lights: bool = true;
 
-// Not a uniform: a driver that compiles uniforms into loops that depend on them (Mesa's lavapipe) does so for every draw, and keeps the memory.
+// A storage buffer, not a uniform: Mesa's lavapipe specialises loops for the values of uniforms in every draw, and keeps the memory.
 @group(1) @binding(1) var<storage, read> lights: Lights;
 
-// What the lights make of a surface of some diffuse colour: `start` and their light, of which `gloss` is reflected around the mirrored eye.
+// The light of a surface: `start` plus the diffuse (`base`) and the specular (`gloss`) reflection of all lights. Lambert and Blinn-Phong.
 fn lit(
     start: vec3<f32>,
     base: vec3<f32>,
@@ -42,7 +42,7 @@ fn lit(
     relative: vec3<f32>,
 ) -> vec3<f32> {
     var sum = start;
-    for (var i = 0u; i < min(lights.count, LIGHTS_MOST); i++) {
+    for (var i = 0u; i < min(lights.count, MAX_LIGHTS); i++) {
         let light = lights.lights[i];
         var towards = -light.direction;
         var strength = 1.0;

@@ -1,4 +1,4 @@
-// Materials: one storage buffer for the scene, one texture and sampler a batch.
+// Materials: one storage buffer for the scene, and one texture and sampler for each batch.
 const ALPHA_OPAQUE: u32 = 0u;
 const ALPHA_MASK: u32 = 1u;
 const ALPHA_BLEND: u32 = 2u;
@@ -12,7 +12,7 @@ struct Material {
     unlit: u32,
     metallic: f32,
     roughness: f32,
-    // Which copy of the environment a surface this rough reflects, and its inset.
+    // The level of the environment map that a surface of this roughness reflects, and that level's inset.
     environment_level: f32,
     environment_inset: f32,
 }
@@ -21,7 +21,7 @@ struct Material {
 @group(2) @binding(0) var base_colour_texture: texture_2d<f32>;
 @group(2) @binding(1) var base_colour_sampler: sampler;
 
-// Whether materials have an image; a constant a pipeline, so that those without one sample nothing.
+// Whether materials have an image. A pipeline constant, so that pipelines without one do not sample.
 override textured: bool = true;
 
 fn base_colour(material: Material, uv: vec2<f32>, vertex_colour: vec4<f32>) -> vec4<f32> {

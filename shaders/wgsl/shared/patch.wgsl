@@ -1,9 +1,10 @@
 //!import position
 //!import material
 //!import marks
-// What is drawn again into a few patches of the image, to see whether anything of it would show: vertices, and the mark that a visible
-// fragment leaves.
+// Draws meshes again into patches of the image, to find the pixels in which they are visible: the vertex stage, and the mark of a visible
+// fragment.
 
+// Words a patch, see `marks.wgsl`.
 @group(3) @binding(0) var<storage, read_write> shown: array<atomic<u32>>;
 
 struct Varying {
@@ -45,7 +46,7 @@ fn textured_vertex(
     return out;
 }
 
-// Whether a fragment of a masked or blended surface is there at all. What adds less than half of an 8-bit step is seen by nobody.
+// Whether a fragment of a masked or blended surface is visible. Less than half of an 8-bit step does not change the image.
 fn is_there(in: TexturedVarying) -> bool {
     let material = materials[instances[in.slot].material];
     let base = base_colour(material, in.uv, in.colour);

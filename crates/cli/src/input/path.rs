@@ -1,7 +1,7 @@
 //! The camera path that the command line names, or the one that suits the scene.
 
 use antumbra::demo_scenes::subsurface::Model;
-use antumbra::measure::path::{CameraPath, Orbit, Pose};
+use antumbra::measure::path::{CameraPath, Orbit, Pose, Waypoint};
 use antumbra::scene::{Aabb, Camera, Projection, Scene};
 use antumbra::terrain::{FlightStation, Terrain, TerrainInScene};
 
@@ -147,8 +147,14 @@ fn own_path(
         None | Some("flight") => {
             let fov_y = views.first().map_or(0.7, |view| view.fov_y);
             let flight = model.flight();
-            let places: Vec<_> = flight.iter().map(|at| (at.eye, at.target)).collect();
-            let path = CameraPath::through("flight", &places, projection(fov_y), FLIGHT, frames)?;
+            let waypoints: Vec<_> = (flight.iter())
+                .map(|at| Waypoint {
+                    eye: at.eye,
+                    target: at.target,
+                })
+                .collect();
+            let path =
+                CameraPath::through("flight", &waypoints, projection(fov_y), FLIGHT, frames)?;
             Ok(Some(path))
         }
         Some(name) => {

@@ -1,68 +1,67 @@
-//! Accuracy: every pose against the reference, all strategies in step, view by view.
+//! Accuracy: compares every view of every pose with the reference.
 //!
-//! A strategy's visible set is drawn in the reference's own order, so that what differs are missing
-//! entities, entities drawn coarser, and nothing else; a set that holds every owner of a pixel in full
-//! therefore has no wrong pixel, and is not drawn again.
+//! A strategy's visible set is drawn in the reference's order, so differences come only from missing entities and from entities drawn at a
+//! coarser level. A set that contains every owner of a pixel at full detail therefore has no wrong pixel, and is not drawn again.
 
 use std::sync::Arc;
 use std::time::Instant;
 
-use antumbra_cull::Frustum;
-use antumbra_cull::{Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
+use antumbra_cull::{Frustum, Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
 use antumbra_draw::{GpuScene, MeshDetail, read_back};
 use antumbra_scene::Camera;
 use antumbra_verify::{EntitySet, IdBuffer, Oracle};
 use image::RgbaImage;
 
 use super::audited::Audited;
-use super::script::Set;
+use super::script::{PosedScene, ScriptedScene};
 use super::{CompareOptions, CompareProgress};
 use crate::MeasureError;
 use crate::image_error::flip;
 use crate::report::{AuditReport, MeanMax};
 
-/// What all strategies got wrong.
+/// The errors of all strategies.
 pub struct Accuracy {
-    /// One a contender.
+    /// By contender.
     pub records: Vec<Record>,
-    /// One a pose.
+    /// By pose.
     pub owners: Vec<Owners>,
 }
 
-/// The slots that own a pixel, a view.
+/// By view: the slots that own a pixel.
 pub type Owners = Vec<Arc<Vec<u32>>>;
 
-/// What one strategy got wrong, and what it drew: sums over all poses and views.
+/// The errors of one strategy and what it drew: sums over all poses and views.
 #[derive(Default)]
 pub struct Record {
     pub views: Vec<ViewRecord>,
     pub drawn: u64,
     pub triangles: u64,
     pub overdrawn: u64,
+    /// Entities by verdict.
     pub tally: [u64; 6],
     /// The most of any pose.
     pub sync_points: u32,
-    /// One a pose.
+    /// By pose.
     pub poses: Vec<PoseCounts>,
-    /// What it said of itself.
+    /// Its audits and budget.
     pub audited: Audited,
-    /// The same, for the report.
+    /// The audits' part of the report.
     pub audit: Option<AuditReport>,
 }
 
-/// What one pose took, all views together.
+/// Counts of one pose, all views together.
 pub struct PoseCounts {
     pub triangles: u64,
-    pub asked: u64,
+    pub queries: u64,
     pub sync_points: u32,
 }
 
-/// What it got wrong in one view, a value a pose, and what it asked.
+/// The errors of one strategy in one view, with one value for each pose, and its queries.
 #[derive(Default)]
 pub struct ViewRecord {
     pub wrong_percent: Vec<f64>,
     pub false_culls: Vec<u64>,
-    pub asked: u64,
+    pub queries: u64,
     pub flip: MeanMax,
     pub worst: Option<Worst>,
     flips: Vec<f64>,
@@ -77,30 +76,32 @@ pub struct Worst {
     pub mask: Vec<bool>,
 }
 
-/// One view of a pose as it should be.
-struct Look {
+/// The reference of one view of a pose.
+struct ReferenceView {
     camera: Camera,
-    reference: IdBuffer,
+    ids: IdBuffer,
     owners: Arc<Vec<u32>>,
-    /// Drawn when the first strategy gets something wrong.
+    /// The shaded image, drawn when the first strategy has a wrong pixel.
     colour: Option<RgbaImage>,
 }
 
-/// Where a judgement stands: the pose, and whether its FLIP is wanted.
+/// The pose that is compared.
 #[derive(Clone, Copy)]
-struct At {
+struct ComparedPose {
     frame: usize,
+    /// Whether FLIP is computed at this pose.
     sampled: bool,
 }
 
+/// Runs all stages along the path and compares their frames with the reference.
 pub fn measure(
-    set: &mut Set<'_>,
+    scripted: &mut ScriptedScene<'_>,
     stages: &mut [Stage],
     options: &CompareOptions,
     progress: &mut dyn FnMut(CompareProgress),
 ) -> Result<Accuracy, MeasureError> {
-    let path = set.path;
-    let mut judge = Judge::new(set.scene(), options.size)?;
+    let path = scripted.path;
+    let mut comparer = Comparer::new(scripted.scene(), options.size)?;
     let mut records: Vec<Record> = stages.iter().map(|_| Record::default()).collect();
     let mut owners = Vec::with_capacity(path.poses().len());
     let total = path.poses().len() as u64;
@@ -115,22 +116,22 @@ pub fn measure(
             done: frame as u64,
             total,
         });
-        let at = At {
+        let at = ComparedPose {
             frame,
             sampled: frame.is_multiple_of(every),
         };
-        let (scene, cameras) = set.at(frame)?;
-        let mut looks = cameras
+        let PosedScene { scene, cameras } = scripted.at(frame)?;
+        let mut references = cameras
             .into_iter()
-            .map(|camera| judge.look(scene, camera))
+            .map(|camera| comparer.reference(scene, camera))
             .collect::<Result<Vec<_>, _>>()?;
         for (stage, record) in stages.iter_mut().zip(&mut records) {
-            let inputs: Vec<ViewInput<'_>> = looks
+            let inputs: Vec<ViewInput<'_>> = references
                 .iter()
-                .map(|look| ViewInput {
+                .map(|reference| ViewInput {
                     cut: pose.cut || frame == 0,
-                    reference: Some(Arc::clone(&look.owners)),
-                    ..ViewInput::new(look.camera)
+                    reference: Some(Arc::clone(&reference.owners)),
+                    ..ViewInput::new(reference.camera)
                 })
                 .collect();
             let start = Instant::now();
@@ -138,24 +139,27 @@ pub fn measure(
             scene.gpu().wait()?;
             stage.note_time(start.elapsed().as_secs_f64() * 1e3);
             record.sync_points = record.sync_points.max(report.sync_points);
-            record.views.resize_with(looks.len(), ViewRecord::default);
-            let before = (record.triangles, record.asked());
-            for (view, look) in looks.iter_mut().enumerate() {
-                judge.judge(scene, stage, view, look, at, record)?;
+            record
+                .views
+                .resize_with(references.len(), ViewRecord::default);
+            let (triangles, queries) = (record.triangles, record.queries());
+            for (view, reference) in references.iter_mut().enumerate() {
+                comparer.compare(scene, stage, view, reference, at, record)?;
             }
             let Record { views, audited, .. } = record;
             let truth = |view: usize, frame: usize| {
                 let view: &ViewRecord = views.get(view)?;
                 view.wrong_percent.get(frame).copied()
             };
-            audited.take(stage, looks.len(), truth);
+            audited.take(stage, references.len(), truth);
             record.poses.push(PoseCounts {
-                triangles: record.triangles - before.0,
-                asked: record.asked() - before.1,
+                triangles: record.triangles - triangles,
+                queries: record.queries() - queries,
                 sync_points: report.sync_points,
             });
         }
-        owners.push(looks.into_iter().map(|look| look.owners).collect());
+        let of_views = references.into_iter().map(|reference| reference.owners);
+        owners.push(of_views.collect());
     }
     for (record, stage) in records.iter_mut().zip(&*stages) {
         record.audit = record.audited.report(stage, record.views.len());
@@ -166,15 +170,15 @@ pub fn measure(
     Ok(Accuracy { records, owners })
 }
 
-/// Draws what should have been drawn, and counts what was not.
-struct Judge {
+/// Draws references and compares frames with them.
+struct Comparer {
     oracle: Oracle,
-    /// Draws the reference's picture, one view at a time.
+    /// Draws the reference's shaded image, one view at a time.
     painter: Stage,
     size: [u32; 2],
 }
 
-impl Judge {
+impl Comparer {
     fn new(scene: &GpuScene, size: [u32; 2]) -> Result<Self, MeasureError> {
         let [width, height] = size;
         let views = vec![ViewSpec::main(width, height)];
@@ -185,41 +189,46 @@ impl Judge {
         })
     }
 
-    fn look(&mut self, scene: &GpuScene, camera: Camera) -> Result<Look, MeasureError> {
-        let reference = self.oracle.render(scene, &camera, EntitySet::InFrustum)?;
-        Ok(Look {
+    fn reference(
+        &mut self,
+        scene: &GpuScene,
+        camera: Camera,
+    ) -> Result<ReferenceView, MeasureError> {
+        let ids = self.oracle.render(scene, &camera, EntitySet::InFrustum)?;
+        Ok(ReferenceView {
             camera,
-            owners: Arc::new(reference.owners()),
-            reference,
+            owners: Arc::new(ids.owners()),
+            ids,
             colour: None,
         })
     }
 
-    /// Holds a stage's last frame against the reference, in one of its views.
-    fn judge(
+    /// Compares one view of a stage's last frame with the reference.
+    fn compare(
         &mut self,
         scene: &GpuScene,
         stage: &Stage,
         view: usize,
-        look: &mut Look,
-        At { frame, sampled }: At,
+        reference: &mut ReferenceView,
+        ComparedPose { frame, sampled }: ComparedPose,
         record: &mut Record,
     ) -> Result<(), MeasureError> {
         let verdicts = stage.verdicts(view, scene)?;
         let drawn: Vec<u32> = verdicts.drawn().collect();
-        let missing = missing(&look.owners, &drawn);
-        record.count(scene, &drawn, &verdicts, look.owners.len() - missing);
+        let missing = missing(&reference.owners, &drawn);
+        let owners_drawn = reference.owners.len() - missing;
+        record.count(scene, &drawn, &verdicts, owners_drawn);
         let Some(record) = record.views.get_mut(view) else {
             return Ok(());
         };
-        record.asked += u64::from(verdicts.tested());
+        record.queries += u64::from(verdicts.tested());
         record.false_culls.push(missing as u64);
         let wrong = match missing {
             0 if verdicts.levels() == 1 => None,
             _ => {
                 let drawn = EntitySet::Drawn(&verdicts);
-                let seen = self.oracle.render(scene, &look.camera, drawn)?;
-                Some(look.reference.wrong_pixel_mask(&seen))
+                let seen = self.oracle.render(scene, &reference.camera, drawn)?;
+                Some(reference.ids.wrong_pixel_mask(&seen))
             }
         };
         let count = wrong.iter().flatten().filter(|wrong| **wrong).count();
@@ -228,9 +237,9 @@ impl Judge {
         record.wrong_percent.push(100.0 * count as f64 / pixels);
         let worse = count > record.worst.as_ref().map_or(0, |worst| worst.wrong);
         if let Some(mask) = wrong.filter(|_| count > 0 && (sampled || worse)) {
-            let painted = look.colour.take();
-            let painted = painted.map_or_else(|| self.paint(scene, look.camera), Ok)?;
-            let reference = look.colour.insert(painted);
+            let painted = reference.colour.take();
+            let painted = painted.map_or_else(|| self.paint(scene, reference.camera), Ok)?;
+            let reference = reference.colour.insert(painted);
             let strategy = picture(stage, view, scene, self.size)?;
             if sampled {
                 record.flips.push(flip(reference, &strategy)?.mean);
@@ -245,7 +254,7 @@ impl Judge {
                 });
             }
         } else if sampled {
-            // Every owner drawn: the pictures are the same.
+            // All owners are drawn, so the images are equal.
             record.flips.push(0.0);
         }
         Ok(())
@@ -257,7 +266,7 @@ impl Judge {
     }
 }
 
-/// How many owners were not drawn; both lists ascend.
+/// The number of owners that were not drawn. Both lists ascend.
 fn missing(owners: &[u32], drawn: &[u32]) -> usize {
     owners
         .iter()
@@ -282,9 +291,9 @@ fn picture(
 }
 
 impl Record {
-    /// How many questions were asked so far, in all views.
-    pub fn asked(&self) -> u64 {
-        self.views.iter().map(|view| view.asked).sum()
+    /// Queries so far, in all views.
+    pub fn queries(&self) -> u64 {
+        self.views.iter().map(|view| view.queries).sum()
     }
 
     fn count(&mut self, scene: &GpuScene, drawn: &[u32], verdicts: &Verdicts, owners_drawn: usize) {

@@ -1,27 +1,37 @@
-//! What audits said, held against the truth, and what budgets were kept with.
+//! Compares the estimates of audits with the measured errors, and records how budgets were kept.
 
 use antumbra_cull::{Audit, Budget, Stage};
 
 use crate::report::{AuditReport, BudgetReport};
 
-/// The audits and standings of one stage, pose by pose.
+/// The audits and budget steps of one stage.
 #[derive(Default)]
 pub struct Audited {
-    /// Frames whose audits were looked at, a view.
+    /// By view: frames whose audits were taken in.
     taken: Vec<u64>,
-    /// Of frames whose truth is known: how many there were, and in how many the interval held it.
+    /// Frames with an audit and a measured error.
     frames: u64,
+    /// Of those, frames whose interval contains the measured error.
     held: u64,
     patches: u64,
-    /// The audit's estimates by frame, all views added up, and how many views said anything.
-    estimates: Vec<(f64, u32)>,
-    /// How many frames each step was stood on.
-    stood: Vec<u64>,
+    /// By frame.
+    estimates: Vec<FrameEstimate>,
+    /// By step of the budget: frames on that step.
+    frames_a_step: Vec<u64>,
     allowed: f64,
 }
 
+/// The audit's estimates of one frame.
+#[derive(Debug, Clone, Copy, Default)]
+struct FrameEstimate {
+    /// Sum over the views, in percent.
+    percent: f64,
+    /// Views with an estimate.
+    views: u32,
+}
+
 impl Audited {
-    /// Takes in what is new after a frame; `truth` knows the wrong pixels, in percent, of a view in an earlier frame.
+    /// Takes in the new audits after a frame. `truth` returns the measured wrong pixels, in percent, of a view in an earlier frame.
     pub fn take(
         &mut self,
         stage: &Stage,
@@ -45,27 +55,27 @@ impl Audited {
                 self.held += u64::from(estimate.holds(truth));
                 self.patches += u64::from(found.patches);
                 if self.estimates.len() <= frame {
-                    self.estimates.resize(frame + 1, (0.0, 0));
+                    self.estimates.resize(frame + 1, FrameEstimate::default());
                 }
-                if let Some((sum, number)) = self.estimates.get_mut(frame) {
-                    *sum += estimate.percent;
-                    *number += 1;
+                if let Some(of_frame) = self.estimates.get_mut(frame) {
+                    of_frame.percent += estimate.percent;
+                    of_frame.views += 1;
                 }
             }
         }
         if let Some((standing, _)) = stage.budget_state() {
-            if self.stood.len() <= standing.step {
-                self.stood.resize(standing.step + 1, 0);
+            if self.frames_a_step.len() <= standing.step {
+                self.frames_a_step.resize(standing.step + 1, 0);
             }
-            if let Some(frames) = self.stood.get_mut(standing.step) {
+            if let Some(frames) = self.frames_a_step.get_mut(standing.step) {
                 *frames += 1;
             }
             self.allowed += standing.allow;
         }
     }
 
-    /// The audit's part of the report; `None` where there was none. The mean and its interval are those of the first view's frames that are
-    /// remembered, or, with two eyes, of both.
+    /// The audit's part of the report; `None` where there was no audit. The mean and its interval are over the frames that the audits keep,
+    /// of all views.
     pub fn report(&self, stage: &Stage, views: usize) -> Option<AuditReport> {
         let audits: Vec<&Audit> = (0..views).filter_map(|view| stage.audit(view)).collect();
         if self.frames == 0 || audits.is_empty() {
@@ -82,22 +92,22 @@ impl Audited {
             wrong_pixels_percent: self
                 .estimates
                 .iter()
-                .map(|(sum, number)| sum / f64::from((*number).max(1)))
+                .map(|frame| frame.percent / f64::from(frame.views.max(1)))
                 .collect(),
         })
     }
 
-    /// The budget's part of the report; `None` where there was none.
+    /// The budget's part of the report; `None` where there was no budget.
     pub fn budget_report(&self, budget: Option<Budget>, mean_percent: f64) -> Option<BudgetReport> {
         let budget = budget?;
-        let frames = self.stood.iter().sum::<u64>().max(1) as f64;
+        let frames = self.frames_a_step.iter().sum::<u64>().max(1) as f64;
         Some(BudgetReport {
             asked: budget.to_string(),
             kept: match budget {
                 Budget::WrongPixels(percent) => Some(mean_percent <= percent),
                 Budget::FrameTime(_) => None,
             },
-            frames_a_step: self.stood.clone(),
+            frames_a_step: self.frames_a_step.clone(),
             allowed_percent: self.allowed / frames,
         })
     }

@@ -1,4 +1,4 @@
-//! One strategy's entry in the report, out of what was measured of it.
+//! Makes a strategy's entry in the report from its measurements.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -16,28 +16,34 @@ use crate::report::{
 };
 use crate::stats;
 
-/// What was measured of all contenders.
+/// The measurements of all contenders.
 pub struct Entries<'a> {
     pub accuracy: &'a Accuracy,
     pub speed: &'a Speed,
     pub contenders: &'a [Contender],
 }
 
+/// The entries of a report and the pictures that they name.
+pub struct ReportedEntries {
+    pub strategies: Vec<StrategyReport>,
+    pub pictures: Pictures,
+}
+
 /// Pictures by file name.
 type Pictures = BTreeMap<String, RgbaImage>;
 
 impl Entries<'_> {
-    /// An entry a contender, and the pictures they name.
-    pub fn reports(
-        &self,
-        stages: &[Stage],
-    ) -> Result<(Vec<StrategyReport>, Pictures), MeasureError> {
+    /// The entries of all contenders, with the pictures that they name.
+    pub fn reports(&self, stages: &[Stage]) -> Result<ReportedEntries, MeasureError> {
         let mut pictures = Pictures::new();
-        let reports = self.contenders.iter().zip(stages).enumerate();
-        let reports = reports
+        let strategies = self.contenders.iter().zip(stages).enumerate();
+        let strategies = strategies
             .map(|(at, (contender, stage))| self.report(at, contender, stage, &mut pictures))
             .collect::<Result<_, _>>()?;
-        Ok((reports, pictures))
+        Ok(ReportedEntries {
+            strategies,
+            pictures,
+        })
     }
 
     fn report(
@@ -65,9 +71,9 @@ impl Entries<'_> {
             .iter()
             .map(|view| error_report(&view.wrong_percent, &view.false_culls, view.flip))
             .collect::<Result<Vec<_>, _>>()?;
-        let both = Both::of(record, poses);
-        let both_mean = stats::mean(&both.wrong_percent)?;
-        // What one view would only repeat is left out.
+        let all = AllViews::of(record, poses);
+        let mean_percent = stats::mean(&all.wrong_percent)?;
+        // Left out for a single view, which it would only repeat.
         let eyes = match record.views.as_slice() {
             [_] => &[],
             eyes => eyes,
@@ -86,7 +92,7 @@ impl Entries<'_> {
             settings,
             conservative: match contender.budget {
                 None | Some(Budget::WrongPixels(0.0)) => strategy.conservative(),
-                // Its settings are those of the last frame, and it may have traded before.
+                // Its settings are those of the last frame. Earlier frames may have used others.
                 Some(_) => false,
             },
             frame_ms: Spread {
@@ -104,18 +110,18 @@ impl Entries<'_> {
                 entities: mean(record.drawn),
                 triangles: mean(record.triangles),
             },
-            queries: mean(record.asked()),
-            queries_a_view: eyes.iter().map(|view| mean(view.asked)).collect(),
+            queries: mean(record.queries()),
+            queries_a_view: eyes.iter().map(|view| mean(view.queries)).collect(),
             sync_points: record.sync_points,
             overdrawn_entities: mean(record.overdrawn),
-            error: error_report(&both.wrong_percent, &both.false_culls, both.flip)?,
+            error: error_report(&all.wrong_percent, &all.false_culls, all.flip)?,
             views,
             frames: FrameSeries {
                 frame_ms: run.by_pose(poses)?,
                 drawn_triangles: record.poses.iter().map(|pose| pose.triangles).collect(),
-                queries: record.poses.iter().map(|pose| pose.asked).collect(),
+                queries: record.poses.iter().map(|pose| pose.queries).collect(),
                 sync_points: record.poses.iter().map(|pose| pose.sync_points).collect(),
-                wrong_pixels_percent: both.wrong_percent,
+                wrong_pixels_percent: all.wrong_percent,
                 wrong_pixels_percent_a_view: eyes
                     .iter()
                     .map(|view| view.wrong_percent.clone())
@@ -125,12 +131,12 @@ impl Entries<'_> {
             verdicts,
             audited: contender.audit.is_some(),
             audit: record.audit.clone(),
-            budget: record.audited.budget_report(contender.budget, both_mean),
+            budget: record.audited.budget_report(contender.budget, mean_percent),
             worst: worst(record, &file_base(title, at), pictures)?,
         })
     }
 
-    /// A contender's time over that of a yardstick, where that ran.
+    /// A contender's time over that of a yardstick; `None` where the yardstick did not run.
     fn against(&self, at: usize, name: &str) -> Result<Option<f64>, MeasureError> {
         let mut names = self.contenders.iter().map(|contender| &contender.name);
         let Some(other) = names.position(|other| other == name) else {
@@ -142,14 +148,14 @@ impl Entries<'_> {
     }
 }
 
-/// All views of a frame as one picture: their wrong pixels among the pixels of all, their false culls summed.
-struct Both {
+/// The errors of all views of a frame taken as one image: wrong pixels among the pixels of all views, false culls summed.
+struct AllViews {
     wrong_percent: Vec<f64>,
     false_culls: Vec<u64>,
     flip: MeanMax,
 }
 
-impl Both {
+impl AllViews {
     fn of(record: &Record, poses: usize) -> Self {
         let views = &record.views;
         let count = views.len().max(1) as f64;
@@ -168,7 +174,7 @@ impl Both {
     }
 }
 
-/// The frame and the view with the most wrong pixels, its pictures put among the others.
+/// The frame and the view with the most wrong pixels. Adds its pictures to `pictures`.
 fn worst(
     record: &Record,
     base: &str,
@@ -176,7 +182,7 @@ fn worst(
 ) -> Result<Option<WorstFrame>, MeasureError> {
     let views = record.views.iter().zip(0u32..);
     let all = views.filter_map(|(record, view)| Some((record.worst.as_ref()?, view)));
-    // Of equals the left eye's.
+    // In a tie, the left eye's.
     let most = all.max_by_key(|(worst, view)| (worst.wrong, Reverse(*view)));
     let Some((worst, view)) = most else {
         return Ok(None);
@@ -198,7 +204,7 @@ fn worst(
     }))
 }
 
-/// A block from its series, a value a pose.
+/// An error block from its series of one value for each pose.
 fn error_report(
     wrong_percent: &[f64],
     false_culls: &[u64],
@@ -224,7 +230,7 @@ fn error_report(
     })
 }
 
-/// A setting's value as JSON: a number where it is one.
+/// A setting's value as JSON: a number if it is one, else a string.
 fn value(text: &str) -> serde_json::Value {
     serde_json::from_str(text)
         .ok()
@@ -232,7 +238,7 @@ fn value(text: &str) -> serde_json::Value {
         .unwrap_or_else(|| text.into())
 }
 
-/// What pictures of a worst frame are called, after a base that [`file_base`] makes.
+/// The last parts of the names of a worst frame's pictures, after the base from [`file_base`].
 const PICTURES: [&str; 3] = ["reference", "worst", "marked"];
 
 /// Whether [`Comparison::save`](super::Comparison::save) may write a file of this name.
@@ -250,7 +256,7 @@ pub fn is_report_file(name: &str) -> bool {
     })
 }
 
-/// A file name's beginning that any file system takes.
+/// The first part of a file name, valid on any file system.
 fn file_base(title: &str, at: usize) -> String {
     let plain: String = title
         .chars()

@@ -1,4 +1,4 @@
-//! What changes between the poses of a comparison: entities that move, slices that are pulled through a volume.
+//! Scripts: changes of a scene between the poses of a comparison, such as moving entities or a slice that moves through a volume.
 
 use antumbra_draw::{Gpu, GpuScene};
 use antumbra_scene::{Camera, Scene, Stereo};
@@ -8,25 +8,25 @@ use crate::{MeasureError, views};
 
 /// Changes a scene between poses.
 ///
-/// Poses are visited more than once and out of order, so what a script makes of a pose has to follow from the pose alone. Entities may move, get
-/// other meshes, materials and images; which there are has to stay.
+/// Poses are visited more than once and out of order, so the scene at a pose must depend on the pose alone. Entities may move and change their
+/// meshes, materials and images. The set of entities must stay the same.
 pub trait Script {
-    /// Makes the scene what it is at a pose, seen by a camera; in stereo, by the one between the eyes.
+    /// Brings the scene to a pose, which is seen by `camera`; in stereo, by the camera between the eyes.
     ///
     /// # Errors
-    /// What stopped it, for the person who waits.
+    /// A message for the user.
     fn set(&mut self, scene: &mut Scene, pose: usize, camera: &Camera) -> Result<(), String>;
 }
 
-/// Nothing changes.
+/// The script that changes nothing.
 impl Script for () {
     fn set(&mut self, _: &mut Scene, _: usize, _: &Camera) -> Result<(), String> {
         Ok(())
     }
 }
 
-/// A scene on a device, and what happens on it along a path.
-pub(super) struct Set<'a> {
+/// A scene on a device, with its script and path.
+pub(super) struct ScriptedScene<'a> {
     host: &'a mut Scene,
     script: &'a mut dyn Script,
     scene: GpuScene,
@@ -34,8 +34,15 @@ pub(super) struct Set<'a> {
     stereo: Option<Stereo>,
 }
 
-impl<'a> Set<'a> {
-    /// The scene as it is at the path's first pose.
+/// A scene at a pose.
+pub(super) struct PosedScene<'a> {
+    pub scene: &'a GpuScene,
+    /// The camera of each view.
+    pub cameras: Vec<Camera>,
+}
+
+impl<'a> ScriptedScene<'a> {
+    /// The scene at the path's first pose.
     pub fn new(
         gpu: &Gpu,
         host: &'a mut Scene,
@@ -44,7 +51,7 @@ impl<'a> Set<'a> {
         stereo: Option<Stereo>,
     ) -> Result<Self, MeasureError> {
         let camera = run(script, host, path, 0)?;
-        // Eyes that cannot be are told before anything is drawn.
+        // Reports stereo parameters that are not valid before anything is drawn.
         views::cameras(stereo.as_ref(), &camera)?;
         Ok(Self {
             scene: GpuScene::new(gpu, host)?,
@@ -55,16 +62,19 @@ impl<'a> Set<'a> {
         })
     }
 
-    /// The scene as it is.
+    /// The scene at its current pose.
     pub fn scene(&self) -> &GpuScene {
         &self.scene
     }
 
-    /// The scene as it is at a pose, and the cameras there, one a view.
-    pub fn at(&mut self, pose: usize) -> Result<(&GpuScene, Vec<Camera>), MeasureError> {
+    /// Brings the scene to a pose.
+    pub fn at(&mut self, pose: usize) -> Result<PosedScene<'_>, MeasureError> {
         let camera = run(self.script, self.host, self.path, pose)?;
         self.scene.sync(self.host)?;
-        Ok((&self.scene, views::cameras(self.stereo.as_ref(), &camera)?))
+        Ok(PosedScene {
+            scene: &self.scene,
+            cameras: views::cameras(self.stereo.as_ref(), &camera)?,
+        })
     }
 }
 

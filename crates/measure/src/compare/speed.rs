@@ -1,5 +1,4 @@
-//! Speed: blocks of consecutive poses, the strategies in rotation; serialised frames first, then
-//! two in flight.
+//! Speed: blocks of consecutive poses with the strategies in rotation. First serialised frames, then frames with two in flight.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -9,24 +8,24 @@ use antumbra_cull::{Stage, ViewInput};
 use antumbra_draw::{Gpu, GpuScene};
 
 use super::accuracy::Owners;
-use super::script::Set;
+use super::script::{PosedScene, ScriptedScene};
 use super::{CompareOptions, CompareProgress};
 use crate::MeasureError;
 use crate::report::PassTime;
 use crate::stats;
 
-/// What all strategies cost.
+/// The times of all strategies.
 pub struct Speed {
-    /// One a stage.
-    pub runs: Vec<Run>,
-    /// Poses a block.
+    /// By stage.
+    pub runs: Vec<TimedRun>,
+    /// Poses of a block.
     pub block: usize,
 }
 
-/// What one strategy cost.
+/// The times of one strategy.
 #[derive(Default)]
-pub struct Run {
-    /// Serialised frame times in milliseconds, pose after pose, path after path.
+pub struct TimedRun {
+    /// Serialised frame times in milliseconds: by pose, then by repetition of the path.
     pub frame_ms: Vec<f64>,
     pub free_running_ms: Option<f64>,
     passes: Vec<PassSeries>,
@@ -43,22 +42,23 @@ struct PassSeries {
     gpu_ms: Vec<f64>,
 }
 
-/// The path is flown this often at most.
-const REPEATS_MOST: usize = 5;
+/// The most repetitions of the path.
+const MAX_REPEATS: usize = 5;
 
+/// Times all stages along the path.
 pub fn measure(
-    set: &mut Set<'_>,
+    scripted: &mut ScriptedScene<'_>,
     stages: &mut [Stage],
     owners: &[Owners],
     options: &CompareOptions,
     progress: &mut dyn FnMut(CompareProgress),
 ) -> Result<Speed, MeasureError> {
-    let poses = set.path.poses().len();
+    let poses = scripted.path.poses().len();
     let block = options
         .block
         .unwrap_or_else(|| usual_block(poses))
         .clamp(1, poses.max(1));
-    let mut runs: Vec<Run> = stages.iter().map(|_| Run::default()).collect();
+    let mut runs: Vec<TimedRun> = stages.iter().map(|_| TimedRun::default()).collect();
     let blocks: Vec<std::ops::Range<usize>> = (0..poses)
         .step_by(block)
         .map(|first| first..(first + block).min(poses))
@@ -67,7 +67,7 @@ pub fn measure(
     let total = (poses * stages.len()) as u64;
     let (mut repeats, mut turn) = (0, 0);
     while repeats < 1
-        || (begin.elapsed().as_secs_f64() < options.least_seconds && repeats < REPEATS_MOST)
+        || (begin.elapsed().as_secs_f64() < options.least_seconds && repeats < MAX_REPEATS)
     {
         let mut done = 0;
         for range in &blocks {
@@ -75,12 +75,12 @@ pub fn measure(
                 let at = (offset + turn) % stages.len();
                 let (stage, run) = (&mut stages[at], &mut runs[at]);
                 if range.start == 0 {
-                    warm_up(set, stage, owners)?;
+                    warm_up(scripted, stage, owners)?;
                 }
                 for frame in range.clone() {
-                    let (scene, inputs) = inputs(set, frame, owners)?;
+                    let StageInputs { scene, views } = inputs(scripted, frame, owners)?;
                     let start = Instant::now();
-                    stage.frame(scene, &inputs)?;
+                    stage.frame(scene, &views)?;
                     scene.gpu().wait()?;
                     let time = start.elapsed().as_secs_f64() * 1e3;
                     stage.note_time(time);
@@ -98,32 +98,35 @@ pub fn measure(
         }
         repeats += 1;
     }
-    free_running(set, stages, owners, &mut runs, &blocks, progress)?;
+    free_running(scripted, stages, owners, &mut runs, &blocks, progress)?;
     Ok(Speed { runs, block })
 }
 
-/// Poses a block where nobody says how many.
+/// The default number of poses of a block: a sixth of the path, 20 at most.
 pub fn usual_block(poses: usize) -> usize {
     poses.div_ceil(6).clamp(1, 20)
 }
 
-/// Brings a strategy to the path's beginning, so that no block pays for a jump that the path does
-/// not make.
-fn warm_up(set: &mut Set<'_>, stage: &mut Stage, owners: &[Owners]) -> Result<(), MeasureError> {
+/// Brings a strategy to the path's first pose, so that no block includes a jump that is not part of the path.
+fn warm_up(
+    scripted: &mut ScriptedScene<'_>,
+    stage: &mut Stage,
+    owners: &[Owners],
+) -> Result<(), MeasureError> {
     for cut in [true, false] {
-        let (scene, inputs) = inputs(set, 0, owners)?;
-        stage.frame(scene, &with_cut(inputs, cut))?;
+        let StageInputs { scene, views } = inputs(scripted, 0, owners)?;
+        stage.frame(scene, &with_cut(views, cut))?;
         scene.gpu().wait()?;
     }
     Ok(())
 }
 
-/// Two frames in flight: a strategy that stalls shows it only here. Every fourth block is enough.
+/// Times frames with two in flight. Only here a strategy that waits for the GPU loses time for it. Every fourth block is enough.
 fn free_running(
-    set: &mut Set<'_>,
+    scripted: &mut ScriptedScene<'_>,
     stages: &mut [Stage],
     owners: &[Owners],
-    runs: &mut [Run],
+    runs: &mut [TimedRun],
     blocks: &[std::ops::Range<usize>],
     progress: &mut dyn FnMut(CompareProgress),
 ) -> Result<(), MeasureError> {
@@ -135,20 +138,20 @@ fn free_running(
         for offset in 0..stages.len() {
             let at = (offset + turn) % stages.len();
             let stage = &mut stages[at];
-            let (scene, first) = inputs(set, range.start, owners)?;
-            stage.frame(scene, &with_cut(first, true))?;
+            let StageInputs { scene, views } = inputs(scripted, range.start, owners)?;
+            stage.frame(scene, &with_cut(views, true))?;
             scene.gpu().wait()?;
             let start = Instant::now();
             let mut in_flight = VecDeque::new();
             for frame in range.clone() {
                 if in_flight.len() == 2 {
-                    wait_for(set.scene().gpu(), in_flight.pop_front())?;
+                    wait_for(scripted.scene().gpu(), in_flight.pop_front())?;
                 }
-                let (scene, inputs) = inputs(set, frame, owners)?;
-                let report = stage.frame(scene, &inputs)?;
+                let StageInputs { scene, views } = inputs(scripted, frame, owners)?;
+                let report = stage.frame(scene, &views)?;
                 in_flight.extend(report.submission);
             }
-            set.scene().gpu().wait()?;
+            scripted.scene().gpu().wait()?;
             means[at].push(start.elapsed().as_secs_f64() * 1e3 / range.len() as f64);
             done += range.len() as u64;
             progress(CompareProgress {
@@ -174,21 +177,34 @@ fn wait_for(gpu: &Gpu, submission: Option<wgpu::SubmissionIndex>) -> Result<(), 
     Ok(gpu.check()?)
 }
 
-/// The scene at a pose and what a stage is told of each view there.
+/// A stage's inputs at a pose.
+struct StageInputs<'a> {
+    scene: &'a GpuScene,
+    views: Vec<ViewInput<'static>>,
+}
+
+/// Brings the scene to a pose and makes a stage's inputs there.
 fn inputs<'a>(
-    set: &'a mut Set<'_>,
+    scripted: &'a mut ScriptedScene<'_>,
     frame: usize,
     owners: &[Owners],
-) -> Result<(&'a GpuScene, Vec<ViewInput<'static>>), MeasureError> {
-    let cut = set.path.poses().get(frame).is_some_and(|pose| pose.cut);
-    let (scene, cameras) = set.at(frame)?;
+) -> Result<StageInputs<'a>, MeasureError> {
+    let cut = scripted
+        .path
+        .poses()
+        .get(frame)
+        .is_some_and(|pose| pose.cut);
+    let PosedScene { scene, cameras } = scripted.at(frame)?;
     let owners = owners.get(frame);
     let input = |(view, camera)| ViewInput {
         cut,
         reference: owners.and_then(|owners| owners.get(view)).map(Arc::clone),
         ..ViewInput::new(camera)
     };
-    Ok((scene, cameras.into_iter().enumerate().map(input).collect()))
+    Ok(StageInputs {
+        scene,
+        views: cameras.into_iter().enumerate().map(input).collect(),
+    })
 }
 
 fn with_cut(mut inputs: Vec<ViewInput<'static>>, cut: bool) -> Vec<ViewInput<'static>> {
@@ -198,7 +214,7 @@ fn with_cut(mut inputs: Vec<ViewInput<'static>>, cut: bool) -> Vec<ViewInput<'st
     inputs
 }
 
-impl Run {
+impl TimedRun {
     fn take_timings(&mut self, stage: &Stage) {
         let Some(timings) = stage.plan().timings() else {
             return;
@@ -209,7 +225,7 @@ impl Run {
         self.last_timed = Some(timings.frame);
         self.timed += 1;
         for pass in &timings.passes {
-            // A budget may change the plan: passes are known by their names.
+            // A budget may change the plan, so passes are matched by name.
             let known = self.passes.iter().position(|one| one.name == pass.name);
             let at = known.unwrap_or(self.passes.len());
             if known.is_none() {
@@ -229,8 +245,7 @@ impl Run {
         }
     }
 
-    /// The medians of a group's passes, summed: GPU time where it was measured, CPU time for what
-    /// runs there.
+    /// The sum of the medians of a group's passes: GPU time where it was measured, else CPU time.
     pub fn group_median(&self, group: &str) -> Option<f64> {
         let mut passes = self
             .passes
@@ -249,7 +264,8 @@ impl Run {
         )
     }
 
-    /// What a group's passes take of a frame on average, those counted in which some do not run: GPU time where it was measured, CPU time for what runs there.
+    /// The mean time of a group's passes in a frame, frames included in which some of them do not run: GPU time where it was measured, else
+    /// CPU time.
     pub fn group_mean(&self, group: &str) -> Option<f64> {
         let passes = self.passes.iter().filter(|pass| pass.group == group);
         let all = passes.map(|pass| match pass.gpu_ms.is_empty() {
@@ -260,7 +276,7 @@ impl Run {
         (self.timed > 0).then(|| sum / f64::from(self.timed))
     }
 
-    /// Each pass's medians.
+    /// The median times of each pass.
     pub fn pass_medians(&self) -> Vec<PassTime> {
         let times = |pass: &PassSeries| PassTime {
             name: pass.name.clone(),
@@ -271,7 +287,7 @@ impl Run {
         self.passes.iter().map(times).collect()
     }
 
-    /// Frame times a pose: the median over the repetitions of the path.
+    /// The frame time of each pose: the median over the repetitions of the path.
     pub fn by_pose(&self, poses: usize) -> Result<Vec<f64>, MeasureError> {
         let of = |pose: usize| {
             self.frame_ms

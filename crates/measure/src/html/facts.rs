@@ -1,11 +1,10 @@
-//! The folded lower part of the page: pass times, settings and verdict counts, and how the run was
-//! made.
+//! The folded lower part of the page: pass times, settings and verdicts, and the command of the run.
 
 use super::escape;
 use crate::format;
 use crate::report::{PassTime, Report, StrategyReport};
 
-/// A table of pass times a strategy.
+/// A table of pass times for each strategy.
 pub(super) fn passes(report: &Report) -> String {
     let timed: Vec<&StrategyReport> = report
         .strategies
@@ -32,7 +31,7 @@ pub(super) fn passes(report: &Report) -> String {
     )
 }
 
-/// Each `<h3>` and what follows it in a block of its own, so that blocks can stand side by side.
+/// Puts each `<h3>` with its contents into a block, so that blocks can be side by side.
 fn in_blocks(body: &str) -> String {
     body.split("<h3>")
         .skip(1)

@@ -1,4 +1,4 @@
-//! The upper part of the page: what was measured, what to take from it, and the table.
+//! The upper part of the page: the facts of the run, recommendations, and the table.
 
 use super::escape;
 use crate::audit_summary;
@@ -22,10 +22,10 @@ pub(super) fn header(report: &Report) -> String {
     )
 }
 
-/// What a sweep's budgets choose, or else the strategies to look at first, a card each; and how far from the limit the best of them is.
-pub(super) fn picks(report: &Report) -> String {
-    let picks = summary::recommendations(report);
-    if picks.is_empty() {
+/// A card for each choice of a sweep's limits or, without limits, for each recommendation; and a card with the distance from `ideal`.
+pub(super) fn recommendations(report: &Report) -> String {
+    let recommended = summary::recommendations(report);
+    if recommended.is_empty() {
         return String::new();
     }
     let mut html = "<section class=\"cards\">\n".to_owned();
@@ -40,8 +40,8 @@ pub(super) fn picks(report: &Report) -> String {
             lines.collect::<Vec<_>>().join(".</p><p>"),
         );
     }
-    // Whoever gave a budget has asked other questions.
-    for pick in picks.iter().filter(|_| answers.is_empty()) {
+    // Limits replace the general recommendations.
+    for pick in recommended.iter().filter(|_| answers.is_empty()) {
         html += &format!(
             "<div class=\"card {}\"><p class=\"question\">{}</p><p class=\"name\">{}</p><p>{}</p></div>\n",
             class(pick.summary.tone),
@@ -50,16 +50,16 @@ pub(super) fn picks(report: &Report) -> String {
             escape(&upper_first(&pick.summary.text)),
         );
     }
-    let efficiency = picks
+    let efficiency = recommended
         .iter()
         .filter_map(|pick| Some((pick.strategy.efficiency()?, pick.strategy)))
-        // What leaves out enough that is seen is faster than the limit of those that do not.
+        // A strategy that culls visible entities can be faster than `ideal`.
         .filter(|(efficiency, _)| *efficiency <= 1.0)
         .max_by(|a, b| a.0.total_cmp(&b.0));
     if let Some((efficiency, strategy)) = efficiency {
         html += &format!(
             "<div class=\"card\"><p class=\"question\">Room left</p><p class=\"name\">{} % of ideal</p>\
-             <p>{} takes {} times as long as drawing only what is seen, known beforehand and for free.</p></div>\n",
+             <p>{} takes {} times as long as drawing exactly the visible entities, known in advance without cost.</p></div>\n",
             format::percent(efficiency * 100.0),
             escape(strategy.title()),
             format::factor(efficiency.recip()),
@@ -68,7 +68,7 @@ pub(super) fn picks(report: &Report) -> String {
     html + "</section>\n"
 }
 
-/// The table, in stereo one of the eyes, and under them a sentence a strategy.
+/// The table, in stereo a second one for the eyes, and a sentence about each strategy.
 pub(super) fn table(report: &Report) -> String {
     let mut html = match report.sweep {
         Some(_) => "<section>\n<h2>All settings</h2>\n",
@@ -76,9 +76,9 @@ pub(super) fn table(report: &Report) -> String {
     }
     .to_owned();
     html += &grid(&Table::new(report));
-    html += "<p class=\"meaning\">Best values are marked; none, frustum and ideal are the yardsticks and do not \
-             compete. Speed vs: how many times as fast (2x takes half the time). Drawn, queries: mean a frame. Wrong px: pixels whose \
-             entity differs from the reference. False culls: seen entities not drawn, summed over all frames.</p>\n";
+    html += "<p class=\"meaning\">Best values are marked; none, frustum and ideal are the yardsticks and are not \
+             marked. Speed vs: how many times as fast (2x takes half the time). Drawn, queries: means over the frames. Wrong px: pixels whose \
+             entity differs from the reference. False culls: visible entities not drawn, summed over all frames.</p>\n";
     if report.sweep.is_some() {
         html += &format!(
             "<p class=\"meaning\">{}</p>\n",

@@ -1,5 +1,4 @@
-//! The worst frame of each strategy: reference, frame, and the wrong pixels marked, embedded into
-//! the page.
+//! The worst frame of each strategy, embedded into the page: the reference, the frame, and the marked wrong pixels.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -13,16 +12,16 @@ use crate::format;
 use crate::image_error::data_uri;
 use crate::report::{Report, StrategyReport, WorstFrame};
 
-/// The most bytes a picture's file may have.
+/// The most bytes of a picture's file.
 const MAX_BYTES: u64 = 64 << 20;
-/// The most pixels a side of a picture may have, and the most memory its decoding may take.
+/// The most pixels along a side of a picture.
 const MAX_SIDE: u32 = 16_384;
+/// The most bytes of memory for decoding a picture.
 const MAX_DECODED: u64 = 1 << 30;
-/// Larger pictures are shrunk to this width: three of them share a row.
+/// Wider pictures are scaled down to this width, since three of them share a row.
 const EMBEDDED_WIDTH: u32 = 1000;
 
-/// A row of three pictures for each strategy that got something wrong, and a line for those that
-/// did not.
+/// A row of three pictures for each strategy with wrong pixels, and a line for those without.
 pub(super) fn worst_frames(report: &Report, dir: &Path) -> String {
     let shown: Vec<(&StrategyReport, &WorstFrame)> = report
         .strategies
@@ -95,8 +94,7 @@ fn row(report: &Report, strategy: &StrategyReport, worst: &WorstFrame, dir: &Pat
     html + "</div>\n"
 }
 
-/// The picture as a data URI: as it is when it is small, shrunk when it is not. Only PNG and JPEG
-/// get through, by what they hold, not by name.
+/// The picture as a data URI, scaled down if it is large. Only PNG and JPEG are accepted, by content, not by name.
 fn embed(path: &Path) -> Result<String, MeasureError> {
     let bytes = read_limited(path, "picture", MAX_BYTES)?;
     let fail = |source| MeasureError::Image {

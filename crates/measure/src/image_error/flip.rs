@@ -1,8 +1,7 @@
-//! FLIP, the difference that a person flipping between two images would see.
+//! FLIP, a perceptual difference of two images that are viewed in alternation.
 //!
-//! Pontus Andersson, Jim Nilsson, Tomas Akenine-Moller, Magnus Oskarsson, Kalle Astrom, Mark D.
-//! Fairchild: "FLIP: A Difference Evaluator for Alternating Images", 2020. The computing is theirs
-//! too, by way of `nv-flip`.
+//! Pontus Andersson, Jim Nilsson, Tomas Akenine-Moller, Magnus Oskarsson, Kalle Astrom, Mark D. Fairchild: "FLIP: A Difference Evaluator for
+//! Alternating Images", 2020. The implementation is theirs too, by way of `nv-flip`.
 
 use image::RgbaImage;
 use nv_flip::{DEFAULT_PIXELS_PER_DEGREE, FlipImageRgb8};
@@ -12,19 +11,18 @@ use crate::MeasureError;
 /// The FLIP difference of two images.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Flip {
-    /// The mean over all pixels, 0 (alike) to 1.
+    /// The mean over all pixels, 0 (equal) to 1.
     pub mean: f64,
     /// The largest of all pixels, 0 to 1.
     pub max: f64,
 }
 
-/// The FLIP difference of two sRGB images at the usual 67 pixels a degree; alpha is not looked at.
+/// The FLIP difference of two sRGB images at the usual 67 pixels a degree. Alpha is ignored.
 ///
-/// Images that agree in every byte are told so without computing: exactly 0, which FLIP's
-/// arithmetic would only approach.
+/// The difference of images that are equal in every byte is exactly 0, which FLIP's arithmetic would only approach.
 ///
 /// # Errors
-/// When the images differ in size.
+/// [`MeasureError::SizeMismatch`] where the images differ in size.
 pub fn flip(reference: &RgbaImage, image: &RgbaImage) -> Result<Flip, MeasureError> {
     if reference.dimensions() != image.dimensions() {
         return Err(MeasureError::SizeMismatch {

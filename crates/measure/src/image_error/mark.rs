@@ -1,5 +1,4 @@
-//! Wrong pixels made visible: the frame in grey, what is wrong in magenta, and a halo so that one
-//! pixel of a large frame is still found.
+//! Marks wrong pixels: the frame in grey, wrong pixels in magenta, with a halo so that a single pixel of a large frame is visible.
 
 use image::{Rgba, RgbaImage};
 
@@ -7,14 +6,13 @@ use crate::MeasureError;
 
 const WRONG: [u8; 3] = [255, 0, 255];
 
-/// The picture desaturated and dimmed, each wrong pixel in full magenta, with a paler halo around
-/// it that grows with the image: shrunk to a thumbnail of 128 pixels, a single wrong pixel still
-/// shows.
+/// The image desaturated and dimmed, with wrong pixels in magenta and a paler halo around them. The halo's size grows with the image, so that a
+/// single wrong pixel is visible in a thumbnail of 128 pixels.
 ///
-/// `mask` is a flag a pixel, row by row from the top left, as the oracle gives it.
+/// `mask` has a flag for each pixel, row by row from the top left, as from the oracle.
 ///
 /// # Errors
-/// When the mask has another number of pixels than the image.
+/// [`MeasureError::SizeMismatch`] where the mask and the image differ in their number of pixels.
 pub fn mark_wrong(image: &RgbaImage, mask: &[bool]) -> Result<RgbaImage, MeasureError> {
     let (width, height) = image.dimensions();
     let pixels = width as usize * height as usize;
@@ -40,14 +38,13 @@ pub fn mark_wrong(image: &RgbaImage, mask: &[bool]) -> Result<RgbaImage, Measure
     Ok(marked)
 }
 
-/// Rec. 709 luma, pressed into the middle of the scale so that magenta stands out on black and on
-/// white.
+/// Rec. 709 luma, compressed into the middle of the scale so that magenta stands out from black and from white.
 fn dimmed(Rgba([r, g, b, _]): Rgba<u8>) -> u8 {
     let luma = (u32::from(r) * 54 + u32::from(g) * 183 + u32::from(b) * 19) / 256;
     (40 + luma * 160 / 255) as u8
 }
 
-/// A square dilation, one direction after the other.
+/// Dilates by a square, one direction after the other.
 fn dilate(mask: &[bool], width: usize, radius: usize) -> Vec<bool> {
     if width == 0 {
         return Vec::new();
@@ -75,8 +72,7 @@ fn dilate(mask: &[bool], width: usize, radius: usize) -> Vec<bool> {
     out
 }
 
-/// Calls `set` with every index within `radius` of a `true`, each at most once, possibly past the
-/// end.
+/// Calls `set` with every index within `radius` of a `true`, each at most once; indices may be past the end.
 fn spread(line: impl Iterator<Item = bool>, radius: usize, mut set: impl FnMut(usize)) {
     let mut done = 0;
     for (i, _) in line.enumerate().filter(|(_, wrong)| *wrong) {

@@ -1,4 +1,4 @@
-//! Pictures into PNG files, and into pages.
+//! Encodes pictures as PNG files and as data URIs.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -10,15 +10,15 @@ use image::{ImageFormat, RgbaImage};
 use crate::MeasureError;
 use crate::files::write_beside;
 
-/// Writes a picture as a PNG, beside and renamed into place.
+/// Writes a picture as a PNG file, atomically.
 ///
 /// # Errors
-/// When it cannot be encoded or written; nothing is left behind then.
+/// [`MeasureError`] where it cannot be encoded or written. No file is left behind then.
 pub fn save_png(picture: &RgbaImage, path: &Path) -> Result<(), MeasureError> {
     write_beside(path, &encode(picture, path)?)
 }
 
-/// The bytes of a PNG; `path` is what an error is about.
+/// The bytes of a PNG file. `path` is for the error.
 pub(crate) fn encode(picture: &RgbaImage, path: &Path) -> Result<Vec<u8>, MeasureError> {
     let mut bytes = Vec::new();
     picture
@@ -30,7 +30,7 @@ pub(crate) fn encode(picture: &RgbaImage, path: &Path) -> Result<Vec<u8>, Measur
     Ok(bytes)
 }
 
-/// A file's bytes as the address of a picture within a page.
+/// A file's bytes as a data URI.
 pub(crate) fn data_uri(mime: &str, bytes: &[u8]) -> String {
     format!("data:{mime};base64,{}", STANDARD.encode(bytes))
 }

@@ -1,4 +1,4 @@
-//! Camera paths as JSON files, read as if somebody meant harm:
+//! Camera paths as JSON files, read as untrusted input:
 //!
 //! ```json
 //! { "projection": { "perspective": { "fov_y_degrees": 45, "near": 0.1 } },
@@ -11,8 +11,8 @@
 //! "shift": [0.02, 0] } }` with the tangents (right, up) of the window's middle; or `{ "orthographic": { "height": 20,
 //! "near": 0, "far": 100 } }`.
 //!
-//! A pose looks at a `target` or has a `rotation` (a unit quaternion x, y, z, w), which is how
-//! paths are saved: to the last bit.
+//! A pose looks at a `target` or has a `rotation` (a unit quaternion x, y, z, w). Paths are saved with rotations, so that they are read back
+//! bit by bit.
 
 use std::fmt;
 
@@ -25,19 +25,19 @@ use super::{CameraPath, Pose};
 use crate::MeasureError;
 use crate::files::{read_limited, write_beside};
 
-/// The most bytes a path file may have.
+/// The most bytes of a path file.
 pub const MAX_PATH_BYTES: u64 = 32 << 20;
-/// The most poses a path may have.
+/// The most poses of a path.
 pub const MAX_POSES: usize = 100_000;
 
 const KIND: &str = "camera path";
 
 impl CameraPath {
-    /// Reads a path file; its name is the file's without the folder.
+    /// Reads a path file. The path gets the file's name without the folder.
     ///
     /// # Errors
-    /// When the file cannot be read, is larger than [`MAX_PATH_BYTES`], is no valid JSON, or holds
-    /// no valid path; what is wrong with a pose names the pose by its number, the first is 0.
+    /// [`MeasureError`] where the file cannot be read, is larger than [`MAX_PATH_BYTES`], is no valid JSON, or holds no valid path. An error of a
+    /// pose has the pose's number; the first is 0.
     pub fn load(path: impl AsRef<std::path::Path>) -> Result<Self, MeasureError> {
         let path = path.as_ref();
         let bytes = read_limited(path, KIND, MAX_PATH_BYTES)?;
@@ -55,7 +55,7 @@ impl CameraPath {
     /// Reads a path from the text of a path file.
     ///
     /// # Errors
-    /// As [`CameraPath::load`], but for the file.
+    /// As for [`CameraPath::load`], except for those of the file.
     pub fn from_json(name: &str, json: &[u8]) -> Result<Self, MeasureError> {
         let malformed = |reason| MeasureError::Malformed {
             path: name.into(),
@@ -67,11 +67,10 @@ impl CameraPath {
         Self::new(name, projection, file.poses.0)
     }
 
-    /// Writes the path so that reading it gives the same poses to the last bit; whole or not at
-    /// all.
+    /// Writes the path atomically. Reading it gives exactly the same poses.
     ///
     /// # Errors
-    /// When the file cannot be written.
+    /// [`MeasureError::File`] where the file cannot be written.
     pub fn save(&self, path: impl AsRef<std::path::Path>) -> Result<(), MeasureError> {
         let path = path.as_ref();
         let out = FileOut {
@@ -161,7 +160,7 @@ impl ProjectionFile {
 
     fn write(projection: Projection) -> Self {
         match projection {
-            // Radians: degrees and back would not give the same bits.
+            // Radians, since degrees and back would not give the same bits.
             Projection::Perspective { fov_y, near } => Self::Perspective {
                 fov_y_degrees: None,
                 fov_y_radians: Some(fov_y),
@@ -180,7 +179,7 @@ impl ProjectionFile {
     }
 }
 
-/// The angle of view in radians, from whichever way it was written.
+/// The vertical field of view in radians, from degrees or radians.
 fn fov_y(degrees: Option<f64>, radians: Option<f64>) -> Result<f64, String> {
     match (degrees, radians) {
         (Some(degrees), None) => Ok(degrees.to_radians()),
@@ -230,8 +229,7 @@ impl PoseIn {
     }
 }
 
-/// The poses, read one by one: an error knows its pose, and a file with too many is left before
-/// memory is.
+/// The poses, read one by one, so that an error has the pose's number, and reading stops at [`MAX_POSES`].
 struct Poses(Vec<Pose>);
 
 impl<'de> Deserialize<'de> for Poses {

@@ -1,26 +1,24 @@
-//! A flight through and around a scene: a smooth spline by seeded points, one outside, two inside,
-//! and so on.
+//! Flights: a smooth spline around and through a scene, by seeded points, one outside, two inside, and so on.
 //!
-//! The curve is a uniform cubic B-spline (William J. Gordon and Richard F. Riesenfeld, "B-Spline
-//! Curves and Surfaces", 1974) flown in its own time: speed and direction never jump, and tight
-//! turns are flown slowly. Where the camera looks is a spline of its own, of yaw and pitch: without
-//! roll, and without the flips of a target that passes the eye.
+//! The curve is a uniform cubic B-spline (William J. Gordon and Richard F. Riesenfeld, "B-Spline Curves and Surfaces", 1974), sampled evenly in
+//! its parameter: speed and direction are continuous, and tight curves are slow. The viewing direction is a spline of yaw and pitch. It has no
+//! roll, and does not flip where a target passes the eye.
 
 use antumbra_scene::{Aabb, Projection};
 use glam::{DQuat, DVec3, EulerRot};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::orbit::bounding_sphere;
+use super::orbit::{Sphere, bounding_sphere};
 use super::{CameraPath, Pose};
 use crate::MeasureError;
 
 /// Points of the spline: from outside through the inside and out again, three times.
 const POINTS: usize = 10;
-/// Looking steeper than this shows mostly floor or sky.
+/// The steepest pitch in radians. A steeper camera sees mostly floor or sky.
 const STEEPEST: f64 = 0.9;
 
-/// A place of the spline: where the camera is and where it looks.
+/// A control point of the spline.
 #[derive(Debug, Clone, Copy)]
 struct Key {
     position: DVec3,
@@ -28,14 +26,23 @@ struct Key {
     pitch: f64,
 }
 
+/// A point of a flight, in world metres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Waypoint {
+    /// The eye.
+    pub eye: DVec3,
+    /// The point that it looks at.
+    pub target: DVec3,
+}
+
 impl CameraPath {
-    /// A smooth flight around and through a scene. The same seed flies the same path. Empty bounds,
-    /// those of a scene without entities, are a point.
+    /// A smooth flight around and through a scene. The same seed gives the same path. Empty bounds, as of a scene without entities, are taken
+    /// as a point.
     ///
     /// # Errors
-    /// No frames or more than [`MAX_POSES`](super::MAX_POSES); bounds that are not finite.
+    /// [`MeasureError::Path`] for no frames or more than [`MAX_POSES`](super::MAX_POSES), and for bounds that are not finite.
     pub fn flight(bounds: &Aabb, seed: u64, frames: usize) -> Result<Self, MeasureError> {
-        let (centre, radius) = bounding_sphere("flight", bounds)?;
+        let Sphere { centre, radius } = bounding_sphere("flight", bounds)?;
         let half = if bounds.is_empty() {
             DVec3::ZERO
         } else {
@@ -49,24 +56,23 @@ impl CameraPath {
         Self::new("flight", projection, along(&keys, frames))
     }
 
-    /// A smooth flight of your own: by places, each an eye and what it looks at, in world metres. The camera starts at the first and ends
-    /// at the last; between, it passes near them. The whole flight takes `whole` frames; of them `frames` are taken, in bursts of
-    /// [`BURST`] consecutive ones evenly spread over it, each beginning with a cut: so that a few frames show all of the flight, and
-    /// each still follows closely on the one before, as it would on a screen.
+    /// A smooth flight by waypoints. The camera starts at the first and ends at the last; it passes near the others. The whole flight has
+    /// `whole` frames. The path takes `frames` of them, in bursts of [`BURST`] consecutive frames that are spread evenly over the flight. Each
+    /// burst begins with a cut. So a short path covers the whole flight, and consecutive frames still differ as little as on a screen.
     ///
     /// # Errors
-    /// No places; as for [`CameraPath::new`].
+    /// [`MeasureError::Path`] for no waypoints, and as for [`CameraPath::new`].
     pub fn through(
         name: impl Into<String>,
-        places: &[(DVec3, DVec3)],
+        waypoints: &[Waypoint],
         projection: Projection,
         whole: usize,
         frames: usize,
     ) -> Result<Self, MeasureError> {
-        let mut turned = None;
-        let keys: Vec<Key> = places
+        let mut last_yaw = None;
+        let keys: Vec<Key> = waypoints
             .iter()
-            .map(|(eye, target)| Key::towards(*eye, *target - *eye, &mut turned))
+            .map(|Waypoint { eye, target }| Key::towards(*eye, *target - *eye, &mut last_yaw))
             .collect();
         let frames = if keys.is_empty() { 0 } else { frames };
         if frames >= whole {
@@ -89,10 +95,10 @@ impl CameraPath {
     }
 }
 
-/// Consecutive frames of a flight that is not measured whole.
+/// Frames of a burst: consecutive frames of a flight that is not measured as a whole.
 pub const BURST: usize = 12;
 
-/// Poses evenly spread over the spline's time.
+/// Poses spread evenly over the spline's parameter.
 fn along(keys: &[Key], frames: usize) -> Vec<Pose> {
     let frames = frames.min(super::MAX_POSES + 1);
     let stretches = keys.len().saturating_sub(1) as f64;
@@ -103,13 +109,13 @@ fn along(keys: &[Key], frames: usize) -> Vec<Pose> {
 }
 
 impl Key {
-    /// Looking along `way`; `turned` is the yaw of the key before, and becomes this one's.
-    fn towards(position: DVec3, way: DVec3, turned: &mut Option<f64>) -> Self {
+    /// A control point that looks along `way`. `last_yaw` is the yaw of the one before, and is set to this one's.
+    fn towards(position: DVec3, way: DVec3, last_yaw: &mut Option<f64>) -> Self {
         let pitch = way.y.atan2(way.x.hypot(way.z)).clamp(-STEEPEST, STEEPEST);
         let yaw = (-way.x).atan2(-way.z);
-        // The shorter way round from the key before.
-        let yaw = turned.map_or(yaw, |before| before + wrapped(yaw - before));
-        *turned = Some(yaw);
+        // The equivalent angle that is nearest to the one before.
+        let yaw = last_yaw.map_or(yaw, |before| before + wrapped(yaw - before));
+        *last_yaw = Some(yaw);
         Self {
             position,
             yaw,
@@ -118,8 +124,7 @@ impl Key {
     }
 }
 
-/// One outside, two inside, and so on. Outside, the camera looks at a point inside; inside, along
-/// its way.
+/// Control points: one outside, two inside, and so on. Outside, the camera looks at a point inside; inside, along its way.
 fn keys(centre: DVec3, half: DVec3, radius: f64, seed: u64) -> Vec<Key> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     let start = random.random_range(0.0..std::f64::consts::TAU);
@@ -143,7 +148,7 @@ fn keys(centre: DVec3, half: DVec3, radius: f64, seed: u64) -> Vec<Key> {
                     * random.random_range(1.1..1.6)
         })
         .collect();
-    let mut turned: Option<f64> = None;
+    let mut last_yaw: Option<f64> = None;
     places
         .iter()
         .enumerate()
@@ -155,12 +160,12 @@ fn keys(centre: DVec3, half: DVec3, radius: f64, seed: u64) -> Vec<Key> {
                 places.get(i + 1)
             };
             let way = target.map_or(DVec3::ZERO, |target| *target - position);
-            Key::towards(position, way, &mut turned)
+            Key::towards(position, way, &mut last_yaw)
         })
         .collect()
 }
 
-/// An angle brought into -pi to pi.
+/// The equivalent angle in -pi to pi.
 fn wrapped(angle: f64) -> f64 {
     use std::f64::consts::{PI, TAU};
     (angle + PI).rem_euclid(TAU) - PI
@@ -176,7 +181,7 @@ fn pose(keys: &[Key], t: f64) -> Pose {
     }
 }
 
-/// The spline at `t`, whose whole numbers are the keys; the ends are repeated.
+/// The spline at `t`. Control point *i* is at *t* = *i*; the end points are repeated.
 fn at(keys: &[Key], t: f64) -> Key {
     let last = keys.len() - 1;
     let i = (t.max(0.0) as usize).min(last.saturating_sub(1));
@@ -188,7 +193,7 @@ fn at(keys: &[Key], t: f64) -> Key {
             .map(|(key, w)| of(key) * w)
             .sum::<f64>()
     };
-    // Relative to the first key: positions far from the origin keep their small differences.
+    // Relative to a control point, so that positions far from the origin keep their precision.
     let origin = near[1].position;
     let position = near
         .iter()
@@ -203,7 +208,7 @@ fn at(keys: &[Key], t: f64) -> Key {
     }
 }
 
-/// The weights of the four keys around a stretch, `t` from 0 to 1 along it.
+/// The weights of the four control points around a segment, at `t` from 0 to 1 in it.
 fn b_spline(t: f64) -> [f64; 4] {
     let (t2, t3) = (t * t, t * t * t);
     [

@@ -1,4 +1,4 @@
-//! Around a centre at one height, looking at it: the steady camera of the papers.
+//! Orbits: a camera that circles a centre at one height and looks at it.
 
 use antumbra_scene::{Aabb, Projection};
 use glam::DVec3;
@@ -6,8 +6,7 @@ use glam::DVec3;
 use super::{CameraPath, Pose};
 use crate::MeasureError;
 
-/// How steeply [`CameraPath::orbit_around`] looks down: 20 degrees see past the first row of things
-/// without becoming a map.
+/// The elevation of [`CameraPath::orbit_around`]. At 20 degrees the camera sees past the first row of objects and still sees their sides.
 const ELEVATION: f64 = 20.0 * std::f64::consts::PI / 180.0;
 
 /// A circle around a centre.
@@ -17,7 +16,7 @@ pub struct Orbit {
     pub centre: DVec3,
     /// The circle's radius in metres.
     pub distance: f64,
-    /// How far above the centre the circle lies, metres.
+    /// The circle's height above the centre in metres.
     pub height: f64,
     /// The vertical field of view in radians.
     pub fov_y: f64,
@@ -30,8 +29,7 @@ pub struct Orbit {
 }
 
 impl Orbit {
-    /// The orbit of the built-in grid: 40 m from the centre, 10 m up, 45 degrees, 0.02 radians a
-    /// frame.
+    /// The orbit of the built-in grid: 40 m from the centre, 10 m above it, 45 degrees, 0.02 radians a frame.
     pub fn grid(frames: usize) -> Self {
         Self {
             centre: DVec3::ZERO,
@@ -46,11 +44,11 @@ impl Orbit {
 }
 
 impl CameraPath {
-    /// A circle around a centre, starting on the +Z side of it.
+    /// An orbit that starts on the +Z side of the centre.
     ///
     /// # Errors
-    /// No frames or more than [`MAX_POSES`](super::MAX_POSES), a number that is not finite, the eye
-    /// on the centre, or a projection that cannot be drawn.
+    /// [`MeasureError::Path`] for no frames or more than [`MAX_POSES`](super::MAX_POSES), a number that is not finite, an eye at the centre, or
+    /// a projection that is not valid.
     pub fn orbit(orbit: &Orbit) -> Result<Self, MeasureError> {
         let fail = |problem| MeasureError::Path {
             name: "orbit".to_owned(),
@@ -70,14 +68,13 @@ impl CameraPath {
         Self::new("orbit", projection, poses.collect::<Result<_, _>>()?)
     }
 
-    /// One turn around any scene with the whole of it in view. `aspect` is width over height of the
-    /// picture, 45 degrees are the vertical field of view. Empty bounds, those of a scene without
-    /// entities, are a point.
+    /// One revolution around a scene, with the whole scene in view. `aspect` is the image's width over its height; the vertical field of view
+    /// is 45 degrees. Empty bounds, as of a scene without entities, are taken as a point.
     ///
     /// # Errors
-    /// As [`CameraPath::orbit`]; bounds that are not finite; an aspect that is not above 0.
+    /// As for [`CameraPath::orbit`]; also for bounds that are not finite, and for an aspect that is not above 0.
     pub fn orbit_around(bounds: &Aabb, aspect: f64, frames: usize) -> Result<Self, MeasureError> {
-        let (centre, radius) = bounding_sphere("orbit", bounds)?;
+        let Sphere { centre, radius } = bounding_sphere("orbit", bounds)?;
         if !(aspect > 0.0 && aspect.is_finite()) {
             let problem = format!("an aspect of {aspect} is not above 0");
             return Err(MeasureError::Path {
@@ -87,7 +84,7 @@ impl CameraPath {
         }
         let fov_y = 45f64.to_radians();
         let half = (fov_y / 2.0).min(((fov_y / 2.0).tan() * aspect).atan());
-        // A twentieth more, so that the sphere does not touch the picture's edge.
+        // 5 % more, so that the sphere does not touch the image's edge.
         let away = 1.05 * radius / half.sin();
         Self::orbit(&Orbit {
             centre,
@@ -101,11 +98,20 @@ impl CameraPath {
     }
 }
 
-/// The sphere through a box's corners; that of a point, or of nothing, has a radius of 1 m, so that
-/// there is something to stand off from.
-pub(super) fn bounding_sphere(name: &str, bounds: &Aabb) -> Result<(DVec3, f64), MeasureError> {
+/// A sphere.
+pub(super) struct Sphere {
+    pub centre: DVec3,
+    /// Metres.
+    pub radius: f64,
+}
+
+/// The sphere through a box's corners. For a point or empty bounds its radius is 1 m, so that a path around it has an extent.
+pub(super) fn bounding_sphere(name: &str, bounds: &Aabb) -> Result<Sphere, MeasureError> {
     if bounds.is_empty() {
-        return Ok((DVec3::ZERO, 1.0));
+        return Ok(Sphere {
+            centre: DVec3::ZERO,
+            radius: 1.0,
+        });
     }
     if !bounds.is_finite() {
         let problem = format!("the bounds {} to {} are not finite", bounds.min, bounds.max);
@@ -115,5 +121,8 @@ pub(super) fn bounding_sphere(name: &str, bounds: &Aabb) -> Result<(DVec3, f64),
         });
     }
     let radius = bounds.half_extents().length();
-    Ok((bounds.centre(), if radius > 0.0 { radius } else { 1.0 }))
+    Ok(Sphere {
+        centre: bounds.centre(),
+        radius: if radius > 0.0 { radius } else { 1.0 },
+    })
 }

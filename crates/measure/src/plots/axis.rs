@@ -1,4 +1,4 @@
-//! Axes: a stretch of numbers with the places where a tick and its word belong.
+//! Axes: a range of numbers with labelled ticks.
 
 use std::ops::Range;
 
@@ -9,11 +9,11 @@ use plotters::coord::types::RangedCoordf64;
 
 use crate::format;
 
-/// An axis for plotters: values are mapped evenly between its ends; scales that are not even are
-/// made so before, by [`Axis::place`].
+/// An axis for plotters. Values are mapped linearly between its ends; for other scales, [`Axis::place`] transforms them before.
 #[derive(Debug, Clone)]
 pub(super) struct Axis {
     ends: Range<f64>,
+    /// Positions and labels.
     ticks: Vec<(f64, String)>,
     scale: Scale,
 }
@@ -21,14 +21,14 @@ pub(super) struct Axis {
 #[derive(Debug, Clone, Copy)]
 enum Scale {
     Even,
-    /// By decades; what is 0 stands at the given place below them.
+    /// Logarithmic. The value 0 is at the position `zero` below the decades.
     Decades {
         zero: f64,
     },
 }
 
 impl Axis {
-    /// An even axis with round ticks.
+    /// A linear axis with ticks at round numbers.
     pub(super) fn even(ends: Range<f64>, ticks: usize, word: impl Fn(f64) -> String) -> Self {
         let coordinate: RangedCoordf64 = ends.clone().into();
         let places = coordinate.key_points(BoldPoints(ticks));
@@ -40,7 +40,7 @@ impl Axis {
         }
     }
 
-    /// An even axis from 0 to `count`, whose rows have their words in the middle.
+    /// A linear axis with a unit for each row, labelled in the middle of the row.
     pub(super) fn rows(words: Vec<String>) -> Self {
         let ends = 0.0..words.len().max(1) as f64;
         let ticks = words
@@ -55,7 +55,7 @@ impl Axis {
         }
     }
 
-    /// Decades that hold all positive `values`, and one place below them for those that are 0.
+    /// A logarithmic axis with decades for all positive `values`, and a position below them for 0.
     pub(super) fn errors(values: impl Iterator<Item = f64> + Clone) -> Self {
         let positive = values.filter(|v| *v > 0.0).map(f64::log10);
         let low = positive.clone().fold(f64::INFINITY, f64::min).floor();
@@ -75,8 +75,7 @@ impl Axis {
         }
     }
 
-    /// Decades from the smallest to the largest of positive values, with ticks at 1, 2 and 5, and
-    /// with more of them where those are few.
+    /// A logarithmic axis from `low` to `high`, both positive, with ticks at 1, 2 and 5, and with more ticks where those are few.
     pub(super) fn times(low: f64, high: f64, word: impl Fn(f64) -> String) -> Self {
         let (bottom, top) = (low.log10() - 0.05, high.log10() + 0.05);
         let at = |digits: &[f64]| -> Vec<f64> {
@@ -96,7 +95,7 @@ impl Axis {
         }
     }
 
-    /// Where a value stands on the axis, within its ends.
+    /// The position of a value on the axis, clamped to its ends.
     pub(super) fn place(&self, value: f64) -> f64 {
         let at = match self.scale {
             Scale::Even => value,
@@ -106,7 +105,7 @@ impl Axis {
         at.clamp(self.ends.start, self.ends.end)
     }
 
-    /// The place of the line between 0 and the decades, where there is one.
+    /// The position of the line between 0 and the decades; the start of a linear axis.
     pub(super) fn break_above_zero(&self) -> f64 {
         match self.scale {
             Scale::Even => self.ends.start,
@@ -114,19 +113,20 @@ impl Axis {
         }
     }
 
+    /// The positions of its ends.
     pub(super) fn ends(&self) -> Range<f64> {
         self.ends.clone()
     }
 }
 
-/// Whole decades, thinned to no more than `most`.
+/// Whole decades, at most about `most` of them.
 fn decades(low: f64, high: f64, most: usize) -> impl Iterator<Item = f64> {
     let (low, high) = (low as i32, high as i32);
     let step = (high - low).unsigned_abs() as usize / most + 1;
     (low..=high).step_by(step).map(f64::from)
 }
 
-/// A power of ten written out while that is short: `0.001`, `10`, `1e-7`.
+/// A power of ten, written out where that is short: `0.001`, `10`, `1e-7`.
 fn decimal(exponent: f64) -> String {
     let value = 10f64.powf(exponent);
     if (-5.0..5.0).contains(&exponent) {

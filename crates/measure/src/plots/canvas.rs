@@ -1,5 +1,4 @@
-//! What all plots share: the SVG sheet, its inks, its letters, the frame with its axes, and the
-//! legend.
+//! The parts that all plots share: the SVG sheet, colours, text, axes and legend.
 
 use plotters::chart::ChartContext;
 use plotters::coord::Shift;
@@ -12,26 +11,45 @@ use crate::MeasureError;
 use crate::format;
 use crate::report::{Report, StrategyReport};
 
-/// Units of the sheet a CSS pixel at full size: plotters rounds to whole units, and halves are
-/// finer.
+/// Units of the sheet for each CSS pixel at full size. Plotters rounds to whole units; this gives half pixels.
 pub(super) const UNIT: i32 = 2;
 /// The sheet's width in CSS pixels at full size.
 const WIDTH: i32 = 920;
-/// Letters are this high, CSS pixels.
+/// Height of the text in CSS pixels.
 const LETTER: i32 = 14;
 
-// Stand-ins that `finish` turns into CSS; no palette has these colours.
+// Placeholder colours, which `sheet` replaces by CSS. No palette has them.
 pub(super) const INK: RGBColor = RGBColor(1, 2, 3);
 pub(super) const FAINT: RGBColor = RGBColor(4, 5, 6);
 pub(super) const GRID: RGBColor = RGBColor(7, 8, 9);
-/// Stand-in, what it is on a page, and what it is on white paper.
-const INKS: [(&str, &str, &str); 3] = [
-    ("#010203", "currentColor", "#1c2027"),
-    ("#040506", "var(--faint, #777)", "#777"),
-    ("#070809", "var(--grid, #ddd)", "#ddd"),
+const INKS: [Ink; 3] = [
+    Ink {
+        placeholder: "#010203",
+        css: "currentColor",
+        on_white: "#1c2027",
+    },
+    Ink {
+        placeholder: "#040506",
+        css: "var(--faint, #777)",
+        on_white: "#777",
+    },
+    Ink {
+        placeholder: "#070809",
+        css: "var(--grid, #ddd)",
+        on_white: "#ddd",
+    },
 ];
 
-/// Colours that hold on white and on black and are told apart by most of the colour-blind.
+/// A colour that depends on where the plot is shown.
+struct Ink {
+    placeholder: &'static str,
+    /// The colour in a page.
+    css: &'static str,
+    /// The colour in a file of its own.
+    on_white: &'static str,
+}
+
+/// Colours that are visible on white and on black and distinguishable with most kinds of colour blindness.
 pub(super) const PALETTE: [RGBColor; 9] = [
     RGBColor(47, 126, 237),
     RGBColor(240, 120, 20),
@@ -48,7 +66,7 @@ pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 pub(super) type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Axis, Axis>>;
 pub(super) type Drawing = Result<(), DrawingAreaErrorKind<std::io::Error>>;
 
-/// Draws a plot on a sheet `height` CSS pixels high and gives its SVG.
+/// Draws a plot on a sheet of `height` CSS pixels and returns its SVG text.
 pub(super) fn sheet(
     title: &'static str,
     height: i32,
@@ -64,11 +82,10 @@ pub(super) fn sheet(
         plot: title,
         reason: e.to_string(),
     })?;
-    for (stand_in, css, _) in INKS {
-        svg = svg.replace(stand_in, css);
+    for ink in INKS {
+        svg = svg.replace(ink.placeholder, ink.css);
     }
-    // A title is what a screen reader says, and makes the width and height of the sheet those of
-    // CSS.
+    // Adds a title for screen readers, and sets width and height in CSS pixels.
     let (width, height) = (WIDTH * UNIT, height * UNIT);
     let head = format!("<svg width=\"{width}\" height=\"{height}\"");
     let css = format!(
@@ -79,12 +96,12 @@ pub(super) fn sheet(
     Ok(svg.replacen(&head, &css, 1))
 }
 
-/// A plot as a file of its own: on white paper, in ink that follows no page.
+/// The plot for a file of its own: on a white background, with fixed colours.
 pub fn on_paper(svg: &str) -> String {
     const PAPER: &str = "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>";
     let mut svg = svg.to_owned();
-    for (_, css, plain) in INKS {
-        svg = svg.replace(css, plain);
+    for ink in INKS {
+        svg = svg.replace(ink.css, ink.on_white);
     }
     match svg.find('>') {
         Some(head) => {
@@ -95,13 +112,13 @@ pub fn on_paper(svg: &str) -> String {
     }
 }
 
-/// The frame of a chart below the legend: axes, grid, ticks and what the axes mean.
+/// The frame of a chart below the legend: axes with descriptions, grid and ticks.
 pub(super) struct Frame<'a> {
     pub(super) x: Axis,
     pub(super) y: Axis,
     pub(super) x_means: &'a str,
     pub(super) y_means: &'a str,
-    /// Room for the words of the y axis, CSS pixels.
+    /// Width of the y axis's labels in CSS pixels.
     pub(super) y_room: i32,
 }
 
@@ -131,28 +148,45 @@ impl Frame<'_> {
     }
 }
 
-/// How a legend's entry looks.
+/// An entry of a legend.
+pub(super) struct LegendEntry {
+    pub(super) words: String,
+    pub(super) colour: RGBColor,
+    pub(super) swatch: Swatch,
+}
+
+impl LegendEntry {
+    pub(super) fn new(words: impl Into<String>, colour: RGBColor, swatch: Swatch) -> Self {
+        Self {
+            words: words.into(),
+            colour,
+            swatch,
+        }
+    }
+}
+
+/// The symbol of a legend entry.
 #[derive(Clone, Copy)]
 pub(super) enum Swatch {
     Line,
-    /// An upright line.
+    /// A vertical line.
     Upright,
-    /// A line between two ends.
+    /// A horizontal error bar.
     Bar,
-    /// A line from a point up to an end.
+    /// An upward error bar.
     Rise,
     Box,
     Dashes,
     Mark(Mark),
 }
 
-/// How a point looks.
+/// The symbol of a point.
 #[derive(Clone, Copy)]
 pub(super) enum Mark {
     Dot(RGBColor),
-    /// Hollow.
+    /// A circle.
     Ring(RGBColor),
-    /// A dot in a ring.
+    /// A dot in a circle.
     Target(RGBColor),
 }
 
@@ -169,16 +203,21 @@ pub(super) fn mark(area: &Area<'_>, at: (i32, i32), radius: i32, mark: Mark) -> 
     }
 }
 
-/// Draws a legend at the top, in as many rows as it takes, and gives the area left below.
+/// Draws a legend at the top, in as many rows as needed, and returns the area below it.
 pub(super) fn legend<'a>(
     area: &Area<'a>,
-    entries: &[(String, RGBColor, Swatch)],
+    entries: &[LegendEntry],
 ) -> Result<Area<'a>, DrawingAreaErrorKind<std::io::Error>> {
     let (row, edge) = (22 * UNIT, 14 * UNIT);
     let width = area.dim_in_pixel().0 as i32;
     let (mut x, mut y) = (edge, 4 * UNIT);
-    for (word, colour, swatch) in entries {
-        let wide = 28 * UNIT + text_width(word, LETTER) + 18 * UNIT;
+    for LegendEntry {
+        words,
+        colour,
+        swatch,
+    } in entries
+    {
+        let wide = 28 * UNIT + text_width(words, LETTER) + 18 * UNIT;
         if x > edge && x + wide > width {
             (x, y) = (edge, y + row);
         }
@@ -223,7 +262,7 @@ pub(super) fn legend<'a>(
             Swatch::Mark(it) => mark(area, (x + 13 * UNIT, middle), 5 * UNIT, *it)?,
         }
         let style = letters(LETTER, &INK).pos(Pos::new(HPos::Left, VPos::Center));
-        area.draw(&Text::new(word.as_str(), (x + 28 * UNIT, middle), style))?;
+        area.draw(&Text::new(words.as_str(), (x + 28 * UNIT, middle), style))?;
         x += wide;
     }
     let (_, below) = area.split_vertically(y + row + 2 * UNIT);
@@ -238,7 +277,7 @@ pub(super) fn dashes<const N: usize>(
     DashedPathElement::new(points, 5 * UNIT, 4 * UNIT, colour.stroke_width(UNIT as u32))
 }
 
-/// A text style of letters that many CSS pixels high.
+/// A text style with a height in CSS pixels.
 pub(super) fn letters<'a>(height: i32, colour: &'a RGBColor) -> TextStyle<'a> {
     // The SVG backend divides sizes by 1.24.
     ("sans-serif", f64::from(height * UNIT) * 1.24)
@@ -246,21 +285,26 @@ pub(super) fn letters<'a>(height: i32, colour: &'a RGBColor) -> TextStyle<'a> {
         .color(colour)
 }
 
-/// About how wide a text is, in units of the sheet; rather too wide, since the reader's font is not
-/// known.
+/// An estimate of a text's width in units of the sheet, rather too wide, since the font is not known.
 pub(super) fn text_width(text: &str, height: i32) -> i32 {
     let wide = unicode_width::UnicodeWidthStr::width(text) as f64;
     (wide * 0.58 * f64::from(height * UNIT)).ceil() as i32
 }
 
-/// The words of a strategy on a plot. What tells settings of a sweep apart stands at the end.
+/// A strategy's name on a plot. It is cut later for a sweep, where the end of the name tells settings apart.
 pub(super) fn name(report: &Report, strategy: &StrategyReport) -> String {
     let letters = if report.sweep.is_some() { 48 } else { 30 };
     format::short(report.title_of(strategy), letters)
 }
 
-/// Every strategy with its colour: the same on all plots of a report; yardsticks are grey.
-pub(super) fn coloured(report: &Report) -> Vec<(&StrategyReport, RGBColor)> {
+/// A strategy with its colour.
+pub(super) struct ColouredStrategy<'a> {
+    pub(super) strategy: &'a StrategyReport,
+    pub(super) colour: RGBColor,
+}
+
+/// All strategies with their colours, which are the same on all plots of a report. Yardsticks are grey.
+pub(super) fn coloured(report: &Report) -> Vec<ColouredStrategy<'_>> {
     let mut colours = PALETTE.iter().cycle();
     let colour = |s: &StrategyReport| match s.name.as_str() {
         "none" => RGBColor(150, 155, 165),
@@ -268,9 +312,12 @@ pub(super) fn coloured(report: &Report) -> Vec<(&StrategyReport, RGBColor)> {
         "ideal" => RGBColor(120, 150, 60),
         _ => colours.next().copied().unwrap_or(INK),
     };
-    report
-        .strategies
-        .iter()
-        .zip(report.strategies.iter().map(colour))
+    let mut colour = colour;
+    let strategies = report.strategies.iter();
+    strategies
+        .map(|strategy| ColouredStrategy {
+            strategy,
+            colour: colour(strategy),
+        })
         .collect()
 }

@@ -1,18 +1,20 @@
-//! Frame times along the path: where a strategy stumbles.
+//! The plot of frame times along the path.
 
 use plotters::prelude::*;
 
 use super::axis::Axis;
-use super::canvas::{Area, Drawing, Frame, Swatch, UNIT, coloured, legend, name, sheet};
+use super::canvas::{
+    Area, Drawing, Frame, LegendEntry, Swatch, UNIT, coloured, legend, name, sheet,
+};
 use crate::MeasureError;
 use crate::format;
 use crate::report::Report;
 use crate::stats::percentile;
 
 const TITLE: &str = "Frame time along the path";
-/// More points than this a line would only make the page larger.
+/// The most points of a line. More would only make the page larger.
 const MOST_POINTS: usize = 900;
-/// With the slowest strategy this many times slower than the fastest, the axis is logarithmic.
+/// The axis is logarithmic where the slowest strategy takes this many times as long as the fastest.
 const WIDE: f64 = 8.0;
 
 struct Line {
@@ -21,20 +23,19 @@ struct Line {
     times: Vec<f64>,
 }
 
-/// Pose to the right, serialised milliseconds upwards, one line a strategy. Spikes above every
-/// strategy's 99th percentile by far are cut at the upper edge. None where no strategy has a
-/// series.
+/// Plots serialised frame times in milliseconds over poses, a line for each strategy. Spikes far above the 99th percentiles are cut at the upper
+/// edge. `None` where no strategy has a series.
 ///
 /// # Errors
-/// When the plotter fails.
+/// [`MeasureError::Plot`] where the plotter fails.
 pub fn frame_times(report: &Report) -> Result<Option<String>, MeasureError> {
     let lines: Vec<Line> = coloured(report)
         .into_iter()
-        .filter(|(s, _)| !s.frames.frame_ms.is_empty())
-        .map(|(s, colour)| Line {
-            name: name(report, s),
-            colour,
-            times: s.frames.frame_ms.clone(),
+        .filter(|one| !one.strategy.frames.frame_ms.is_empty())
+        .map(|one| Line {
+            name: name(report, one.strategy),
+            colour: one.colour,
+            times: one.strategy.frames.frame_ms.clone(),
         })
         .collect();
     if lines.is_empty() {
@@ -70,10 +71,10 @@ pub fn frame_times(report: &Report) -> Result<Option<String>, MeasureError> {
 fn draw(area: &Area<'_>, lines: &[Line], y: Axis, means: &str) -> Drawing {
     let entries: Vec<_> = lines
         .iter()
-        .map(|l| (l.name.clone(), l.colour, Swatch::Line))
+        .map(|line| LegendEntry::new(&line.name, line.colour, Swatch::Line))
         .collect();
     let area = legend(area, &entries)?;
-    let poses = lines.iter().map(|l| l.times.len()).max().unwrap_or(0);
+    let poses = lines.iter().map(|line| line.times.len()).max().unwrap_or(0);
     let x = Axis::even(
         0.0..poses.saturating_sub(1).max(1) as f64,
         10,
@@ -99,8 +100,7 @@ fn draw(area: &Area<'_>, lines: &[Line], y: Axis, means: &str) -> Drawing {
     Ok(())
 }
 
-/// The series with no more than [`MOST_POINTS`] points: of each stretch the least and the most, so
-/// that no spike is lost.
+/// The series with at most [`MOST_POINTS`] points: the minimum and the maximum of each stretch, so that no spike is lost.
 fn thinned(times: &[f64]) -> Vec<(usize, f64)> {
     let stretch = (2 * times.len()).div_ceil(MOST_POINTS).max(1);
     let mut points: Vec<(usize, f64)> = Vec::new();

@@ -1,38 +1,45 @@
-//! Words beside points without one lying on another: each takes the first free place around its
-//! point, near ones first.
+//! Places labels beside points without overlaps: each label takes the first free position around its point, near ones first.
 //!
-//! After the greedy placement in Jon Christensen, Joe Marks and Stuart Shieber, "An Empirical Study
-//! of Algorithms for Point-Feature Label Placement", 1995.
+//! The greedy placement is that of Jon Christensen, Joe Marks and Stuart Shieber, "An Empirical Study of Algorithms for Point-Feature Label
+//! Placement", 1995.
 
 /// A rectangle of the sheet: left, top, right, bottom.
 pub(super) type Box4 = [i32; 4];
 
-/// Where a label went.
+/// A point that gets a label.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Labelled {
+    /// The point.
+    pub(super) at: (i32, i32),
+    /// The label's width.
+    pub(super) width: i32,
+}
+
+/// The position of a label.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Place {
     /// Its left edge.
     pub(super) left: i32,
-    /// Its middle from top to bottom.
+    /// Its vertical middle.
     pub(super) middle: i32,
-    /// Whether it stands so far away that a line must lead to its point.
+    /// Whether it is so far away that a line must connect it with its point.
     pub(super) far: bool,
 }
 
-/// Places a label of the given width at each point, all of one `height`, inside `bounds` and beside
-/// `obstacles`; `radius` is that of the points' marks.
+/// Places labels of one `height`, inside of `bounds` and off the `obstacles`. `radius` is that of the points' marks.
 pub(super) fn place(
-    points: &[((i32, i32), i32)],
+    points: &[Labelled],
     height: i32,
     radius: i32,
     bounds: Box4,
     obstacles: &[Box4],
 ) -> Vec<Place> {
     let mark = |(x, y): (i32, i32)| [x - radius, y - radius, x + radius, y + radius];
-    let mut taken: Vec<Box4> = points.iter().map(|(point, _)| mark(*point)).collect();
+    let mut taken: Vec<Box4> = points.iter().map(|point| mark(point.at)).collect();
     taken.extend_from_slice(obstacles);
     points
         .iter()
-        .map(|&(point, width)| {
+        .map(|&Labelled { at: point, width }| {
             let candidates = candidates(point, width, height, radius);
             let worth = |place: &Place| {
                 let own = [
@@ -43,10 +50,10 @@ pub(super) fn place(
                 ];
                 let outside = area(own) - overlap(own, bounds);
                 let hidden: i64 = taken.iter().map(|other| overlap(own, *other)).sum();
-                // Words beyond the edge are lost; words upon words can at least be guessed.
+                // Text beyond the edge is lost, while overlapping text may still be readable.
                 4 * outside + hidden
             };
-            // The first of the best: near places come first.
+            // The first of the best, since near positions come first.
             let best = candidates.min_by_key(worth).unwrap_or(Place {
                 left: point.0,
                 middle: point.1,
@@ -107,7 +114,10 @@ mod tests {
         let bounds = [0, 0, 1600, 900];
         // Nine strategies at almost the same speed and error.
         let points: Vec<_> = (0..9)
-            .map(|i| ((800 + i * 6, 450 + (i % 3) * 4), 200))
+            .map(|i| Labelled {
+                at: (800 + i * 6, 450 + (i % 3) * 4),
+                width: 200,
+            })
             .collect();
         let boxes: Vec<Box4> = place(&points, 32, 12, bounds, &[])
             .iter()
@@ -124,7 +134,13 @@ mod tests {
     #[test]
     fn a_lone_label_stands_to_the_right_and_at_the_edge_to_the_left() {
         let bounds = [0, 0, 1000, 500];
-        let at = |x| place(&[((x, 250), 200)], 32, 12, bounds, &[])[0];
+        let at = |x| {
+            let point = Labelled {
+                at: (x, 250),
+                width: 200,
+            };
+            place(&[point], 32, 12, bounds, &[])[0]
+        };
         assert_eq!(
             at(500),
             Place {

@@ -1,81 +1,80 @@
-//! Speed against error: the one plot on which a strategy, or a setting of one, is chosen.
-
-use plotters::prelude::RGBColor;
+//! The plot of speed against error, for strategies or for the settings of a sweep.
 
 use super::axis::Axis;
-use super::canvas::{INK, Mark, Swatch, coloured, name};
+use super::canvas::{INK, LegendEntry, Mark, Swatch, coloured, name};
 use crate::MeasureError;
 use crate::report::Report;
-use crate::trade_off::{TimeBase, front};
-use draw::{Picture, Point, sheet};
+use crate::trade_off::{Cost, TimeBase, front};
+use draw::{EdgeLine, Place, Plot, Point, sheet};
 use speed::Speed;
 
 mod draw;
 mod speed;
 mod sweep;
 
-/// Speed to the right, mean wrong pixels upwards by decades with a place of their own for those
-/// that are 0. The efficient edge joins the strategies than which nothing measured is both faster
-/// and less wrong; `ideal`, where it was measured, is the line no strategy can cross. None for a
-/// report without strategies.
+/// Plots mean wrong pixels, logarithmic with a position for 0, over speed. A line connects the strategies on the Pareto front (the efficient
+/// edge). A vertical line shows `ideal`, the limit of every conservative strategy, where it was measured. `None` for a report without
+/// strategies.
 ///
-/// Of a sweep it shows the settings alone: those on the edge with their names, how far the noise
-/// may have moved each, its worst frame, and every budget of wrong pixels.
+/// For a sweep, it shows only the settings: names of those on the front, error bars for the noise and the worst frame, and each limit of wrong
+/// pixels.
 ///
 /// # Errors
-/// When the plotter fails.
+/// [`MeasureError::Plot`] where the plotter fails.
 pub fn speed_against_error(report: &Report) -> Result<Option<String>, MeasureError> {
-    let picture = match &report.sweep {
-        Some(swept) => sweep::picture(report, swept),
+    let plot = match &report.sweep {
+        Some(swept) => sweep::plot(report, swept),
         None => compared(report),
     };
-    picture.map(|picture| sheet(&picture)).transpose()
+    plot.map(|plot| sheet(&plot)).transpose()
 }
 
 /// All strategies of a comparison.
-fn compared(report: &Report) -> Option<Picture> {
+fn compared(report: &Report) -> Option<Plot> {
     let speed = Speed(TimeBase::of(report));
     let (ideal, rest): (Vec<_>, Vec<_>) = coloured(report)
         .into_iter()
-        .partition(|(s, _)| s.name == "ideal");
+        .partition(|one| one.strategy.name == "ideal");
     let points: Vec<Point> = rest
         .into_iter()
-        .map(|(s, colour)| {
-            let place = (speed.get(s), s.error.wrong_pixels_percent.mean);
-            Point::new(name(report, s), Mark::Dot(colour), place)
+        .map(|one| {
+            let place = Place {
+                speed: speed.get(one.strategy),
+                error: one.strategy.error.wrong_pixels_percent.mean,
+            };
+            Point::new(name(report, one.strategy), Mark::Dot(one.colour), place)
         })
         .collect();
     if points.is_empty() {
         return None;
     }
-    let ideal = ideal.first().map(|(s, _)| speed.get(s));
-    let mut legend = vec![entry(
+    let ideal = ideal.first().map(|one| speed.get(one.strategy));
+    let mut legend = vec![LegendEntry::new(
         "efficient edge: nothing measured is both faster and less wrong",
         INK,
         Swatch::Dashes,
     )];
     legend.extend(ideal.map(|_| draw::ideal("ideal: the limit of any culling")));
-    let fastest = points.iter().map(|p| p.speed).chain(ideal);
+    let fastest = points.iter().map(|p| p.place.speed).chain(ideal);
     let fastest = fastest.fold(f64::MIN_POSITIVE, f64::max);
-    let costs: Vec<_> = points.iter().map(|p| (-p.speed, p.error)).collect();
-    let edge = front(&costs);
-    Some(Picture {
+    let cost = |p: &Point| Cost {
+        time: -p.place.speed,
+        error: p.place.error,
+    };
+    let edge = front(&points.iter().map(cost).collect::<Vec<_>>());
+    Some(Plot {
         height: 430,
         speed,
         x: Axis::even(0.0..fastest * 1.08, 9, |v| speed.word(v)),
         edge: edge
             .into_iter()
             .filter_map(|at| points.get(at))
-            .map(Point::place)
+            .map(|point| point.place)
             .collect(),
-        solid_edge: false,
+        edge_line: EdgeLine::Dashed,
         points,
         ideal,
         limits: Vec::new(),
         legend,
     })
-}
-
-fn entry(words: impl Into<String>, colour: RGBColor, swatch: Swatch) -> (String, RGBColor, Swatch) {
-    (words.into(), colour, swatch)
 }

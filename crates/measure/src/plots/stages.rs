@@ -1,11 +1,12 @@
-//! What a frame's time is spent on: deciding what to draw, drawing it, and the rest.
+//! The plot of the parts of a frame's time: culling, drawing, and the rest.
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::axis::Axis;
 use super::canvas::{
-    Area, Drawing, Frame, INK, Swatch, UNIT, coloured, legend, letters, name, sheet, text_width,
+    Area, Drawing, Frame, INK, LegendEntry, Swatch, UNIT, coloured, legend, letters, name, sheet,
+    text_width,
 };
 use crate::MeasureError;
 use crate::format;
@@ -17,7 +18,7 @@ const DRAW: RGBColor = RGBColor(47, 126, 237);
 const REST: RGBColor = RGBColor(160, 165, 175);
 const LETTER: i32 = 13;
 
-/// One strategy's bar, milliseconds.
+/// A strategy's bar, in milliseconds.
 struct Bar {
     name: String,
     cull: f64,
@@ -25,17 +26,17 @@ struct Bar {
     frame: f64,
 }
 
-/// A bar a strategy: culling, drawing, and what of the serialised frame is neither. None for a
-/// report without strategies.
+/// Plots a bar for each strategy: culling, drawing, and the rest of the serialised frame. `None` for a report without strategies.
 ///
 /// # Errors
-/// When the plotter fails.
+/// [`MeasureError::Plot`] where the plotter fails.
 pub fn stage_times(report: &Report) -> Result<Option<String>, MeasureError> {
-    // The first strategy belongs at the top, and plots count from the bottom.
+    // Reversed, since rows count from the bottom and the first strategy is at the top.
     let bars: Vec<Bar> = coloured(report)
         .into_iter()
         .rev()
-        .map(|(s, _)| Bar {
+        .map(|one| one.strategy)
+        .map(|s| Bar {
             name: name(report, s),
             cull: s.cull_ms.unwrap_or(0.0),
             draw: s.draw_ms.unwrap_or(0.0),
@@ -50,11 +51,11 @@ pub fn stage_times(report: &Report) -> Result<Option<String>, MeasureError> {
 }
 
 fn draw(area: &Area<'_>, bars: &[Bar]) -> Drawing {
-    let word = |w: &str, colour| (w.to_owned(), colour, Swatch::Box);
+    let entry = |words: &str, colour| LegendEntry::new(words, colour, Swatch::Box);
     let entries = [
-        word("cull: deciding what to draw", CULL),
-        word("draw: the shaded passes", DRAW),
-        word("rest: recording, waiting, other passes", REST),
+        entry("cull: deciding what to draw", CULL),
+        entry("draw: the shaded passes", DRAW),
+        entry("rest: recording, waiting, other passes", REST),
     ];
     let area = legend(area, &entries)?;
     let longest = bars

@@ -1,37 +1,37 @@
-//! What a strategy's audit said of its own wrong pixels, and what a budget was kept with.
+//! The parts of a report about audits and budgets.
 
 use serde::{Deserialize, Serialize};
 
-/// An audit, over the poses at which the truth is known as well.
+/// A strategy's estimate of its own wrong pixels, over the poses at which they were measured as well.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct AuditReport {
-    /// Frames of views whose audits have come.
+    /// Frames, counted by view, whose audits have arrived.
     pub frames: u64,
-    /// Patches looked at, mean a frame of a view.
+    /// Inspected patches: mean over these frames.
     pub patches: f64,
     /// The estimate of the mean of the wrong pixels over these frames, in percent.
     pub percent: f64,
-    /// Its interval of 95 %: from here,
+    /// The lower end of its interval of 95 %.
     pub low: f64,
-    /// to here.
+    /// The upper end.
     pub high: f64,
-    /// Frames of views whose own interval of 95 % holds what was really wrong.
+    /// Of these frames, those whose own interval of 95 % contains the measured value.
     pub frames_within: u64,
-    /// The estimate of each pose by itself, mean of the views, in percent; poses whose audit has not come are 0.
+    /// By pose: its own estimate, the mean of the views, in percent; 0 where the audit has not arrived.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub wrong_pixels_percent: Vec<f64>,
 }
 
-/// A budget that was to be kept in place of settings.
+/// A budget that a strategy had in place of settings.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct BudgetReport {
     /// The budget as it is written on a command line.
     pub asked: String,
-    /// Whether the mean of the wrong pixels stayed within it; absent for a budget of time, which `frame_ms` tells of.
+    /// Whether the mean of the wrong pixels stayed within it; absent for a budget of time, for which see `frame_ms`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub kept: Option<bool>,
-    /// Frames on each step of the strategy's trade, the most accurate first.
+    /// Frames on each step of the strategy's trade-off, the most accurate first.
     pub frames_a_step: Vec<u64>,
-    /// What frames were allowed to leave out by their own count, mean a frame, in percent.
+    /// Samples that frames were allowed to leave out by their own count, in percent of the pixels: mean over the frames.
     pub allowed_percent: f64,
 }

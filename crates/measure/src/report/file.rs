@@ -1,5 +1,4 @@
-//! `report.json` on disk: loaded with limits and checked, saved whole or not at all, and never with
-//! a number that is none.
+//! Reads and writes `report.json`: with a size limit, checked, and written atomically. Numbers that are NaN or infinite are refused.
 
 use std::path::{Component, Path};
 
@@ -9,16 +8,15 @@ use super::Report;
 use crate::MeasureError;
 use crate::files::{read_limited, write_beside};
 
-/// The most bytes a `report.json` may have when read: far above a hundred strategies at ten
-/// thousand poses.
+/// The most bytes of a `report.json` that is read: far above a hundred strategies at ten thousand poses.
 pub const MAX_REPORT_BYTES: u64 = 64 << 20;
 
 impl Report {
-    /// Reads and checks a `report.json`. Fields it does not know are skipped.
+    /// Reads and checks a `report.json`. Unknown fields are skipped.
     ///
     /// # Errors
-    /// When the file cannot be read, is larger than [`MAX_REPORT_BYTES`], is no report, or
-    /// contradicts itself (see [`Report::check`]).
+    /// [`MeasureError`] where the file cannot be read, is larger than [`MAX_REPORT_BYTES`], is no report, or contradicts itself (see
+    /// [`Report::check`]).
     pub fn load(path: impl AsRef<Path>) -> Result<Self, MeasureError> {
         let path = path.as_ref();
         let bytes = read_limited(path, "report.json", MAX_REPORT_BYTES)?;
@@ -31,12 +29,11 @@ impl Report {
         Ok(report)
     }
 
-    /// Writes the report beside `path` and renames it there: readers see the old file or the new
-    /// one, never half of it.
+    /// Writes the report atomically: readers see the old file or the new one.
     ///
     /// # Errors
-    /// When a number is NaN or infinite (the field is named), the report contradicts itself, or the
-    /// file cannot be written.
+    /// [`MeasureError`] where a number is NaN or infinite (the field is named), the report contradicts itself, or the file cannot be
+    /// written.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<(), MeasureError> {
         let mut text = self.to_json()?;
         text.push('\n');
@@ -46,18 +43,18 @@ impl Report {
     /// The report as indented JSON text.
     ///
     /// # Errors
-    /// As [`Report::save`], but for the file.
+    /// As for [`Report::save`], except for those of the file.
     pub fn to_json(&self) -> Result<String, MeasureError> {
         self.check()?;
         let value = self.to_value()?;
         Ok(format!("{value:#}"))
     }
 
-    /// Whether the report is fit to be written and shown: all numbers finite, the view not empty,
-    /// every image inside the report's folder, every setting that a sweep names among the strategies.
+    /// Checks that all numbers are finite, the view has pixels, all images are inside of the report's folder, and every setting that a sweep
+    /// names is among the strategies.
     ///
     /// # Errors
-    /// The first field that is not, by its name.
+    /// [`MeasureError`] with the name of the first field that fails.
     pub fn check(&self) -> Result<(), MeasureError> {
         refuse_null(&self.to_value()?, "")?;
         if self.scene.size.contains(&0) {
@@ -85,7 +82,7 @@ impl Report {
         self.check_sweep()
     }
 
-    /// Whether a sweep names settings that the report has.
+    /// Checks that the settings that a sweep names are among the strategies.
     fn check_sweep(&self) -> Result<(), MeasureError> {
         let Some(sweep) = &self.sweep else {
             return Ok(());
@@ -120,8 +117,8 @@ impl Report {
     }
 }
 
-/// JSON has no NaN: serde_json writes null for it. Absent values are skipped by their fields, so
-/// that every null that is left, outside the free-form settings, was a number that is none.
+/// Refuses NaN and infinities. JSON has no NaN, so serde_json writes null. Absent values are skipped by their fields, so every null outside of
+/// the free-form settings was such a number.
 fn refuse_null(value: &Value, at: &str) -> Result<(), MeasureError> {
     match value {
         Value::Null => Err(MeasureError::NotFinite {
@@ -142,10 +139,10 @@ fn refuse_null(value: &Value, at: &str) -> Result<(), MeasureError> {
     }
 }
 
-/// A report is shown with the images it names embedded: it must not reach outside its folder.
+/// Whether a file is inside of the report's folder. The page embeds the images that a report names, so a report must not name other files.
 fn stays_inside(file: &str) -> bool {
     let path = Path::new(file);
-    // A backslash or a drive letter means nothing here and much on Windows.
+    // Backslashes and drive letters have a meaning on Windows.
     !file.contains(['\\', ':'])
         && path.components().next().is_some()
         && path

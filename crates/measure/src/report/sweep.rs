@@ -1,7 +1,7 @@
-//! What a sweep adds to a report: what was varied, which settings lie on the efficient edge, and
-//! which of them a budget of errors chooses.
+//! The part of a report about a sweep: what was varied, which settings are on the efficient edge (the Pareto front), and which of them each
+//! error limit selects.
 //!
-//! The functions of [`crate::trade_off`] make these out of what was measured.
+//! The functions of [`crate::trade_off`] make it from a report. The published fields call an error limit a budget.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,14 +9,13 @@ use serde::{Deserialize, Serialize};
 /// strategy of the report that is no yardstick is one of its settings.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Sweep {
-    /// The strategies that were swept, as they were asked for (`name` or `name:key=value`).
+    /// The swept strategies as they were requested (`name` or `name:key=value`).
     pub strategies: Vec<String>,
-    /// What was varied, in the order asked for.
+    /// What was varied, in the order of the request.
     pub vary: Vec<VariedSetting>,
-    /// The titles of the settings on the efficient edge, the most right first: see
-    /// [`crate::trade_off::edge`].
+    /// The titles of the settings on the efficient edge, the most accurate first: see [`crate::trade_off::pareto_front`].
     pub edge: Vec<String>,
-    /// What the budgets that were given choose.
+    /// What each error limit selects.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub budgets: Vec<LimitChoices>,
 }
@@ -24,16 +23,16 @@ pub struct Sweep {
 /// A setting and the values that were tried.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct VariedSetting {
-    /// The one strategy whose setting it is; absent where it is one of all that were swept.
+    /// The strategy that has the setting; absent where the setting is varied for all swept strategies.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strategy: Option<String>,
     /// The setting.
     pub key: String,
-    /// Its values, as text that would set them again.
+    /// Its values as text that the setting parses.
     pub values: Vec<String>,
 }
 
-/// An error that a budget can limit. The names are those of the report's error block.
+/// An error that can be limited. The names are those of the report's error block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ErrorMeasure {
@@ -45,7 +44,7 @@ pub enum ErrorMeasure {
     Flip,
 }
 
-/// Which of a series' numbers a limit is for.
+/// The aggregate of a series that is compared with a limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Aggregate {
@@ -57,60 +56,56 @@ pub enum Aggregate {
     Sum,
 }
 
-/// A budget and what it chooses.
+/// An error limit and the settings that it selects.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LimitChoices {
     /// The error that is limited.
     pub measure: ErrorMeasure,
     /// The most it may be, in the measure's unit.
     pub limit: f64,
-    /// The choice for the mean and the one for the worst pose; for false culls, the one for their
-    /// sum.
+    /// The choice for the mean and the one for the worst pose; for false culls, the one for their sum.
     pub choices: Vec<Choice>,
 }
 
-/// The setting to take.
+/// A selected setting.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Choice {
-    /// What is held against the limit.
+    /// The aggregate that is compared with the limit.
     pub over: Aggregate,
     /// The title of the setting.
     pub setting: String,
-    /// Whether it stays within the budget. Where no setting does, the one with the least error is
-    /// named, and this is `false`.
+    /// Whether it stays within the limit. Where no setting does, the one with the least error is selected, and this is `false`.
     pub within: bool,
     /// Its error, in the measure's unit.
     pub error: f64,
-    /// The limit less its error: below 0 where it does not stay within.
+    /// The limit minus its error: below 0 where it exceeds the limit.
     pub margin: f64,
-    /// The title of the fastest setting within the budget, which is mostly the choice itself; absent
-    /// where none is within.
+    /// The title of the fastest setting within the limit, often the choice itself; absent where none is within.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fastest: Option<String>,
-    /// The other settings within the budget whose speed the noise does not tell apart from the
-    /// fastest one's: the choice has no more error than any of them.
+    /// The other settings within the limit whose speed does not differ significantly from the fastest one's. The choice has no more error
+    /// than any of them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub alike: Vec<String>,
-    /// The fastest setting within the budget that is slower than the fastest of all beyond the noise;
-    /// absent where none is left.
+    /// The fastest setting within the limit that is significantly slower than the fastest of all; absent where there is none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub next: Option<RunnerUp>,
 }
 
-/// How certain it is that a setting is slower than the fastest within the budget.
+/// How significantly a setting is slower than the fastest within the limit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RunnerUp {
     /// The title of the setting.
     pub setting: String,
-    /// Its time over the fastest's: the median of the block ratios where both have series of frames.
+    /// Its time over that of the fastest: the median of the block ratios where both have series of frames.
     pub time_ratio: f64,
-    /// In how many blocks it was slower; absent with the two that follow where there are no series.
+    /// Blocks in which it was slower; absent, like the two fields below, where there are no series.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub slower_blocks: Option<u64>,
-    /// Blocks that were compared, those of exactly equal time left out.
+    /// Compared blocks; those of exactly equal time are left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub blocks: Option<u64>,
-    /// How probable so many slower blocks would be if both were equally fast (sign test, one-sided).
+    /// The probability of at least so many slower blocks if both were equally fast (one-sided sign test).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub by_chance: Option<f64>,
 }

@@ -1,4 +1,4 @@
-//! The table of the two eyes: what was asked for each, and what it got wrong.
+//! The stereo table: queries and errors of each eye.
 
 use super::{Definition, Table, number, text};
 use crate::format;
@@ -49,15 +49,14 @@ const COLUMNS: &[Definition] = &[
 ];
 
 impl Table {
-    /// What each eye's numbers are, left beside right; `None` where no strategy was measured in two. [`Table::new`] has both eyes
-    /// together.
+    /// The numbers of each eye; `None` where no strategy was measured with two. [`Table::new`] has both eyes together.
     pub fn eyes(report: &Report) -> Option<Self> {
         let measured = report.strategies.iter().any(|s| of(s, 0).is_some());
         (report.scene.views == 2 && measured).then(|| Self::of(report, COLUMNS))
     }
 }
 
-/// An eye's block: the first is the left one's.
+/// The error block of an eye; 0 is the left one.
 fn of(strategy: &StrategyReport, eye: usize) -> Option<&ErrorReport> {
     match strategy.views.as_slice() {
         both @ [_, _] => both.get(eye),

@@ -1,10 +1,10 @@
-//! The table of a sweep: what each setting costs, what it gets wrong, and which are worth having.
+//! The table of a sweep: the time and the errors of each setting, and which are on the efficient edge.
 
 use super::{COLUMNS, Column, Definition, Table, TableCell};
 use crate::report::Report;
 
-/// Of a comparison's columns those in which a trade is read.
-const READ: [(&str, &str); 7] = [
+/// The columns of a comparison that a sweep shows, by title and unit.
+const SHOWN: [(&str, &str); 7] = [
     ("strategy", ""),
     ("frame", "ms"),
     ("speed vs", "frustum"),
@@ -21,15 +21,15 @@ const EDGE: Column = Column {
 };
 
 impl Table {
-    /// The trade of a sweep in a few columns, with a mark on the settings of the efficient edge;
-    /// `None` for a report that is no sweep. [`Table::new`] has all columns.
+    /// The settings of a sweep in a few columns, with a mark on those of the efficient edge; `None` for a report without a sweep. [`Table::new`]
+    /// has all columns.
     pub fn sweep(report: &Report) -> Option<Self> {
         report.sweep.as_ref()?;
-        let read = |d: &&Definition| READ.contains(&(d.0.title, d.0.unit));
-        Some(Self::of(report, COLUMNS.iter().filter(read)).with_edge(report))
+        let shown = |d: &&Definition| SHOWN.contains(&(d.column.title, d.column.unit));
+        Some(Self::of(report, COLUMNS.iter().filter(shown)).with_edge(report))
     }
 
-    /// The same with a column that marks the efficient edge, where there is a sweep.
+    /// The table with a column that marks the efficient edge, if the report has a sweep.
     pub(super) fn with_edge(mut self, report: &Report) -> Self {
         let Some(sweep) = &report.sweep else {
             return self;

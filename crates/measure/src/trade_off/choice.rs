@@ -1,11 +1,11 @@
-//! The setting to take under a budget: the fastest that stays within it.
+//! The setting to take under an error limit: the fastest within it.
 
 use super::limit::ErrorLimit;
-use super::settings;
+use super::settings::{TimedSetting, settings};
 use super::speed::SpeedComparison;
 use crate::report::{Aggregate, Choice, LimitChoices, Report, StrategyReport};
 
-/// A setting with its time and the error that is limited.
+/// A setting with its time and the limited error.
 #[derive(Clone, Copy)]
 struct Candidate<'a> {
     setting: &'a StrategyReport,
@@ -13,33 +13,31 @@ struct Candidate<'a> {
     error: f64,
 }
 
-/// Chooses for a budget: for the mean and for the worst pose, false culls for their sum.
+/// Selects settings for a limit: one for the mean and one for the worst pose; for false culls, one for their sum.
 ///
-/// Of the settings within the budget it is the fastest; where others are as fast, as far as the noise
-/// can tell, the one of them with the least error. Where no setting stays within the budget, the one
-/// with the least error is named as the nearest. A report in which no setting was measured gets no
-/// choices.
-pub fn choose(report: &Report, budget: ErrorLimit) -> LimitChoices {
-    let race = SpeedComparison::of(report);
-    let choices = budget.measure().overs().iter();
+/// The selected setting is the fastest within the limit. Where others are not significantly slower, it is the one of them with the least
+/// error. Where no setting is within the limit, it is the setting with the least error. A report without measured settings gets no choices.
+pub fn choose(report: &Report, limit: ErrorLimit) -> LimitChoices {
+    let speeds = SpeedComparison::of(report);
+    let choices = limit.measure().aggregates().iter();
     LimitChoices {
-        measure: budget.measure(),
-        limit: budget.limit(),
+        measure: limit.measure(),
+        limit: limit.limit(),
         choices: choices
-            .filter_map(|over| choice(report, &race, budget, *over))
+            .filter_map(|over| choice(report, &speeds, limit, *over))
             .collect(),
     }
 }
 
 fn choice(
     report: &Report,
-    race: &SpeedComparison,
-    budget: ErrorLimit,
+    speeds: &SpeedComparison,
+    limit: ErrorLimit,
     over: Aggregate,
 ) -> Option<Choice> {
     let mut candidates: Vec<Candidate<'_>> = settings(report)
-        .filter_map(|(setting, time)| {
-            let error = budget.measure().of(&setting.error, over)?;
+        .filter_map(|TimedSetting { setting, time }| {
+            let error = limit.measure().of(&setting.error, over)?;
             Some(Candidate {
                 setting,
                 time,
@@ -51,23 +49,23 @@ fn choice(
     let named = |chosen: Candidate<'_>| Choice {
         over,
         setting: chosen.setting.title().to_owned(),
-        within: chosen.error <= budget.limit(),
+        within: chosen.error <= limit.limit(),
         error: chosen.error,
-        margin: budget.limit() - chosen.error,
+        margin: limit.limit() - chosen.error,
         fastest: None,
         alike: Vec::new(),
         next: None,
     };
     let within = candidates.iter().copied();
-    let within = within.filter(|candidate| candidate.error <= budget.limit());
+    let within = within.filter(|candidate| candidate.error <= limit.limit());
     let within: Vec<Candidate<'_>> = within.collect();
     let Some(fastest) = within.first().copied() else {
-        return least_wrong(&candidates).map(named);
+        return least_error(&candidates).map(named);
     };
     let (slower, alike): (Vec<_>, Vec<_>) = within
         .into_iter()
-        .partition(|candidate| race.faster(fastest.setting, candidate.setting));
-    let chosen = least_wrong(&alike)?;
+        .partition(|candidate| speeds.faster(fastest.setting, candidate.setting));
+    let chosen = least_error(&alike)?;
     let others = alike.iter().map(|candidate| candidate.setting);
     let next = slower.first();
     Some(Choice {
@@ -76,13 +74,13 @@ fn choice(
             .filter(|other| !std::ptr::eq(*other, chosen.setting))
             .map(|other| other.title().to_owned())
             .collect(),
-        next: next.and_then(|next| race.runner_up(next.setting, fastest.setting)),
+        next: next.and_then(|next| speeds.runner_up(next.setting, fastest.setting)),
         ..named(chosen)
     })
 }
 
-/// The least error; of equals the first, which is the fastest.
-fn least_wrong<'a>(candidates: &[Candidate<'a>]) -> Option<Candidate<'a>> {
+/// The candidate with the least error; in a tie the first, which is the fastest.
+fn least_error<'a>(candidates: &[Candidate<'a>]) -> Option<Candidate<'a>> {
     candidates
         .iter()
         .copied()

@@ -1,4 +1,4 @@
-//! A budget: the most error that a picture may have.
+//! Error limits: the most error that is accepted.
 
 use std::fmt;
 use std::str::FromStr;
@@ -6,17 +6,17 @@ use std::str::FromStr;
 use crate::MeasureError;
 use crate::report::{Aggregate, ErrorMeasure, ErrorReport};
 
-/// The most of one kind of error that is put up with.
+/// A limit of one kind of error.
 ///
-/// Written `wrong_pixels=0.05%`, `false_culls=3` or `flip=0.01`. A share of pixels has its percent
-/// sign, since 0.05 could as well mean one pixel in twenty; only nothing needs none.
+/// Its text is `wrong_pixels=0.05%`, `false_culls=3` or `flip=0.01`. A share of pixels needs its percent sign, since 0.05 could also mean one
+/// pixel in twenty; only 0 needs none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ErrorLimit {
     measure: ErrorMeasure,
     limit: f64,
 }
 
-/// What budgets look like, for whoever wrote another.
+/// The forms of a limit, for error messages.
 const FORMS: &str =
     "write wrong_pixels=0.05% (0 to 100, with its %), false_culls=3, or flip=0.01 (0 to 1)";
 
@@ -24,14 +24,14 @@ impl ErrorLimit {
     /// At most `limit` of an error: percent of the pixels 0 to 100, entities, or FLIP 0 to 1.
     ///
     /// # Errors
-    /// [`MeasureError::ErrorLimit`] for a limit that its measure cannot have.
+    /// [`MeasureError::ErrorLimit`] for a limit that the measure cannot have.
     pub fn new(measure: ErrorMeasure, limit: f64) -> Result<Self, MeasureError> {
         let fits = match measure {
             ErrorMeasure::WrongPixelsPercent => (0.0..=100.0).contains(&limit),
             ErrorMeasure::FalseCulls => limit >= 0.0 && limit.is_finite() && limit.fract() == 0.0,
             ErrorMeasure::Flip => (0.0..=1.0).contains(&limit),
         };
-        // Of -0 and 0 there shall be one.
+        // -0 becomes 0.
         let limit = limit.abs();
         if fits {
             Ok(Self { measure, limit })
@@ -40,27 +40,27 @@ impl ErrorLimit {
         }
     }
 
-    /// What is limited.
+    /// The error that is limited.
     pub fn measure(&self) -> ErrorMeasure {
         self.measure
     }
 
-    /// The most of it, in its unit.
+    /// The limit, in the measure's unit.
     pub fn limit(&self) -> f64 {
         self.limit
     }
 }
 
 impl ErrorMeasure {
-    /// What of a measure is held against a limit.
-    pub(super) fn overs(self) -> &'static [Aggregate] {
+    /// The aggregates that are compared with a limit.
+    pub(super) fn aggregates(self) -> &'static [Aggregate] {
         match self {
             Self::WrongPixelsPercent | Self::Flip => &[Aggregate::Mean, Aggregate::Max],
             Self::FalseCulls => &[Aggregate::Sum],
         }
     }
 
-    /// An error block's number; `None` for one that the measure does not have.
+    /// An aggregate of this measure in an error block; `None` for an aggregate that the measure does not have.
     pub(crate) fn of(self, error: &ErrorReport, over: Aggregate) -> Option<f64> {
         let number = match (self, over) {
             (Self::WrongPixelsPercent, Aggregate::Mean) => error.wrong_pixels_percent.mean,
@@ -126,16 +126,16 @@ mod tests {
             "flip=0.01",
             "flip=0",
         ] {
-            let budget: ErrorLimit = text.parse().unwrap();
-            assert_eq!(budget.to_string(), text);
+            let limit: ErrorLimit = text.parse().unwrap();
+            assert_eq!(limit.to_string(), text);
         }
         for (text, same) in [
             ("wrong_pixels=0", "wrong_pixels=0%"),
             ("wrong_pixels=-0%", "wrong_pixels=0%"),
             ("wrong_pixels=5e-2 %", "wrong_pixels=0.05%"),
         ] {
-            let budget: ErrorLimit = text.parse().unwrap();
-            assert_eq!(budget.to_string(), same);
+            let limit: ErrorLimit = text.parse().unwrap();
+            assert_eq!(limit.to_string(), same);
         }
     }
 

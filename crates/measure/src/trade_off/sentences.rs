@@ -1,30 +1,29 @@
-//! What a person would say of a budget's choices.
+//! Sentences about the settings that error limits select.
 
-use super::settings;
+use super::settings::settings;
 use crate::report::{
     Aggregate, Choice, ErrorMeasure, LimitChoices, Report, RunnerUp, StrategyReport, Sweep,
 };
 use crate::{format, summary};
 
-/// What the mark of the efficient edge says of a setting.
+/// The explanation of the mark on settings of the efficient edge.
 pub const EDGE_LEGEND: &str = "* efficient edge: no other setting is faster, beyond the noise, \
                               without more wrong pixels on average.";
 
-/// What one budget chooses, in words.
+/// One choice, in sentences.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChoiceText<'a> {
-    /// The heading it choice_texts: "Fastest with at most 0.05 % wrong pixels on average".
+    /// For example "Fastest with at most 0.05 % wrong pixels on average".
     pub heading: String,
-    /// The setting that is named.
+    /// The selected setting.
     pub setting: &'a StrategyReport,
-    /// Whether it stays within the budget.
+    /// Whether it is within the limit.
     pub within: bool,
-    /// How fast and how wrong it is, and how certain that nothing else is faster; a line each, without
-    /// the setting's name.
+    /// Its speed and error, and how significant its lead is; one sentence each, without the setting's name.
     pub lines: Vec<String>,
 }
 
-/// "sweep of three-pass over threshold = 0, 1, 4".
+/// A sweep in one line: "sweep of three-pass over threshold = 0, 1, 4".
 pub fn sweep_title(sweep: &Sweep) -> String {
     let varied: Vec<String> = sweep
         .vary
@@ -42,45 +41,44 @@ pub fn sweep_title(sweep: &Sweep) -> String {
     ))
 }
 
-/// The choice_texts to all budgets of a report's sweep, in their order; none for a report that is no
-/// sweep or has no budget.
+/// The choices of all limits of a report's sweep, in order; empty for a report without a sweep or without limits.
 pub fn choice_texts(report: &Report) -> Vec<ChoiceText<'_>> {
-    let budgets = report.sweep.iter().flat_map(|sweep| &sweep.budgets);
-    let choices = budgets.flat_map(|budget| budget.choices.iter().map(move |c| (budget, c)));
+    let limits = report.sweep.iter().flat_map(|sweep| &sweep.budgets);
+    let choices = limits.flat_map(|limit| limit.choices.iter().map(move |choice| (limit, choice)));
     choices
-        .filter_map(|(budget, choice)| choice_text(report, budget, choice))
+        .filter_map(|(limit, choice)| choice_text(report, limit, choice))
         .collect()
 }
 
 fn choice_text<'a>(
     report: &'a Report,
-    budget: &LimitChoices,
+    limit: &LimitChoices,
     choice: &Choice,
 ) -> Option<ChoiceText<'a>> {
     let setting = titled(report, &choice.setting)?;
-    // No error on average is none anywhere: that is said once.
-    let none = budget.limit == 0.0;
+    // No error on average means no error in any frame, so the second choice would repeat the first.
+    let none = limit.limit == 0.0;
     if none && choice.over == Aggregate::Max {
         return None;
     }
-    let limit = error(budget.measure, budget.limit);
+    let most = error(limit.measure, limit.limit);
     let over = over(choice.over);
     let heading = match (choice.within, none) {
-        (true, true) => format!("Fastest with {limit}"),
-        (true, false) => format!("Fastest with at most {limit}{over}"),
-        (false, true) => format!("No setting has {limit}; nearest"),
-        (false, false) => format!("No setting has at most {limit}{over}; nearest"),
+        (true, true) => format!("Fastest with {most}"),
+        (true, false) => format!("Fastest with at most {most}{over}"),
+        (false, true) => format!("No setting has {most}; nearest"),
+        (false, false) => format!("No setting has at most {most}{over}; nearest"),
     };
     let used = if none || choice.error == 0.0 {
         String::new()
     } else {
-        let share = 100.0 * choice.error / budget.limit;
-        format!(", {} % of the budget", format::percent(share))
+        let share = 100.0 * choice.error / limit.limit;
+        format!(", {} % of the limit", format::percent(share))
     };
-    let (speed, _) = summary::speed(report, setting);
+    let speed = summary::speed(report, setting).text;
     let mut lines = vec![format!(
         "{speed}, {}{used}",
-        error(budget.measure, choice.error)
+        error(limit.measure, choice.error)
     )];
     if choice.within {
         lines.extend(certainty(report, choice));
@@ -93,7 +91,7 @@ fn choice_text<'a>(
     })
 }
 
-/// How certain it is that nothing within the budget is faster.
+/// Sentences about the settings that are as fast, and about the next slower one.
 fn certainty(report: &Report, choice: &Choice) -> Vec<String> {
     let noise = match report.noise.frame_time_ratio_p95 {
         Some(ratio) => format!("the noise of {} %", format::percent((ratio - 1.0) * 100.0)),
@@ -126,7 +124,7 @@ fn certainty(report: &Report, choice: &Choice) -> Vec<String> {
             ));
         }
         _ if settings(report).count() > choice.alike.len() + 1 => {
-            lines.push("all others are beyond the budget".to_owned());
+            lines.push("all others are beyond the limit".to_owned());
         }
         _ => {}
     }

@@ -1,13 +1,15 @@
-//! Which of two settings is faster, and how certain that is.
+//! Compares the speeds of settings, with significance.
 
+use super::time_base::TimeBase;
 use crate::report::{Report, RunnerUp, StrategyReport};
 use crate::stats::{block_ratios, median, sign_test};
-use crate::trade_off::TimeBase;
 
-/// Tells speeds of one report apart.
+/// Compares speeds within one report.
 pub(super) struct SpeedComparison {
-    clock: TimeBase,
+    base: TimeBase,
+    /// The ratio of times above which a difference is significant.
     noise: f64,
+    /// Poses of a block.
     block: usize,
 }
 
@@ -16,7 +18,7 @@ impl SpeedComparison {
         let frames = usize::try_from(report.scene.frames).unwrap_or(usize::MAX);
         let block = report.noise.block_frames.map(usize::try_from);
         Self {
-            clock: TimeBase::of(report),
+            base: TimeBase::of(report),
             noise: report.noise.least_ratio(),
             block: block
                 .and_then(Result::ok)
@@ -24,9 +26,8 @@ impl SpeedComparison {
         }
     }
 
-    /// Whether `a` is faster than `b` by more than the noise: by their times against the yardstick
-    /// that all share, and block by block against each other. Where the two disagree nothing was
-    /// shown.
+    /// Whether `a` is significantly faster than `b`: by their times against the common yardstick, and by the median of their own block
+    /// ratios. Both must exceed the noise.
     pub(super) fn faster(&self, a: &StrategyReport, b: &StrategyReport) -> bool {
         let beyond = |ratio: Option<f64>| ratio.is_some_and(|ratio| ratio > self.noise);
         beyond(self.by_yardstick(b, a))
@@ -35,7 +36,7 @@ impl SpeedComparison {
                 .is_none_or(|ratios| beyond(median(&ratios).ok()))
     }
 
-    /// How `other` did against the `fastest`.
+    /// How much slower `other` is than `fastest`.
     pub(super) fn runner_up(
         &self,
         other: &StrategyReport,
@@ -57,13 +58,13 @@ impl SpeedComparison {
         })
     }
 
-    /// The time of `a` over that of `b`, both first held against the yardstick.
+    /// The time of `a` over that of `b`, both relative to the yardstick.
     fn by_yardstick(&self, a: &StrategyReport, b: &StrategyReport) -> Option<f64> {
-        let ratio = self.clock.time(a)? / self.clock.time(b)?;
+        let ratio = self.base.time(a)? / self.base.time(b)?;
         ratio.is_finite().then_some(ratio)
     }
 
-    /// The same block by block, where both have series.
+    /// The time of `a` over that of `b` for each block; `None` where one has no series.
     fn blocks(&self, a: &StrategyReport, b: &StrategyReport) -> Option<Vec<f64>> {
         let ratios = block_ratios(&a.frames.frame_ms, &b.frames.frame_ms, self.block).ok()?;
         ratios

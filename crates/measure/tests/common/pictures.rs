@@ -1,4 +1,4 @@
-//! The pictures that a made-up report names: boxes in fog, some of them with a hole.
+//! The pictures of a synthetic report: boxes in fog, some of them with a hole.
 
 use std::path::Path;
 

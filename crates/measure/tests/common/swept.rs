@@ -1,4 +1,4 @@
-//! A made-up sweep whose edge and choices are known by hand.
+//! A synthetic sweep whose Pareto front and choices are known.
 
 use antumbra_measure::report::{Report, StrategyReport, VariedSetting};
 use antumbra_measure::trade_off::{self, ErrorLimit};
@@ -36,8 +36,7 @@ pub fn report(settings: Vec<StrategyReport>) -> Report {
     report
 }
 
-/// The report whose sweep is known by hand: `0`, `4` and `64` are on the edge. `5` is faster than `4`,
-/// though not beyond the noise; `99` is beaten by `64`.
+/// A report with a known Pareto front: `0`, `4` and `64`. `5` is faster than `4`, but only within the noise; `64` dominates `99`.
 pub fn known() -> Report {
     report(vec![
         setting("99", 0.35, 0.3),
@@ -48,16 +47,16 @@ pub fn known() -> Report {
     ])
 }
 
-/// The same as a sweep under these budgets.
+/// The report as a sweep with these limits.
 pub fn with(mut report: Report, budgets: &[&str]) -> Report {
-    let budgets: Vec<ErrorLimit> = budgets.iter().map(|text| text.parse().unwrap()).collect();
+    let limits: Vec<ErrorLimit> = budgets.iter().map(|text| text.parse().unwrap()).collect();
     let values = ["99", "0", "4", "5", "64"].map(str::to_owned);
     let vary = VariedSetting {
         strategy: None,
         key: "threshold".into(),
         values: values.into(),
     };
-    let sweep = trade_off::sweep(&report, vec!["three-pass".into()], vec![vary], &budgets);
+    let sweep = trade_off::sweep(&report, vec!["three-pass".into()], vec![vary], &limits);
     report.sweep = Some(sweep);
     report
 }

@@ -1,5 +1,4 @@
-//! A made-up report with plausible numbers: four strategies beside the three yardsticks, on a
-//! software adapter.
+//! A synthetic report with plausible numbers: four strategies and the three yardsticks, on a software adapter.
 
 use std::collections::BTreeMap;
 
@@ -57,8 +56,7 @@ pub fn report() -> Report {
     }
 }
 
-/// A strategy whose frames take about `ms`, `cull` of it culling, and get `wrong` percent wrong on
-/// average.
+/// A strategy whose frames take about `ms`, of which `cull` is culling, with `wrong` percent wrong pixels on average.
 pub fn strategy(
     name: &str,
     latency: &str,

@@ -1,75 +1,86 @@
-//! Draws speed against error: points with their names, the edge that joins some of them, and the
-//! lines that none may cross.
+//! Draws speed against error: named points, the line of the Pareto front, and the lines of limits.
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::entry;
 use super::speed::Speed;
 use crate::MeasureError;
 use crate::plots::axis::Axis;
 use crate::plots::canvas::{
-    self, Area, Drawing, FAINT, Frame, INK, Mark, Swatch, UNIT, dashes, legend, letters, text_width,
+    self, Area, Drawing, FAINT, Frame, INK, LegendEntry, Mark, Swatch, UNIT, dashes, legend,
+    letters, text_width,
 };
-use crate::plots::labels::{self, Box4, Place};
+use crate::plots::labels::{self, Box4, Labelled};
 
 const TITLE: &str = "Speed against error";
 const EVERY_RIGHT: &str = "every pixel right";
 const LETTER: i32 = 14;
 const RADIUS: i32 = 6;
-/// What is not allowed.
+/// The colour of limits.
 const LIMIT: RGBColor = RGBColor(225, 60, 80);
 
-/// All that the plot shows.
-pub(super) struct Picture {
-    /// Of the sheet, CSS pixels.
+/// The contents of the plot.
+pub(super) struct Plot {
+    /// Height in CSS pixels.
     pub(super) height: i32,
     pub(super) speed: Speed,
     /// The axis of speeds.
     pub(super) x: Axis,
-    /// Those whose names matter most first.
+    /// Those with the most important names first.
     pub(super) points: Vec<Point>,
-    /// Speeds and errors of the efficient edge, the most right first.
-    pub(super) edge: Vec<(f64, f64)>,
-    /// Whether the edge is what the plot is about, and no guide to the eye.
-    pub(super) solid_edge: bool,
+    /// The Pareto front, the most accurate point first.
+    pub(super) edge: Vec<Place>,
+    pub(super) edge_line: EdgeLine,
     /// The speed of `ideal`.
     pub(super) ideal: Option<f64>,
     pub(super) limits: Vec<Limit>,
-    pub(super) legend: Vec<(String, RGBColor, Swatch)>,
+    pub(super) legend: Vec<LegendEntry>,
 }
 
-/// A strategy, or a setting of one.
-pub(super) struct Point {
-    /// Its name; empty for a point without.
-    name: String,
-    pub(super) mark: Mark,
+/// How the line of the Pareto front is drawn.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum EdgeLine {
+    Solid,
+    Dashed,
+}
+
+/// A position in the plot.
+#[derive(Clone, Copy)]
+pub(super) struct Place {
     pub(super) speed: f64,
     pub(super) error: f64,
-    /// A factor by which noise may have moved its speed to either side.
+}
+
+/// A strategy or a setting.
+pub(super) struct Point {
+    /// Its name; empty for a point without a label.
+    name: String,
+    pub(super) mark: Mark,
+    pub(super) place: Place,
+    /// The factor of its speed's error bar, to either side.
     blur: Option<f64>,
     /// The error of its worst frame.
     pub(super) worst: Option<f64>,
 }
 
-/// A budget.
+/// A limit of wrong pixels.
 pub(super) struct Limit {
     pub(super) error: f64,
     pub(super) words: String,
 }
 
 impl Point {
-    pub(super) fn new(name: String, mark: Mark, (speed, error): (f64, f64)) -> Self {
+    pub(super) fn new(name: String, mark: Mark, place: Place) -> Self {
         Self {
             name,
             mark,
-            speed,
-            error,
+            place,
             blur: None,
             worst: None,
         }
     }
 
+    /// The point with error bars.
     pub(super) fn with_bars(self, blur: f64, worst: f64) -> Self {
         Self {
             blur: Some(blur),
@@ -77,23 +88,21 @@ impl Point {
             ..self
         }
     }
-
-    pub(super) fn place(&self) -> (f64, f64) {
-        (self.speed, self.error)
-    }
 }
 
 /// The legend's entry for the line of `ideal`.
-pub(super) fn ideal(words: &str) -> (String, RGBColor, Swatch) {
-    entry(words, FAINT, Swatch::Upright)
+pub(super) fn ideal(words: &str) -> LegendEntry {
+    LegendEntry::new(words, FAINT, Swatch::Upright)
 }
 
-pub(super) fn sheet(picture: &Picture) -> Result<String, MeasureError> {
-    canvas::sheet(TITLE, picture.height, |area| draw(area, picture))
+/// Draws the plot.
+pub(super) fn sheet(plot: &Plot) -> Result<String, MeasureError> {
+    canvas::sheet(TITLE, plot.height, |area| draw(area, plot))
 }
 
-/// Where on the sheet a speed and an error are.
+/// The chart on the sheet.
 struct Ground<On> {
+    /// Maps a place to the sheet.
     on: On,
     left: i32,
     right: i32,
@@ -103,23 +112,23 @@ struct Ground<On> {
     zero: i32,
 }
 
-fn draw(area: &Area<'_>, picture: &Picture) -> Drawing {
-    let area = &legend(area, &picture.legend)?;
-    let x = &picture.x;
-    let points = picture.points.iter();
+fn draw(area: &Area<'_>, plot: &Plot) -> Drawing {
+    let area = &legend(area, &plot.legend)?;
+    let x = &plot.x;
+    let points = plot.points.iter();
     let errors = points
-        .flat_map(|p| [Some(p.error), p.worst].into_iter().flatten())
-        .chain(picture.limits.iter().map(|limit| limit.error));
+        .flat_map(|p| [Some(p.place.error), p.worst].into_iter().flatten())
+        .chain(plot.limits.iter().map(|limit| limit.error));
     let y = Axis::errors(errors);
     let frame = Frame {
         x: x.clone(),
         y: y.clone(),
-        x_means: picture.speed.means(),
+        x_means: plot.speed.means(),
         y_means: "wrong pixels, mean (%)",
         y_room: 76,
     };
     let chart = frame.draw(area)?;
-    // The sheet's own coordinates from here on.
+    // From here on in the sheet's coordinates.
     let area = &area.strip_coord_spec();
     let base = area.get_base_pixel();
     let at = |x_at: f64, y_at: f64| {
@@ -129,25 +138,29 @@ fn draw(area: &Area<'_>, picture: &Picture) -> Drawing {
     let (left, bottom) = at(x.ends().start, y.ends().start);
     let (right, top) = at(x.ends().end, y.ends().end);
     let ground = Ground {
-        on: |(speed, error)| at(x.place(speed), y.place(error)),
+        on: |place: Place| at(x.place(place.speed), y.place(place.error)),
         left,
         right,
         top,
         bottom,
         zero: at(x.ends().start, y.break_above_zero()).1,
     };
-    let mut taken = ground.lines(area, picture)?;
-    taken.extend(ground.edge(area, picture)?);
-    taken.extend(ground.bars(area, picture)?);
-    ground.points(area, picture, &taken)
+    let mut taken = ground.lines(area, plot)?;
+    taken.extend(ground.edge(area, plot)?);
+    taken.extend(ground.bars(area, plot)?);
+    ground.points(area, plot, &taken)
 }
 
-/// Room that is taken on the sheet.
+/// Occupied areas of the sheet.
 type Taken = Result<Vec<Box4>, DrawingAreaErrorKind<std::io::Error>>;
 
-impl<On: Fn((f64, f64)) -> (i32, i32)> Ground<On> {
-    /// The lines that mean something by where they are.
-    fn lines(&self, area: &Area<'_>, picture: &Picture) -> Taken {
+impl<On: Fn(Place) -> (i32, i32)> Ground<On> {
+    fn at(&self, speed: f64, error: f64) -> (i32, i32) {
+        (self.on)(Place { speed, error })
+    }
+
+    /// Draws the lines of 0, of `ideal` and of the limits.
+    fn lines(&self, area: &Area<'_>, plot: &Plot) -> Taken {
         let (left, right, zero) = (self.left, self.right, self.zero);
         area.draw(&dashes([(left, zero), (right, zero)], FAINT))?;
         let every_right = letters(LETTER - 2, &FAINT).pos(Pos::new(HPos::Left, VPos::Center));
@@ -163,16 +176,16 @@ impl<On: Fn((f64, f64)) -> (i32, i32)> Ground<On> {
             left + 5 * UNIT + text_width(EVERY_RIGHT, LETTER - 2),
             zero + LETTER * UNIT * 4 / 3,
         ]];
-        if let Some(ideal) = picture.ideal {
-            let (x, _) = (self.on)((ideal, 0.0));
+        if let Some(ideal) = plot.ideal {
+            let (x, _) = self.at(ideal, 0.0);
             taken.push([x - 2 * UNIT, self.top, x + 2 * UNIT, self.bottom]);
             area.draw(&PathElement::new(
                 [(x, self.top), (x, self.bottom)],
                 FAINT.stroke_width(2 * UNIT as u32),
             ))?;
         }
-        for limit in &picture.limits {
-            let (_, y) = (self.on)((0.0, limit.error));
+        for limit in &plot.limits {
+            let (_, y) = self.at(0.0, limit.error);
             area.draw(&dashes([(left, y), (right, y)], LIMIT))?;
             let words = letters(LETTER - 2, &LIMIT).pos(Pos::new(HPos::Left, VPos::Bottom));
             let width = text_width(&limit.words, LETTER - 2);
@@ -187,14 +200,14 @@ impl<On: Fn((f64, f64)) -> (i32, i32)> Ground<On> {
         Ok(taken)
     }
 
-    /// The edge in steps: what lies to the right of it or below is not reached.
-    fn edge(&self, area: &Area<'_>, picture: &Picture) -> Taken {
+    /// Draws the Pareto front in steps. No point is to the right of it or below it.
+    fn edge(&self, area: &Area<'_>, plot: &Plot) -> Taken {
         let mut taken = Vec::new();
-        let edge = &picture.edge;
+        let edge = &plot.edge;
         for (from, to) in edge.iter().zip(edge.iter().skip(1)) {
             let ((x0, y0), (x1, y1)) = ((self.on)(*from), (self.on)(*to));
             let line = [(x0, y0), (x0, y1), (x1, y1)];
-            if picture.solid_edge {
+            if plot.edge_line == EdgeLine::Solid {
                 area.draw(&PathElement::new(line, INK.stroke_width(UNIT as u32)))?;
             } else {
                 area.draw(&dashes(line, INK))?;
@@ -205,26 +218,26 @@ impl<On: Fn((f64, f64)) -> (i32, i32)> Ground<On> {
         Ok(taken)
     }
 
-    /// How far the noise may have moved each point, and up to where its worst frame is.
-    fn bars(&self, area: &Area<'_>, picture: &Picture) -> Taken {
+    /// Draws error bars: horizontal ones for the noise, upward ones to the worst frame.
+    fn bars(&self, area: &Area<'_>, plot: &Plot) -> Taken {
         let mut taken = Vec::new();
         let mut bar = |ends: [(i32, i32); 2]| {
             let [(x0, y0), (x1, y1)] = ends;
             taken.push([x0 - UNIT, y1 - UNIT, x1 + UNIT, y0 + UNIT]);
             area.draw(&PathElement::new(ends, FAINT.stroke_width(UNIT as u32)))
         };
-        for point in &picture.points {
+        for point in &plot.points {
             let cap = 4 * UNIT;
             if let Some(blur) = point.blur {
-                let (x0, y) = (self.on)((point.speed / blur, point.error));
-                let (x1, _) = (self.on)((point.speed * blur, point.error));
+                let (x0, y) = self.at(point.place.speed / blur, point.place.error);
+                let (x1, _) = self.at(point.place.speed * blur, point.place.error);
                 bar([(x0, y), (x1, y)])?;
                 bar([(x0, y + cap), (x0, y - cap)])?;
                 bar([(x1, y + cap), (x1, y - cap)])?;
             }
-            if let Some(worst) = point.worst.filter(|worst| *worst > point.error) {
-                let (x, y0) = (self.on)(point.place());
-                let (_, y1) = (self.on)((point.speed, worst));
+            if let Some(worst) = point.worst.filter(|worst| *worst > point.place.error) {
+                let (x, y0) = (self.on)(point.place);
+                let (_, y1) = self.at(point.place.speed, worst);
                 bar([(x, y0), (x, y1)])?;
                 bar([(x - cap, y1), (x + cap, y1)])?;
             }
@@ -232,18 +245,21 @@ impl<On: Fn((f64, f64)) -> (i32, i32)> Ground<On> {
         Ok(taken)
     }
 
-    /// The points and their names, beside whatever room is taken.
-    fn points(&self, area: &Area<'_>, picture: &Picture, taken: &[Box4]) -> Drawing {
+    /// Draws the points, and their names off the occupied areas.
+    fn points(&self, area: &Area<'_>, plot: &Plot, taken: &[Box4]) -> Drawing {
         let named = |p: &&Point| !p.name.is_empty();
-        let points: Vec<&Point> = picture.points.iter().filter(named).collect();
+        let points: Vec<&Point> = plot.points.iter().filter(named).collect();
         let mut taken = taken.to_vec();
-        for point in picture.points.iter().filter(|p| p.name.is_empty()) {
-            let ((x, y), r) = ((self.on)(point.place()), RADIUS * UNIT);
+        for point in plot.points.iter().filter(|p| p.name.is_empty()) {
+            let ((x, y), r) = ((self.on)(point.place), RADIUS * UNIT);
             taken.push([x - r, y - r, x + r, y + r]);
         }
-        let places: Vec<((i32, i32), i32)> = points
+        let places: Vec<Labelled> = points
             .iter()
-            .map(|p| ((self.on)(p.place()), text_width(&p.name, LETTER)))
+            .map(|p| Labelled {
+                at: (self.on)(p.place),
+                width: text_width(&p.name, LETTER),
+            })
             .collect();
         let labels = labels::place(
             &places,
@@ -252,18 +268,17 @@ impl<On: Fn((f64, f64)) -> (i32, i32)> Ground<On> {
             [self.left, self.top, self.right, self.bottom],
             &taken,
         );
-        for ((at, width), label) in places.iter().zip(&labels).filter(|(_, label)| label.far) {
-            let end = leader_end(*at, *width, label);
+        for (point, label) in places.iter().zip(&labels).filter(|(_, label)| label.far) {
             area.draw(&PathElement::new(
-                [*at, end],
+                [point.at, leader_end(*point, label)],
                 FAINT.stroke_width(UNIT as u32),
             ))?;
         }
-        for point in &picture.points {
-            canvas::mark(area, (self.on)(point.place()), RADIUS * UNIT, point.mark)?;
+        for point in &plot.points {
+            canvas::mark(area, (self.on)(point.place), RADIUS * UNIT, point.mark)?;
         }
-        for ((point, (at, width)), label) in points.iter().zip(&places).zip(&labels) {
-            // Anchored on the side of its point, since the width is but a guess.
+        for ((point, Labelled { at, width }), label) in points.iter().zip(&places).zip(&labels) {
+            // Anchored on the side of its point, since the width is an estimate.
             let (x, anchor) = match (label.left > at.0, label.left + width < at.0) {
                 (true, _) => (label.left, HPos::Left),
                 (_, true) => (label.left + width, HPos::Right),
@@ -281,7 +296,8 @@ impl<On: Fn((f64, f64)) -> (i32, i32)> Ground<On> {
     }
 }
 
-/// The end of a leader: the nearest of the label's left, middle and right.
-fn leader_end(at: (i32, i32), width: i32, label: &Place) -> (i32, i32) {
-    (at.0.clamp(label.left, label.left + width), label.middle)
+/// The end of the line between a point and its label: the label's nearest position in x, and its vertical middle.
+fn leader_end(point: Labelled, label: &labels::Place) -> (i32, i32) {
+    let x = point.at.0.clamp(label.left, label.left + point.width);
+    (x, label.middle)
 }

@@ -1,15 +1,15 @@
-//! Speed as the plot says it: the inverse of a time.
+//! Speeds for the plot: inverses of times.
 
 use crate::format;
 use crate::report::StrategyReport;
 use crate::trade_off::TimeBase;
 
-/// What speed is measured by.
+/// The unit of speeds.
 #[derive(Clone, Copy)]
 pub(super) struct Speed(pub(super) TimeBase);
 
 impl Speed {
-    /// How many times as fast as the yardstick, or frames per second; 0 for what was not timed.
+    /// A strategy's speed: how many times as fast as the yardstick, or frames per second; 0 where it was not timed.
     pub(super) fn get(self, strategy: &StrategyReport) -> f64 {
         match (self.0, self.0.time(strategy)) {
             (TimeBase::Alone, _) => 1000.0 / strategy.frame_ms.median.max(1e-6),
@@ -17,6 +17,7 @@ impl Speed {
         }
     }
 
+    /// The axis's description.
     pub(super) fn means(self) -> &'static str {
         match self.0 {
             TimeBase::VsFrustum => {
@@ -29,6 +30,7 @@ impl Speed {
         }
     }
 
+    /// A speed as text.
     pub(super) fn word(self, value: f64) -> String {
         match self.0 {
             TimeBase::Alone => format::trimmed(value),

@@ -1,53 +1,52 @@
-//! What the plot of a sweep shows: its settings alone, close enough to tell them apart.
+//! The contents of a sweep's plot: its settings, with the speed axis close around them.
 
 use plotters::prelude::RGBColor;
 
-use super::draw::{Limit, Picture, Point, ideal};
-use super::entry;
+use super::draw::{EdgeLine, Limit, Place, Plot, Point, ideal};
 use super::speed::Speed;
 use crate::format;
 use crate::plots::axis::Axis;
-use crate::plots::canvas::{FAINT, INK, Mark, PALETTE, Swatch};
+use crate::plots::canvas::{FAINT, INK, LegendEntry, Mark, PALETTE, Swatch};
 use crate::report::{Aggregate, ErrorMeasure, LimitChoices, Report, StrategyReport, Sweep};
 use crate::trade_off::TimeBase;
 
-/// With no more settings than this, those off the edge have their names, too.
+/// With at most so many settings, those off the Pareto front are named too.
 const FEW: usize = 12;
-/// `ideal` is shown where it is no more than this many times as fast as the fastest setting, or
-/// further away by half of what the settings themselves are apart.
+/// `ideal` is shown where it is at most this many times as fast as the fastest setting, or at most half of the settings' own ratio away.
 const NEAR: f64 = 1.05;
-/// With the fastest this many times as fast as the slowest, the axis is logarithmic.
+/// The axis is logarithmic where the fastest setting is this many times as fast as the slowest.
 const WIDE: f64 = 2.5;
-/// Free space on both sides, as a part of the spread, and the least spread as a part of the speed.
+/// Free space on both sides, as a fraction of the range of speeds.
 const MARGIN: f64 = 0.12;
+/// The least range, as a fraction of the speed.
 const LEAST_SPREAD: f64 = 0.02;
-/// Faster, slower and noisier than this nothing is drawn, so that no file can ask for endless axes.
-const SPEED_MOST: f64 = 1e9;
-const BLUR_MOST: f64 = 1e3;
+/// Bounds of speeds and error bars, so that no report can make the axis too long.
+const MAX_SPEED: f64 = 1e9;
+const MAX_BLUR: f64 = 1e3;
 
 /// The plot of a report's sweep; `None` where no setting was measured.
-pub(super) fn picture(report: &Report, sweep: &Sweep) -> Option<Picture> {
+pub(super) fn plot(report: &Report, sweep: &Sweep) -> Option<Plot> {
     let speed = Speed(TimeBase::of(report));
     let settings: Vec<&StrategyReport> = report
         .strategies
         .iter()
         .filter(|s| !s.is_yardstick())
         .collect();
-    // Two bars of this factor overlap just where the ratio of their speeds is within the noise.
-    let blur = report.noise.least_ratio().sqrt().min(BLUR_MOST);
-    let drawn = |s: &StrategyReport| speed.get(s).clamp(1.0 / SPEED_MOST, SPEED_MOST);
+    // Two error bars of this factor overlap exactly where the ratio of their speeds is within the noise.
+    let blur = report.noise.least_ratio().sqrt().min(MAX_BLUR);
+    let drawn = |s: &StrategyReport| speed.get(s).clamp(1.0 / MAX_SPEED, MAX_SPEED);
     let on_edge = |s: &&StrategyReport| sweep.edge.iter().any(|on| on == s.title());
     let mut points: Vec<Point> = settings
         .iter()
         .map(|s| {
             let (edge, chosen) = (on_edge(s), chosen(sweep, s));
-            let (colour, own) = strategy(sweep, s);
+            let Swept { colour, own_title } = swept(sweep, s);
             let wrong = s.error.wrong_pixels_percent;
             let mut words = String::new();
             if edge || chosen.is_some() || settings.len() <= FEW {
-                words = format::short(own, 48) + chosen.as_deref().unwrap_or_default();
+                words = format::short(own_title, 48) + chosen.as_deref().unwrap_or_default();
             }
-            // Names leave to colours which strategy it is, where there are several.
+            // With several strategies, the colour tells which one it is.
             let beaten = match sweep.strategies.as_slice() {
                 [_] => FAINT,
                 _ => colour,
@@ -58,7 +57,11 @@ pub(super) fn picture(report: &Report, sweep: &Sweep) -> Option<Picture> {
                 (true, false) => Mark::Dot(colour),
                 (false, false) => Mark::Ring(beaten),
             };
-            let point = Point::new(words, mark, (drawn(s), wrong.mean));
+            let place = Place {
+                speed: drawn(s),
+                error: wrong.mean,
+            };
+            let point = Point::new(words, mark, place);
             if edge || chosen.is_some() {
                 point.with_bars(blur, wrong.max)
             } else {
@@ -66,8 +69,8 @@ pub(super) fn picture(report: &Report, sweep: &Sweep) -> Option<Picture> {
             }
         })
         .collect();
-    let slowest = points.iter().map(|p| p.speed / blur);
-    let fastest = points.iter().map(|p| p.speed * blur);
+    let slowest = points.iter().map(|p| p.place.speed / blur);
+    let fastest = points.iter().map(|p| p.place.speed * blur);
     let (low, high) = (
         slowest.reduce(f64::min)?,
         fastest.fold(f64::MIN_POSITIVE, f64::max),
@@ -83,67 +86,75 @@ pub(super) fn picture(report: &Report, sweep: &Sweep) -> Option<Picture> {
         Axis::even(ends, 9, |v| speed.word(v))
     };
     let edge = settings.iter().zip(&points).filter(|(s, _)| on_edge(s));
-    let mut edge: Vec<(f64, f64)> = edge.map(|(_, point)| point.place()).collect();
-    edge.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let mut edge: Vec<Place> = edge.map(|(_, point)| point.place).collect();
+    edge.sort_by(|a, b| a.error.total_cmp(&b.error));
     points.sort_by_key(|point| match point.mark {
         Mark::Target(_) => 0,
         Mark::Dot(_) => 1,
         Mark::Ring(_) => 2,
     });
-    Some(Picture {
+    let ideal_line = limit.map(|speed| match shown {
+        Some(_) => IdealLine::Shown,
+        None => IdealLine::OffPlot(speed),
+    });
+    Some(Plot {
         height: 480,
         speed,
         x,
         limits: limits(sweep),
-        legend: legend(
-            report,
-            sweep,
-            &points,
-            limit.map(|at| (at, shown.is_some())),
-        ),
+        legend: legend(report, sweep, &points, ideal_line),
         points,
         edge,
-        solid_edge: true,
+        edge_line: EdgeLine::Solid,
         ideal: shown,
     })
 }
 
-/// Says which budget of wrong pixels a setting is the choice of, if any.
+/// Where the line of `ideal` is.
+#[derive(Clone, Copy)]
+enum IdealLine {
+    Shown,
+    /// Outside of the plot, at this speed.
+    OffPlot(f64),
+}
+
+/// The limits that select a setting, as a suffix of its name; `None` where none does.
 fn chosen(sweep: &Sweep, setting: &StrategyReport) -> Option<String> {
-    let choices = sweep.budgets.iter().flat_map(|budget| {
-        let choices = budget.choices.iter().filter(|choice| choice.within);
-        choices.map(move |choice| (budget, choice))
+    let choices = sweep.budgets.iter().flat_map(|limit| {
+        let choices = limit.choices.iter().filter(|choice| choice.within);
+        choices.map(move |choice| (limit, choice))
     });
     let its = choices.filter(|(_, choice)| choice.setting == setting.title());
     let its: Vec<String> = its
-        .map(|(budget, choice)| short(budget, choice.over))
+        .map(|(limit, choice)| short(limit, choice.over))
         .collect();
     (!its.is_empty()).then(|| format!(" (chosen: {})", its.join(", ")))
 }
 
-/// "0.05 % mean", "3 false culls".
-fn short(budget: &LimitChoices, over: Aggregate) -> String {
+/// A limit in short: "0.05 % mean", "3 false culls".
+fn short(limit: &LimitChoices, over: Aggregate) -> String {
     let over = match over {
         Aggregate::Mean => " mean",
         Aggregate::Max => " worst",
         Aggregate::Sum => "",
     };
-    match budget.measure {
-        ErrorMeasure::WrongPixelsPercent => format!("{} %{over}", format::percent(budget.limit)),
-        ErrorMeasure::FalseCulls => format::plural(budget.limit as u64, "false cull"),
-        ErrorMeasure::Flip => format!("FLIP {}{over}", format::flip(budget.limit)),
+    match limit.measure {
+        ErrorMeasure::WrongPixelsPercent => format!("{} %{over}", format::percent(limit.limit)),
+        ErrorMeasure::FalseCulls => format::plural(limit.limit as u64, "false cull"),
+        ErrorMeasure::Flip => format!("FLIP {}{over}", format::flip(limit.limit)),
     }
 }
 
-/// The budgets that have a place on an axis of wrong pixels.
+/// The limits of wrong pixels that have a position on the logarithmic axis.
 fn limits(sweep: &Sweep) -> Vec<Limit> {
-    let budgets = sweep.budgets.iter();
-    let budgets =
-        budgets.filter(|b| b.measure == ErrorMeasure::WrongPixelsPercent && b.limit > 0.0);
-    budgets
-        .map(|budget| Limit {
-            error: budget.limit,
-            words: format!("budget {} %", format::percent(budget.limit)),
+    let of_pixels = |limit: &&LimitChoices| {
+        limit.measure == ErrorMeasure::WrongPixelsPercent && limit.limit > 0.0
+    };
+    let limits = sweep.budgets.iter().filter(of_pixels);
+    limits
+        .map(|limit| Limit {
+            error: limit.limit,
+            words: format!("limit {} %", format::percent(limit.limit)),
         })
         .collect()
 }
@@ -152,8 +163,9 @@ fn legend(
     report: &Report,
     sweep: &Sweep,
     points: &[Point],
-    limit: Option<(f64, bool)>,
-) -> Vec<(String, RGBColor, Swatch)> {
+    ideal_line: Option<IdealLine>,
+) -> Vec<LegendEntry> {
+    let entry = |words: &str, colour, swatch| LegendEntry::new(words, colour, swatch);
     let mut entries = vec![entry(
         "efficient edge: no setting is both faster, beyond the noise, and less wrong",
         INK,
@@ -162,29 +174,26 @@ fn legend(
     if let [_, _, ..] = sweep.strategies.as_slice() {
         let strategies = sweep.strategies.iter().zip(PALETTE.iter().cycle());
         entries.extend(strategies.map(|(s, colour)| {
-            entry(
-                format::short(s, 30),
-                *colour,
-                Swatch::Mark(Mark::Dot(*colour)),
-            )
+            let mark = Swatch::Mark(Mark::Dot(*colour));
+            LegendEntry::new(format::short(s, 30), *colour, mark)
         }));
     }
     if points.iter().any(|p| matches!(p.mark, Mark::Ring(_))) {
         entries.push(entry(
-            "beaten, or faster within the noise alone",
+            "dominated, or faster only within the noise",
             FAINT,
             Swatch::Mark(Mark::Ring(FAINT)),
         ));
     }
     if points.iter().any(|p| matches!(p.mark, Mark::Target(_))) {
         entries.push(entry(
-            "chosen by a budget",
+            "chosen by a limit",
             INK,
             Swatch::Mark(Mark::Target(INK)),
         ));
     }
     let noise = (report.noise.least_ratio() - 1.0) * 100.0;
-    entries.push(entry(
+    entries.push(LegendEntry::new(
         format!(
             "bar: noise of {} %; speeds whose bars overlap cannot be told apart",
             format::percent(noise)
@@ -194,15 +203,15 @@ fn legend(
     ));
     if points
         .iter()
-        .any(|p| p.worst.is_some_and(|worst| worst > p.error))
+        .any(|p| p.worst.is_some_and(|worst| worst > p.place.error))
     {
         entries.push(entry("up to its worst frame", FAINT, Swatch::Rise));
     }
-    match limit {
-        Some((_, true)) => entries.push(ideal("ideal: the limit of any culling")),
-        Some((at, false)) => entries.push(ideal(&format!(
+    match ideal_line {
+        Some(IdealLine::Shown) => entries.push(ideal("ideal: the limit of any culling")),
+        Some(IdealLine::OffPlot(at)) => entries.push(ideal(&format!(
             "ideal, the limit of any culling, is further {}, at {}",
-            if points.iter().any(|p| p.speed < at) {
+            if points.iter().any(|p| p.place.speed < at) {
                 "right"
             } else {
                 "left"
@@ -217,15 +226,29 @@ fn legend(
     entries
 }
 
-/// The colour of a setting's strategy, and what of the title is its own: where colours tell strategies
-/// apart, names need not.
-fn strategy<'a>(sweep: &Sweep, setting: &'a StrategyReport) -> (RGBColor, &'a str) {
+/// A setting of a sweep in the plot.
+struct Swept<'a> {
+    /// The colour of its strategy.
+    colour: RGBColor,
+    /// Its title without the strategy, which the colour tells.
+    own_title: &'a str,
+}
+
+fn swept<'a>(sweep: &Sweep, setting: &'a StrategyReport) -> Swept<'a> {
     let title = setting.title();
     let own = |spec: &String| match title.strip_prefix(spec.as_str())? {
         "" => Some(title),
         rest => rest.strip_prefix(' '),
     };
     let colours = sweep.strategies.iter().zip(PALETTE.iter().cycle());
-    let mut its = colours.filter_map(|(spec, colour)| Some((*colour, own(spec)?)));
-    its.next().unwrap_or((INK, title))
+    let mut its = colours.filter_map(|(spec, colour)| {
+        Some(Swept {
+            colour: *colour,
+            own_title: own(spec)?,
+        })
+    });
+    its.next().unwrap_or(Swept {
+        colour: INK,
+        own_title: title,
+    })
 }
