@@ -2,8 +2,8 @@
 //! against the first. The third draws the meshes of the entities with more visible samples than a threshold.
 //!
 //! Plate, Grundhoefer, Schmidt, Froehlich, *Occlusion Culling for Sub-Surface Models in Geo-Scientific Applications*, 2004. The passes need no
-//! drawing order, and no preparation of the scene but proxies that hide what their meshes hide. The result is wrong where a proxy hides
-//! something else than its mesh.
+//! drawing order, and the scene needs no preparation but proxies: simplified meshes that hide what the meshes hide. [`ThreePass::conservative`] lists the settings
+//! with which a visible entity may be culled; the defaults are among them.
 
 use antumbra_draw::MeshDetail;
 
@@ -18,12 +18,13 @@ use antumbra_cull::{
 pub struct ThreePass {
     /// When the counts are used.
     pub latency: Latency,
-    /// How samples are counted; `None`: the fastest way that the device and the other settings allow.
+    /// How samples are counted; `None`: the first of identity, atomics, compare and queries that the device and the other settings allow.
     pub counting: Option<Counting>,
-    /// An entity is drawn when more samples of its proxy than this are visible, in pixels of the final image.
+    /// An entity is drawn when more pixels of its proxy than this are visible, in pixels of the final image: `threshold * scale²`, rounded down, in samples of the first two passes'
+    /// image.
     pub threshold: u32,
     /// The part of the image, in percent, that a frame may leave out although it is visible. The entities with the fewest visible samples go
-    /// first. It acts in addition to the threshold. With [`Latency::OnGpu`] it can change at run time only if it was above 0 when the plan was made.
+    /// first, none with more than [`Allowance::LARGEST`] samples. It raises the threshold as far as this part permits, and never lowers it. With [`Latency::OnGpu`] it can change at run time only if it was above 0 when the plan was made.
     pub allow: Dial,
     /// An entity with at most this many visible samples is drawn one level of detail coarser, with at most a quarter of them two levels,
     /// with a sixteenth three. In pixels of the final image; 0: never.
@@ -32,21 +33,21 @@ pub struct ThreePass {
     pub occluders: TestGeometry,
     /// The geometry of the occludees in the second pass.
     pub occludees: TestGeometry,
-    /// A proxy is used where it deviates from its mesh by at most this many pixels of the final image. Nearer to the camera the mesh itself is
-    /// used. Infinity: the proxy everywhere.
+    /// A proxy is used where its deviation from its mesh, projected at the nearest depth of its box, is at most this many pixels of the final image; otherwise the mesh itself is
+    /// used. Infinity, written `any`: the proxy everywhere but at the near plane.
     pub deviation: f64,
-    /// Side of the first two passes' image as a part of the final image's: above 0, at most 1.
+    /// Side of the first two passes' image as a part of the final image's: 0.05 to 1.
     pub scale: f64,
 }
 
 /// The geometry that an entity is tested with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TestGeometry {
-    /// Its low-resolution mesh.
+    /// Its proxy, a simplified mesh; the full mesh where it has none.
     Proxy,
     /// Its full mesh.
     Full,
-    /// Its bounding box. Never used for occluders: a box hides more than the mesh in it.
+    /// Its bounding box. Refused for occluders: a box hides more than the mesh in it.
     Box,
 }
 
@@ -124,7 +125,7 @@ const PARAMETERS: &[Parameter<ThreePass>] = &[
         "coarser",
         0..=1_000_000,
         "px",
-        "an entity with at most this many visible pixels is drawn one level of detail coarser, with a quarter of them two; 0: never",
+        "an entity with at most this many visible pixels is drawn one level of detail coarser, with a quarter of them two levels, with a sixteenth three; 0: never",
         |s| s.coarser,
         |s, pixels| s.coarser = pixels,
     ),
@@ -164,6 +165,18 @@ const PARAMETERS: &[Parameter<ThreePass>] = &[
 const INTERMEDIATE_STEP_BELOW: f64 = 0.75;
 
 impl ThreePass {
+    /// Refuses what a caller can set in code but not by name.
+    fn check(&self) -> Result<(), DeclareError> {
+        if self.occluders == TestGeometry::Box {
+            return Err(self
+                .conflict("a box hides more than the mesh in it: set occluders to proxy or full"));
+        }
+        if !(0.05..=1.0).contains(&self.scale) {
+            return Err(self.conflict("scale is a number from 0.05 to 1"));
+        }
+        Ok(())
+    }
+
     /// The way of counting that the settings and the device allow.
     fn counting(&self, g: &FrameGraph<'_>) -> Result<Counting, DeclareError> {
         let same_geometry = self.occluders == self.occludees;
@@ -176,7 +189,7 @@ impl ThreePass {
                 });
             }
             if way == Counting::Queries && self.needs_counts() {
-                return Err(self.conflict("hardware queries say whether any sample is visible, not how many: set threshold and coarser to 0, or counting to auto"));
+                return Err(self.conflict("hardware queries say whether any sample is visible, not how many: set threshold, coarser and allow to 0, or counting to auto"));
             }
             if way == Counting::Identity && !same_geometry {
                 return Err(self.conflict("an entity-id buffer counts what it draws: set occludees to what occluders is, or counting to auto"));
@@ -201,7 +214,7 @@ impl ThreePass {
             .ok_or_else(|| DeclareError::Device {
                 strategy: self.name().to_owned(),
                 lacking: "any way of counting samples".to_owned(),
-                instead: "set threshold and coarser to 0".to_owned(),
+                instead: "set threshold, coarser and allow to 0".to_owned(),
             })
     }
 
@@ -255,6 +268,7 @@ impl Strategy for ThreePass {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
+        self.check()?;
         let way = self.counting(g)?;
         let size = view
             .size()
@@ -302,18 +316,24 @@ impl Tunable for ThreePass {
         assign("three-pass", PARAMETERS, self, key, value)
     }
 
+    /// From full meshes at full size, which is conservative, over proxies at full size to proxies at the present scale. Steps override `latency`, `threshold`, `allow`,
+    /// `coarser`, and where they say so `occluders`, `occludees` and `scale`.
     fn steps(&self) -> Vec<Step> {
         // A late answer costs pixels at any setting, so the accurate steps use the answers of the same frame.
         let current = match self.latency {
             Latency::SameFrame => Latency::SameFrame,
             Latency::FrameLate | Latency::OnGpu => Latency::OnGpu,
         };
-        let base = Step::of([
+        let mut base = Step::of([
             ("latency", current.word().into()),
             ("threshold", 0u32.into()),
             ("allow", 0u32.into()),
             ("coarser", 0u32.into()),
         ]);
+        if self.counting == Some(Counting::Queries) {
+            // A dial needs counts, and queries answer zero or not zero.
+            base = base.and([("counting", "auto".into())]);
+        }
         let at_scale = |scale: f64| base.clone().and([("scale", scale.into())]);
         let exact = [("occluders", "full".into()), ("occludees", "full".into())];
         let mut steps = vec![at_scale(1.0).and(exact), at_scale(1.0).with_dial("allow")];

@@ -2,18 +2,25 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{
-    DeclareError, RegistryError, SettingError, Stage, StageError, StageOptions, ViewInput, ViewSpec,
+    DeclareError, RegistryError, SettingError, Stage, StageError, StageOptions, Strategy,
+    ViewInput, ViewSpec,
 };
 use antumbra_draw::GpuScene;
 use antumbra_scene::Camera;
-use antumbra_strategies::registry;
+use antumbra_strategies::{TestGeometry, ThreePass, registry};
 use antumbra_testing::{balls, look_at, perspective, vulkan};
 use glam::DVec3;
 
 /// Declares a strategy on a small scene.
 fn declared(text: &str, specs: Vec<ViewSpec>) -> Result<(Stage, GpuScene), StageError> {
+    declared_strategy(registry().parse(text).unwrap(), specs)
+}
+
+fn declared_strategy(
+    strategy: Box<dyn Strategy>,
+    specs: Vec<ViewSpec>,
+) -> Result<(Stage, GpuScene), StageError> {
     let scene = GpuScene::new(vulkan(), &mut balls(3)).unwrap();
-    let strategy = registry().parse(text).unwrap();
     let stage = Stage::new(&scene, strategy, specs, StageOptions::default())?;
     Ok((stage, scene))
 }
@@ -105,7 +112,8 @@ fn what_a_strategy_says_of_itself_sets_it_again() {
 fn queries_do_not_count() {
     let words = conflict("three-pass:counting=queries:threshold=2");
     assert!(
-        words.contains("set threshold and coarser to 0") && words.contains("counting to auto"),
+        words.contains("set threshold, coarser and allow to 0")
+            && words.contains("counting to auto"),
         "{words}"
     );
 }
@@ -164,5 +172,44 @@ fn views_without_pixels_are_refused() {
     ] {
         let error = declared("frustum", specs).unwrap_err();
         assert!(matches!(error, StageError::Input(_)), "{error}");
+    }
+}
+
+#[test]
+fn what_is_out_of_range_in_code_is_refused_in_words() {
+    let boxes = ThreePass {
+        occluders: TestGeometry::Box,
+        ..ThreePass::default()
+    };
+    let tiny = ThreePass {
+        scale: 0.0,
+        ..ThreePass::default()
+    };
+    for (strategy, words) in [(boxes, "set occluders"), (tiny, "0.05 to 1")] {
+        let error = declared_strategy(Box::new(strategy), vec![ViewSpec::main(32, 32)]);
+        let error = error.unwrap_err().to_string();
+        assert!(error.contains(words), "{error}");
+    }
+}
+
+#[test]
+fn a_budget_never_leaves_counting_to_queries_that_cannot_count() {
+    let mut strategy = registry()
+        .parse("three-pass:counting=queries:threshold=0:latency=on-gpu")
+        .unwrap();
+    for step in strategy.steps() {
+        for (key, value) in &step.settings {
+            strategy.set(key, value).unwrap();
+        }
+        if let Some(dial) = step.dial {
+            strategy.set(dial, &0.5.into()).unwrap();
+        }
+        let settings = strategy.settings();
+        let text: Vec<_> = settings
+            .iter()
+            .map(|setting| format!("{}={}", setting.key, setting.value))
+            .collect();
+        let text = format!("three-pass:{}", text.join(":"));
+        declared(&text, vec![ViewSpec::main(32, 32)]).unwrap();
     }
 }
