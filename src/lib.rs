@@ -39,7 +39,7 @@
 //! let mut on_gpu = GpuScene::new(&gpu, &mut scene)?;
 //!
 //! let views = vec![ViewSpec::main(1280, 1024)];
-//! let mut stage = Stage::new(&on_gpu, Box::new(Frustum), views, StageOptions::default())?;
+//! let mut stage = Stage::new(&on_gpu, Box::new(FrustumOnly), views, StageOptions::default())?;
 //! let projection = Projection::Perspective { fov_y: 0.8, near: 0.1 };
 //! for frame in 0..60 {
 //!     let eye = DVec3::new(20.0, 5.0, 20.0 - f64::from(frame) * 0.1);
@@ -78,7 +78,7 @@ pub use {glam, wgpu};
 /// What a program that culls names most.
 pub mod prelude {
     pub use antumbra_cull::{
-        AdapterChoice, Frustum, Gpu, GpuScene, ImportedTargets, Latency, Registry, Stage,
+        AdapterChoice, FrustumOnly, Gpu, GpuScene, ImportedTargets, Latency, Registry, Stage,
         StageError, StageOptions, Strategy, Verdict, ViewInput, ViewSpec,
     };
     pub use antumbra_graph::Mode;

@@ -12,7 +12,7 @@ mod embed;
 #[allow(dead_code, reason = "its main is run by hand")]
 mod explore_subsurface;
 
-use antumbra::cull::{Frustum, Strategy};
+use antumbra::cull::{FrustumOnly, Strategy};
 use antumbra::draw::MeshDetail;
 use antumbra::measure::compare::{CompareOptions, Contender, compare};
 use antumbra::measure::path::CameraPath;
@@ -37,7 +37,7 @@ fn the_strategy_from_outside_is_compared() {
     scene.update();
     let path = CameraPath::orbit_around(&scene.bounds().unwrap(), 4.0 / 3.0, 6).unwrap();
     let contenders = [
-        Contender::new("", || Box::new(Frustum)),
+        Contender::new("", || Box::new(FrustumOnly)),
         Contender::new("", || Box::new(LargestOccluders(250, MeshDetail::Box))),
     ];
     let options = CompareOptions {

@@ -13,9 +13,6 @@ use crate::strategies::registry;
 /// Waiting for each of more occludees than this takes minutes: only when asked for.
 const PATIENCE: usize = 500;
 
-/// Neither audited nor given a budget: they are what others are held against.
-const YARDSTICKS: [&str; 3] = ["none", "frustum", "ideal"];
-
 /// What is compared when nothing is asked for: label, then the strategy.
 const STANDARD: [(&str, &str); 13] = [
     ("", "none"),
@@ -141,7 +138,7 @@ pub fn contenders(
             label => label.to_owned(),
         };
         list.push(made(&label)?);
-        if YARDSTICKS.contains(&name.as_str()) {
+        if strategy.role().is_yardstick() {
             continue;
         }
         let usual = AuditOptions::default();

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use crate::registry::Registry;
 use crate::strategy::Strategy;
 use crate::tuning::{Range, Setting, SettingError, Step, Value};
-use crate::yardsticks::Frustum;
+use crate::yardsticks::FrustumOnly;
 
 /// The strategy that judges what another one leaves ([`FrameGraph::chain`](crate::FrameGraph::chain)); at first `frustum`, which draws all of it.
 pub struct Chain {
@@ -25,7 +25,7 @@ impl Default for Chain {
     /// One that can only be `frustum`; [`Self::among`] has more to choose from.
     fn default() -> Self {
         let mut registry = Registry::new();
-        registry.register(|| Box::new(Frustum));
+        registry.register(|| Box::new(FrustumOnly));
         Self::among(Arc::new(registry))
     }
 }
@@ -51,7 +51,7 @@ impl Chain {
     pub fn among(registry: Arc<Registry>) -> Self {
         Self {
             registry,
-            next: Mutex::new(Box::new(Frustum)),
+            next: Mutex::new(Box::new(FrustumOnly)),
         }
     }
 

@@ -65,4 +65,4 @@ pub use tuning::{
 };
 pub use verdict::{Verdict, Verdicts};
 pub use view_nodes::ViewNodes;
-pub use yardsticks::{Everything, Frustum, Ideal};
+pub use yardsticks::{Everything, FrustumOnly, Ideal};

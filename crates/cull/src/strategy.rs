@@ -101,6 +101,24 @@ pub enum Role {
 }
 
 impl Role {
+    /// All of them.
+    pub const ALL: [Self; 4] = [
+        Self::Everything,
+        Self::Frustum,
+        Self::Ideal,
+        Self::Contender,
+    ];
+
+    /// Its word in reports.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Everything => "everything",
+            Self::Frustum => "frustum",
+            Self::Ideal => "ideal",
+            Self::Contender => "contender",
+        }
+    }
+
     /// Whether others are measured by it: a comparison neither audits it nor gives it a budget.
     pub fn is_yardstick(self) -> bool {
         self != Self::Contender

@@ -1,5 +1,5 @@
 //! The yardsticks that every strategy is measured against: everything, the frustum, and the ideal that no strategy can beat. They cull nothing by
-//! occlusion and are always right, so that a stage can fall back to [`Frustum`], and the kit and the harness need no other crate to measure by.
+//! occlusion and are always right, so that a stage can fall back to [`FrustumOnly`], and the kit and the harness need no other crate to measure by.
 
 use crate::frame_graph::FrameGraph;
 use crate::strategy::{DeclareError, Role, Strategy, VisibleSet};
@@ -39,9 +39,9 @@ impl Strategy for Everything {
 
 /// Draws what touches the frustum.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Frustum;
+pub struct FrustumOnly;
 
-impl Strategy for Frustum {
+impl Strategy for FrustumOnly {
     fn name(&self) -> &str {
         "frustum"
     }

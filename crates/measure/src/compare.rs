@@ -8,7 +8,9 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use antumbra_cull::{AuditOptions, Budget, Registry, RegistryError, Stage, StageOptions, Strategy};
+use antumbra_cull::{
+    AuditOptions, Budget, Registry, RegistryError, Role, Stage, StageOptions, Strategy,
+};
 use antumbra_draw::{Gpu, GpuScene};
 use antumbra_scene::{Scene, Stereo};
 use image::RgbaImage;
@@ -33,7 +35,7 @@ pub(crate) use speed::usual_block;
 /// One entry of a comparison.
 pub struct Contender {
     label: String,
-    name: String,
+    role: Role,
     make: Box<dyn Fn() -> Result<Box<dyn Strategy>, RegistryError>>,
     audit: Option<AuditOptions>,
     budget: Option<Budget>,
@@ -44,7 +46,7 @@ impl Contender {
     pub fn new(label: impl Into<String>, make: impl Fn() -> Box<dyn Strategy> + 'static) -> Self {
         Self {
             label: label.into(),
-            name: make().name().to_owned(),
+            role: make().role(),
             make: Box::new(move || Ok(make())),
             audit: None,
             budget: None,
@@ -77,7 +79,7 @@ impl Contender {
         let (registry, spec) = (Arc::clone(registry), spec.to_owned());
         Ok(Self {
             label: label.into(),
-            name: registry.parse(&spec)?.name().to_owned(),
+            role: registry.parse(&spec)?.role(),
             make: Box::new(move || registry.parse(&spec)),
             audit: None,
             budget: None,
@@ -85,7 +87,7 @@ impl Contender {
     }
 
     fn is_yardstick(&self) -> bool {
-        matches!(self.name.as_str(), "none" | "frustum" | "ideal")
+        self.role.is_yardstick()
     }
 }
 

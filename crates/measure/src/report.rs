@@ -3,6 +3,7 @@
 //! `docs/report.md` documents each field. A published field keeps its name. Unknown fields, of later versions, are skipped when read. What was
 //! not measured is absent, never NaN.
 
+use antumbra_cull::Role;
 use std::collections::BTreeMap;
 
 use antumbra_scene::Stereo;
@@ -134,6 +135,9 @@ pub struct StrategyReport {
     /// Its name in tables and plots, where the registered name is not enough (the same strategy with other settings); else empty.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub label: String,
+    /// What it is for in the comparison: `everything`, `frustum`, `ideal` or `contender`; absent in reports of earlier versions, where the name says it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub role: Option<String>,
     /// When query results are used: `frame-late`, `same-frame`, `on-gpu`, or `none` for a strategy without queries.
     pub latency: String,
     /// All of its settings, defaults included.
@@ -325,6 +329,11 @@ impl Report {
         self.strategies.iter().find(|s| s.name == name)
     }
 
+    /// The yardstick of this role, where it was measured.
+    pub fn yardstick(&self, role: Role) -> Option<&StrategyReport> {
+        self.strategies.iter().find(|s| s.role() == role)
+    }
+
     /// The entry of the same strategy, latency and settings as an audited one, without audit and without budget; `None` for an entry that
     /// was not audited, that had a budget, or that ran alone.
     pub fn without_audit(&self, audited: &StrategyReport) -> Option<&StrategyReport> {
@@ -372,7 +381,19 @@ impl StrategyReport {
 
     /// Whether it is one of the three yardsticks (`none`, `frustum`, `ideal`) with which the others are compared.
     pub fn is_yardstick(&self) -> bool {
-        matches!(self.name.as_str(), "none" | "frustum" | "ideal")
+        self.role().is_yardstick()
+    }
+
+    /// What it is for in the comparison.
+    pub fn role(&self) -> Role {
+        // Reports of earlier versions have names alone, and there the yardsticks were the built-in ones.
+        let word = self.role.as_deref().unwrap_or(match self.name.as_str() {
+            "none" => "everything",
+            name => name,
+        });
+        let mut all = Role::ALL.into_iter();
+        all.find(|role| role.word() == word)
+            .unwrap_or(Role::Contender)
     }
 
     /// Whether it claims to be conservative and has an error: a defect of the strategy.

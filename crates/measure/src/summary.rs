@@ -2,6 +2,7 @@
 
 use crate::format;
 use crate::report::{Report, StrategyReport};
+use antumbra_cull::Role;
 
 /// Most viewers of a moving image do not notice up to this share of wrong pixels (percent, mean). [`recommendations`] use it.
 const UNNOTICED_PERCENT: f64 = 0.1;
@@ -151,7 +152,7 @@ pub(crate) struct SpeedSummary {
 /// A strategy's speed against `frustum` or, where that was not measured, against `none`.
 pub(crate) fn speed(report: &Report, strategy: &StrategyReport) -> SpeedSummary {
     match (strategy.time_vs_frustum, strategy.time_vs_none) {
-        _ if strategy.name == "frustum" => against(report, "none", strategy.time_vs_none),
+        _ if strategy.role() == Role::Frustum => against(report, "none", strategy.time_vs_none),
         (Some(ratio), _) => against(report, "frustum", Some(ratio)),
         (None, ratio) => against(report, "none", ratio),
     }

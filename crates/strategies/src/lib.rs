@@ -46,7 +46,7 @@ mod three_pass;
 mod transparent;
 pub mod traversal;
 
-use antumbra_cull::{Everything, Frustum, Ideal, Registry};
+use antumbra_cull::{Everything, FrustumOnly, Ideal, Registry};
 
 pub use coherent::{Coherent, CoherentSettings, StereoCoherent};
 pub use occupancy_map::{OccupancyMapBatched, OccupancyMapSingle, OccupancySettings};
@@ -58,7 +58,7 @@ pub use three_pass::{TestGeometry, ThreePass};
 pub fn registry() -> Registry {
     let mut registry = Registry::new();
     registry.register(|| Box::new(Everything));
-    registry.register(|| Box::new(Frustum));
+    registry.register(|| Box::new(FrustumOnly));
     registry.register(|| Box::new(Ideal));
     registry.register(|| Box::new(StopAndWait::default()));
     registry.register(|| Box::new(ThreePass::default()));

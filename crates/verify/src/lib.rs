@@ -23,10 +23,10 @@
 //! **The kit** plays scenes that are built to break a strategy and compares every frame with the oracle. One line of a test is enough:
 //!
 //! ```no_run
-//! use antumbra_cull::Frustum;
+//! use antumbra_cull::FrustumOnly;
 //! use antumbra_verify::kit;
 //!
-//! kit::assert_conforms(|| Box::new(Frustum));
+//! kit::assert_conforms(|| Box::new(FrustumOnly));
 //! ```
 
 pub mod kit;

@@ -6,7 +6,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use antumbra_cull::{Frustum, Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
+use antumbra_cull::{FrustumOnly, Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
 use antumbra_draw::{GpuScene, MeshDetail, read_back};
 use antumbra_scene::Camera;
 use antumbra_verify::{EntitySet, IdBuffer, Oracle};
@@ -184,7 +184,7 @@ impl Comparer {
         let views = vec![ViewSpec::main(width, height)];
         Ok(Self {
             oracle: Oracle::new(scene, size),
-            painter: Stage::new(scene, Box::new(Frustum), views, StageOptions::default())?,
+            painter: Stage::new(scene, Box::new(FrustumOnly), views, StageOptions::default())?,
             size,
         })
     }

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-use antumbra_cull::{Budget, Stage, Verdict};
+use antumbra_cull::{Budget, Role, Stage, Verdict};
 use image::RgbaImage;
 
 use super::Contender;
@@ -86,6 +86,7 @@ impl Entries<'_> {
         Ok(StrategyReport {
             name: strategy.name().to_owned(),
             label: contender.label.clone(),
+            role: Some(strategy.role().word().to_owned()),
             latency: strategy
                 .latency()
                 .map_or_else(|| "none".to_owned(), |latency| latency.to_string()),
@@ -103,9 +104,9 @@ impl Entries<'_> {
             cull_ms: run.group_median("cull"),
             draw_ms: run.group_median("draw"),
             audit_ms: run.group_mean(antumbra_cull::AUDIT),
-            time_vs_none: self.against(at, "none")?,
-            time_vs_frustum: self.against(at, "frustum")?,
-            time_vs_ideal: self.against(at, "ideal")?,
+            time_vs_none: self.against(at, Role::Everything)?,
+            time_vs_frustum: self.against(at, Role::Frustum)?,
+            time_vs_ideal: self.against(at, Role::Ideal)?,
             drawn: Drawn {
                 entities: mean(record.drawn),
                 triangles: mean(record.triangles),
@@ -137,9 +138,9 @@ impl Entries<'_> {
     }
 
     /// A contender's time over that of a yardstick; `None` where the yardstick did not run.
-    fn against(&self, at: usize, name: &str) -> Result<Option<f64>, MeasureError> {
-        let mut names = self.contenders.iter().map(|contender| &contender.name);
-        let Some(other) = names.position(|other| other == name) else {
+    fn against(&self, at: usize, yardstick: Role) -> Result<Option<f64>, MeasureError> {
+        let mut contenders = self.contenders.iter();
+        let Some(other) = contenders.position(|other| other.role == yardstick) else {
             return Ok(None);
         };
         let (run, other) = (&self.speed.runs[at], &self.speed.runs[other]);

@@ -1,5 +1,6 @@
 //! The parts that all plots share: the SVG sheet, colours, text, axes and legend.
 
+use antumbra_cull::Role;
 use plotters::chart::ChartContext;
 use plotters::coord::Shift;
 use plotters::element::DashedPathElement;
@@ -306,11 +307,11 @@ pub(super) struct ColouredStrategy<'a> {
 /// All strategies with their colours, which are the same on all plots of a report. Yardsticks are grey.
 pub(super) fn coloured(report: &Report) -> Vec<ColouredStrategy<'_>> {
     let mut colours = PALETTE.iter().cycle();
-    let colour = |s: &StrategyReport| match s.name.as_str() {
-        "none" => RGBColor(150, 155, 165),
-        "frustum" => RGBColor(105, 112, 125),
-        "ideal" => RGBColor(120, 150, 60),
-        _ => colours.next().copied().unwrap_or(INK),
+    let colour = |s: &StrategyReport| match s.role() {
+        Role::Everything => RGBColor(150, 155, 165),
+        Role::Frustum => RGBColor(105, 112, 125),
+        Role::Ideal => RGBColor(120, 150, 60),
+        Role::Contender => colours.next().copied().unwrap_or(INK),
     };
     let mut colour = colour;
     let strategies = report.strategies.iter();

@@ -5,6 +5,7 @@ use super::canvas::{INK, LegendEntry, Mark, Swatch, coloured, name};
 use crate::MeasureError;
 use crate::report::Report;
 use crate::trade_off::{Cost, TimeBase, front};
+use antumbra_cull::Role;
 use draw::{EdgeLine, Place, Plot, Point, sheet};
 use speed::Speed;
 
@@ -34,7 +35,7 @@ fn compared(report: &Report) -> Option<Plot> {
     let speed = Speed(TimeBase::of(report));
     let (ideal, rest): (Vec<_>, Vec<_>) = coloured(report)
         .into_iter()
-        .partition(|one| one.strategy.name == "ideal");
+        .partition(|one| one.strategy.role() == Role::Ideal);
     let points: Vec<Point> = rest
         .into_iter()
         .map(|one| {

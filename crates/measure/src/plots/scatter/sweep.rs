@@ -1,5 +1,6 @@
 //! The contents of a sweep's plot: its settings, with the speed axis close around them.
 
+use antumbra_cull::Role;
 use plotters::prelude::RGBColor;
 
 use super::draw::{EdgeLine, Limit, Place, Plot, Point, ideal};
@@ -75,7 +76,7 @@ pub(super) fn plot(report: &Report, sweep: &Sweep) -> Option<Plot> {
         slowest.reduce(f64::min)?,
         fastest.fold(f64::MIN_POSITIVE, f64::max),
     );
-    let limit = report.strategy("ideal").map(drawn);
+    let limit = report.yardstick(Role::Ideal).map(drawn);
     let shown = limit.filter(|at| (low..high * (high / low).sqrt().max(NEAR)).contains(at));
     let high = shown.map_or(high, |at| high.max(at));
     let spread = (high - low).max(high * LEAST_SPREAD);
