@@ -104,7 +104,7 @@ impl FrameGraph<'_> {
         let occluders = self.unsubmitted(&view.named("occluders"));
         let others = apart.then(|| self.unsubmitted(&view.named("other occludees")));
         let occludees = apart.then(|| self.unsubmitted(&view.named("occludees")));
-        let queried = self.graph().host::<Queried>(view.named("queried"));
+        let queried = self.graph().host::<Queried>(view.named("tested"));
         let mut node = self.graph().host_node(view.named("submit proxies"));
         node.group(CULL).read(inputs.scene).read(candidates);
         if hiding != candidates {

@@ -212,7 +212,7 @@ fn a_threshold_is_turned_on_the_gpu_and_nothing_read_back_for_it() {
     let scene = GpuScene::new(vulkan(), &mut small_grid()).unwrap();
     let turns = |text: &str| {
         let all = passes(&stage(&scene, text, &["main"]));
-        ["submit judged", "turn threshold"]
+        ["submit tested slots", "adapt threshold"]
             .map(|name| all.iter().filter(|pass| *pass == name).count())
     };
     assert_eq!(turns(ON_GPU), [0, 0]);

@@ -63,7 +63,7 @@ impl BudgetController {
             }
         }
         if !fit.first().is_some_and(|(_, conservative)| *conservative) {
-            let why = "it has no conservative step to begin with (in a host's frame, steps that wait are left out)";
+            let why = "it has no conservative step to begin with (a step that waits within the frame cannot run in a host's)";
             return Err(refused(strategy, why));
         }
         let steps: Vec<Step> = fit.into_iter().map(|(step, _)| step).collect();
