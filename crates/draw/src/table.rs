@@ -37,12 +37,12 @@ pub struct Occupant {
 }
 
 /// An entity on its way into a slot.
-pub(crate) struct NewOccupant<'a> {
+pub(crate) struct NewOccupant {
     pub key: EntityKey,
     /// World bounds.
     pub bounds: Aabb,
     /// World transform.
-    pub world: &'a DAffine3,
+    pub world: DAffine3,
     pub batch: Batch,
     /// Whether visibility tests may cull it.
     pub tested: bool,
@@ -236,7 +236,7 @@ impl SceneTable {
     pub(crate) fn occupy(
         &mut self,
         slot: u32,
-        entity: NewOccupant<'_>,
+        entity: NewOccupant,
         index: &mut HashMap<Batch, u32>,
     ) {
         let NewOccupant {
@@ -256,14 +256,14 @@ impl SceneTable {
         });
         let at = slot as usize;
         self.changed.push(slot);
-        let oriented = self.orient(batch.mesh, bounds, world);
-        let deviation = self.deviates(batch.mesh, world);
+        let oriented = self.orient(batch.mesh, bounds, &world);
+        let deviation = self.deviates(batch.mesh, &world);
         if at == self.occupants.len() {
             self.occupants.push(occupant);
             self.boxes.push(bounds);
             self.batch_of.push(number);
             self.untested.push(!tested);
-            self.least_scales.push(least_scale(world));
+            self.least_scales.push(least_scale(&world));
             self.deviations.push(deviation);
             self.oriented.push(oriented);
         } else {
@@ -271,7 +271,7 @@ impl SceneTable {
             self.boxes.set(at, bounds);
             self.batch_of[at] = number;
             self.untested[at] = !tested;
-            self.least_scales[at] = least_scale(world);
+            self.least_scales[at] = least_scale(&world);
             self.deviations[at] = deviation;
             self.oriented[at] = oriented;
         }

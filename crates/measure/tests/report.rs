@@ -6,6 +6,8 @@ mod swept;
 #[path = "common/synthetic.rs"]
 mod synthetic;
 
+use std::path::{Path, PathBuf};
+
 use antumbra_measure::MeasureError;
 use antumbra_measure::report::{MAX_REPORT_BYTES, Report};
 use serde_json::{Value, json};
@@ -14,6 +16,37 @@ fn refused(change: impl FnOnce(&mut Report)) -> String {
     let mut report = synthetic::report();
     change(&mut report);
     report.to_json().unwrap_err().to_string()
+}
+
+/// The reports below `docs/reports`, of any age.
+fn published(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            published(&path, found);
+        } else if path
+            .extension()
+            .is_some_and(|extension| extension == "json")
+        {
+            found.push(path);
+        }
+    }
+}
+
+#[test]
+fn published_reports_are_still_read() {
+    let mut found = Vec::new();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    published(&root.join("../../docs/reports"), &mut found);
+    assert!(found.len() > 20, "{found:?}");
+    for path in found {
+        let report = Report::load(&path).unwrap_or_else(|error| panic!("{error}"));
+        // Entries of before the field are known as audited by their audit.
+        for strategy in &report.strategies {
+            let plain = report.without_audit(strategy);
+            assert!(plain.is_none_or(|plain| plain.audit.is_none() && plain.budget.is_none()));
+        }
+    }
 }
 
 #[test]
