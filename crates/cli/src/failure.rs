@@ -39,7 +39,7 @@ pub enum Failure {
         /// The file.
         file: PathBuf,
         /// What is wrong with it.
-        error: TerrainError,
+        error: Box<TerrainError>,
     },
     /// A raster file.
     #[error(transparent)]

@@ -40,7 +40,7 @@ pub fn field(file: &Path, detail: Option<RasterDetail>) -> Result<Field, Failure
         TerrainError::Setting { .. } => Failure::Terrain(error),
         _ => Failure::Field {
             file: file.to_owned(),
-            error,
+            error: Box::new(error),
         },
     };
     if is_raster(file) {
