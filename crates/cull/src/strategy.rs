@@ -150,7 +150,7 @@ impl dyn Strategy + '_ {
     /// Sets a setting from text.
     ///
     /// # Errors
-    /// As [`Self::set`], and for text that is no value of its kind.
+    /// As [`Tunable::set`], and for text that is no value of its kind.
     pub fn set_text(&mut self, key: &str, text: &str) -> Result<(), SettingError> {
         match self.tuning_mut() {
             Some(tuning) => tuning.set_text(key, text),

@@ -88,9 +88,9 @@ mod tests {
         let instance = Instance::new(&DAffine3::from_translation(origin), 0);
         let eye_parts = SplitPoint::new(eye);
         let highs = [instance.row_x[3], instance.row_y[3], instance.row_z[3]];
-        for axis in 0..3 {
+        for (axis, high) in highs.into_iter().enumerate() {
             // What the shader computes, in its order.
-            let seen = (highs[axis] - eye_parts.high[axis])
+            let seen = (high - eye_parts.high[axis])
                 + (instance.origin_low[axis] - eye_parts.low[axis]);
             assert!(
                 (f64::from(seen) - (origin - eye)[axis]).abs() < 4e-6,

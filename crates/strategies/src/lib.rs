@@ -2,7 +2,7 @@
 //!
 //! | name | type | source |
 //! |---|---|---|
-//! | `none`, `frustum`, `ideal` | [`Everything`], [`Frustum`], [`Ideal`] | baselines of `antumbra-cull` |
+//! | `none`, `frustum`, `ideal` | [`Everything`], [`FrustumOnly`], [`Ideal`] | baselines of `antumbra-cull` |
 //! | `stop-and-wait` | [`StopAndWait`] | Bartz, Meissner, Huettner 1999 |
 //! | `three-pass` | [`ThreePass`] | Plate, Grundhoefer, Schmidt, Froehlich 2004 |
 //! | `coherent`, `stereo-coherent` | [`Coherent`], [`StereoCoherent`] | Mansa, Amundarain, Garcia-Alonso, Matey 2007 |
