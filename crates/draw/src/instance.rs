@@ -90,8 +90,8 @@ mod tests {
         let highs = [instance.row_x[3], instance.row_y[3], instance.row_z[3]];
         for (axis, high) in highs.into_iter().enumerate() {
             // What the shader computes, in its order.
-            let seen = (high - eye_parts.high[axis])
-                + (instance.origin_low[axis] - eye_parts.low[axis]);
+            let seen =
+                (high - eye_parts.high[axis]) + (instance.origin_low[axis] - eye_parts.low[axis]);
             assert!(
                 (f64::from(seen) - (origin - eye)[axis]).abs() < 4e-6,
                 "axis {axis}: {seen}"
