@@ -216,6 +216,7 @@ impl Stage {
             pipelines: &mut pipelines,
             audits: &[],
             frames: 0,
+            step: step(controller.as_ref()),
         };
         let built = build(scene, strategy.as_mut(), &specs, &options, inherited)?;
         let cuts = vec![0; specs.len()];
@@ -328,11 +329,6 @@ impl Stage {
         }
     }
 
-    /// The step that a budget is on; 0 without one.
-    fn step(&self) -> usize {
-        self.budget_state().map_or(0, |(standing, _)| standing.step)
-    }
-
     /// Declares the strategy's nodes again, for the scene and the settings as they are now.
     fn declare(&mut self, scene: &GpuScene) -> Result<Built, StageError> {
         if let Some(audit) = &mut self.options.audit {
@@ -343,6 +339,7 @@ impl Stage {
             pipelines: &mut self.pipelines,
             audits: &self.audits,
             frames: self.frames,
+            step: step(self.controller.as_ref()),
         };
         let strategy = self.strategy.as_mut();
         build(scene, strategy, &self.specs, &self.options, inherited)
@@ -368,21 +365,19 @@ impl Stage {
                 self.specs.len()
             )));
         }
-        let step = self.step();
-        let moved = match &mut self.controller {
-            Some(controller) => controller.follow(self.strategy.as_mut())?,
-            None => false,
-        };
+        if let Some(controller) = &mut self.controller {
+            controller.follow(self.strategy.as_mut())?;
+        }
+        let step = step(self.controller.as_ref());
         if scene.number() != self.built.number || scene.layout() != self.built.layout {
             self.kept.clear();
             self.built = self.declare(scene)?;
-        } else if moved {
-            let next = match self.kept.take(self.step()) {
+        } else if self.built.step != step {
+            let next = match self.kept.take(step) {
                 Some(kept) => self.resumed(kept),
                 None => self.declare(scene)?,
             };
-            let left = std::mem::replace(&mut self.built, next);
-            self.kept.keep(step, left);
+            self.kept.keep(std::mem::replace(&mut self.built, next));
         }
         let Built {
             plan,
@@ -491,4 +486,10 @@ impl Stage {
         }
         Ok(verdicts)
     }
+}
+
+/// The step that a budget is on; 0 without one.
+fn step(controller: Option<&BudgetController>) -> usize {
+    let state = controller.and_then(BudgetController::state);
+    state.map_or(0, |(state, _)| state.step)
 }

@@ -229,9 +229,12 @@ fn a_strategy_without_steps_that_errs_cannot_keep_a_budget() {
 }
 
 /// Counts how often the strategy is declared, and whether the state of its nodes survives a change of step and back.
+#[derive(Default)]
 struct Counted {
     declared: Arc<AtomicU32>,
     remembered: Arc<AtomicU32>,
+    /// How often `declare` fails from now on.
+    failures: Arc<AtomicU32>,
     coarse: bool,
 }
 
@@ -267,6 +270,14 @@ impl Strategy for Counted {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
+        let less = |left: u32| left.checked_sub(1);
+        let (set, read) = (Ordering::Relaxed, Ordering::Relaxed);
+        if self.failures.try_update(set, read, less).is_ok() {
+            return Err(DeclareError::Settings {
+                strategy: "counted".to_owned(),
+                conflict: "it was told to fail".to_owned(),
+            });
+        }
         self.declared.fetch_add(1, Ordering::Relaxed);
         let remembered = Arc::clone(&self.remembered);
         let inside = g.in_frustum(view);
@@ -303,12 +314,8 @@ impl Tunable for Counted {
 fn a_step_that_was_stood_on_before_keeps_its_plan_and_memory() {
     let gpu = vulkan();
     let scene = GpuScene::new(gpu, &mut balls_with_proxies(7)).unwrap();
-    let (declared, remembered) = (Arc::<AtomicU32>::default(), Arc::<AtomicU32>::default());
-    let strategy = Counted {
-        declared: Arc::clone(&declared),
-        remembered: Arc::clone(&remembered),
-        coarse: false,
-    };
+    let strategy = Counted::default();
+    let (declared, remembered) = (strategy.declared.clone(), strategy.remembered.clone());
     let options = StageOptions {
         budget: Some(Budget::FrameTime(10.0)),
         ..StageOptions::default()
@@ -342,4 +349,41 @@ fn a_step_that_was_stood_on_before_keeps_its_plan_and_memory() {
         2,
         "after {changes} changes"
     );
+}
+
+#[test]
+fn a_plan_that_could_not_be_declared_is_tried_again_and_kept_by_its_own_step() {
+    let gpu = vulkan();
+    let scene = GpuScene::new(gpu, &mut balls_with_proxies(7)).unwrap();
+    let strategy = Counted::default();
+    let (declared, remembered) = (strategy.declared.clone(), strategy.remembered.clone());
+    let failures = strategy.failures.clone();
+    let options = StageOptions {
+        budget: Some(Budget::FrameTime(10.0)),
+        ..StageOptions::default()
+    };
+    let specs = vec![ViewSpec::main(64, 48)];
+    let mut stage = Stage::new(&scene, Box::new(strategy), specs, options).unwrap();
+    failures.store(3, Ordering::Relaxed);
+    let mut failed = 0;
+    let mut on_step = [0; 2];
+    for frame in 0..600 {
+        match stage.frame(&scene, &[ViewInput::new(camera(frame))]) {
+            Ok(_) => {
+                let step = stage.budget_state().unwrap().0.step;
+                on_step[step] += 1;
+                let remembered = remembered.load(Ordering::Relaxed);
+                assert_eq!(remembered, on_step[step], "frame {frame}, step {step}");
+            }
+            Err(error) => {
+                assert!(error.to_string().contains("told to fail"), "{error}");
+                failed += 1;
+            }
+        }
+        let step = stage.budget_state().unwrap().0.step;
+        stage.note_time(if step == 0 { 20.0 } else { 1.0 });
+    }
+    assert_eq!(failed, 3);
+    assert!(on_step.iter().all(|frames| *frames > 0), "{on_step:?}");
+    assert_eq!(declared.load(Ordering::Relaxed), 2);
 }

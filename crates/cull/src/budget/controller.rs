@@ -78,7 +78,7 @@ impl BudgetController {
             at: BudgetState::default(),
         };
         controller.at = controller.wanted();
-        controller.apply(strategy)?;
+        controller.apply(controller.at, strategy)?;
         Ok(controller)
     }
 
@@ -108,33 +108,35 @@ impl BudgetController {
         }
     }
 
-    /// Follows the controller. Returns whether the step has changed, so that another plan is needed.
-    pub fn follow(&mut self, strategy: &mut dyn Strategy) -> Result<bool, DeclareError> {
+    /// Puts the strategy on the step and the dial that the controller wants. On failure the state stays, so that the next frame tries again.
+    pub fn follow(&mut self, strategy: &mut dyn Strategy) -> Result<(), DeclareError> {
         let wanted = self.wanted();
-        let before = std::mem::replace(&mut self.at, wanted);
-        if wanted.step != before.step {
-            self.apply(strategy)?;
-            return Ok(true);
+        if wanted.step != self.at.step {
+            self.apply(wanted, strategy)?;
+        } else if wanted.allow != self.at.allow {
+            self.turn_dial(wanted, strategy)?;
         }
-        if wanted.allow != before.allow {
-            self.turn_dial(strategy)?;
-        }
-        Ok(false)
+        self.at = wanted;
+        Ok(())
     }
 
-    fn apply(&self, strategy: &mut dyn Strategy) -> Result<(), DeclareError> {
-        let step = self.steps.get(self.at.step);
+    fn apply(&self, wanted: BudgetState, strategy: &mut dyn Strategy) -> Result<(), DeclareError> {
+        let step = self.steps.get(wanted.step);
         let settings = step.map_or(&[][..], |step| &step.settings);
         for (key, value) in self.user.iter().chain(settings) {
             set(strategy, key, value)?;
         }
-        self.turn_dial(strategy)
+        self.turn_dial(wanted, strategy)
     }
 
-    fn turn_dial(&self, strategy: &mut dyn Strategy) -> Result<(), DeclareError> {
-        match self.steps.get(self.at.step).and_then(|step| step.dial) {
+    fn turn_dial(
+        &self,
+        wanted: BudgetState,
+        strategy: &mut dyn Strategy,
+    ) -> Result<(), DeclareError> {
+        match self.steps.get(wanted.step).and_then(|step| step.dial) {
             Some(dial) => {
-                let allow = self.at.allow.clamp(LEAST, 100.0);
+                let allow = wanted.allow.clamp(LEAST, 100.0);
                 set(strategy, dial, &Value::Number(allow))
             }
             None => Ok(()),

@@ -22,6 +22,8 @@ pub(super) struct Built {
     /// The scene it was built for: its memory is about slots and epochs of that scene.
     pub number: u64,
     pub layout: SceneLayout,
+    /// The budget's step that it was declared on; 0 without a budget.
+    pub step: usize,
     pub plan: Plan,
     /// Frames it has run.
     pub frames: u64,
@@ -87,6 +89,8 @@ pub(super) struct Inherited<'a> {
     pub audits: &'a [Audit],
     /// Frames that the stage has run.
     pub frames: u64,
+    /// The budget's step that the strategy is on; 0 without a budget.
+    pub step: usize,
 }
 
 /// Declares a strategy's nodes on a new graph and compiles it.
@@ -135,6 +139,7 @@ pub(super) fn build(
     Ok(Built {
         number: scene.number(),
         layout,
+        step: inherited.step,
         plan,
         frames: 0,
         resumed: Stretch {

@@ -5,23 +5,23 @@ use super::built::Built;
 /// The number of plans that are kept beside the present one. A controller moves between neighbouring steps, and each plan holds textures and buffers of its own.
 const MOST: usize = 3;
 
-/// The kept plans, each with the step it was made for.
+/// The kept plans; each knows its step.
 #[derive(Default)]
-pub(super) struct KeptPlans(Vec<(usize, Built)>);
+pub(super) struct KeptPlans(Vec<Built>);
 
 impl KeptPlans {
     /// Keeps a plan. The one that has been kept longest is dropped if there are too many.
-    pub fn keep(&mut self, step: usize, plan: Built) {
+    pub fn keep(&mut self, plan: Built) {
         if self.0.len() == MOST {
             self.0.remove(0);
         }
-        self.0.push((step, plan));
+        self.0.push(plan);
     }
 
     /// Takes back the plan of a step.
     pub fn take(&mut self, step: usize) -> Option<Built> {
-        let at = self.0.iter().position(|(kept, _)| *kept == step)?;
-        Some(self.0.remove(at).1)
+        let at = self.0.iter().position(|kept| kept.step == step)?;
+        Some(self.0.remove(at))
     }
 
     /// Drops them all: they were made for another scene or layout.
