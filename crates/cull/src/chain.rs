@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::registry::Registry;
 use crate::strategy::Strategy;
-use crate::tuning::{Range, Setting, SettingError, Step, Value};
+use crate::tuning::{Setting, SettingError, SettingRange, Step, Value};
 use crate::yardsticks::FrustumOnly;
 
 /// The strategy that judges what another one leaves ([`FrameGraph::chain`](crate::FrameGraph::chain)); at first `frustum`, which draws all of it.
@@ -73,7 +73,7 @@ impl Chain {
         let then = Setting {
             key: "then",
             value: Value::from(name),
-            range: Range::Strategy,
+            range: SettingRange::Strategy,
             unit: "",
             meaning: "which strategy judges what this one leaves",
         };

@@ -61,7 +61,8 @@ pub use stage::{ImportedTargets, Stage, StageError, StageOptions, ViewInput, Vie
 pub use strategy::{DeclareError, Role, Strategy, VisibleSet};
 pub use tree::Tree;
 pub use tuning::{
-    Parameter, Range, Setting, SettingError, Step, Tunable, Value, assign, describe, shortest,
+    Parameter, Setting, SettingError, SettingRange, Step, Tunable, Value, assign, describe,
+    shortest,
 };
 pub use verdict::{Verdict, Verdicts};
 pub use view_nodes::ViewNodes;

@@ -26,12 +26,12 @@
 //! ```
 
 mod parameter;
-mod range;
+mod setting_range;
 mod step;
 mod value;
 
 pub use parameter::{Parameter, assign, describe, shortest};
-pub use range::Range;
+pub use setting_range::SettingRange;
 pub use step::Step;
 pub use value::Value;
 
@@ -83,7 +83,7 @@ pub struct Setting {
     /// Its present value.
     pub value: Value,
     /// What values it takes.
-    pub range: Range,
+    pub range: SettingRange,
     /// The unit of its number: `px`, `%`, `frames`; empty for a bare number and for words. Shown beside the value.
     pub unit: &'static str,
     /// What it does, in a sentence.

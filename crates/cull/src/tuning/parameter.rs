@@ -2,7 +2,7 @@
 
 use std::ops::{Bound, RangeInclusive};
 
-use super::range::Range;
+use super::setting_range::SettingRange;
 use super::value::Value;
 use super::{Setting, SettingError};
 
@@ -159,12 +159,12 @@ impl<S> Parameter<S> {
         self.key
     }
 
-    fn range(&self) -> Range {
+    fn range(&self) -> SettingRange {
         match &self.access {
-            Access::Whole { range, .. } => Range::Whole(range.clone()),
-            Access::Number { least, most, .. } => Range::Number(*least, *most),
-            Access::Switch { .. } => Range::Switch,
-            Access::Words { words, .. } => Range::Words(words),
+            Access::Whole { range, .. } => SettingRange::Whole(range.clone()),
+            Access::Number { least, most, .. } => SettingRange::Number(*least, *most),
+            Access::Switch { .. } => SettingRange::Switch,
+            Access::Words { words, .. } => SettingRange::Words(words),
         }
     }
 

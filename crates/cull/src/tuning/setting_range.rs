@@ -7,7 +7,7 @@ use super::value::Value;
 
 /// What values a setting takes: what a slider, a switch or a list is made from. Prints as words for a message.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Range {
+pub enum SettingRange {
     /// A whole number.
     Whole(RangeInclusive<u32>),
     /// A number. Without an upper bound it may be infinite, which is written `any`.
@@ -20,7 +20,7 @@ pub enum Range {
     Strategy,
 }
 
-impl Range {
+impl SettingRange {
     /// Whether a value is one of them. What names a strategy is known to its registry alone.
     pub fn takes(&self, value: &Value) -> bool {
         match (self, value) {
@@ -52,7 +52,7 @@ impl Range {
     }
 }
 
-impl fmt::Display for Range {
+impl fmt::Display for SettingRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Whole(range) => write!(f, "a whole number, {} to {}", range.start(), range.end()),
