@@ -12,7 +12,7 @@ FUZZ_SECONDS ?= 600
 export NODEVICE_SELECT ?= 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test lint fmt bench data fuzz
+.PHONY: help demo test lint fmt shaders bench data fuzz
 
 help: ## list these verbs
 	@sed -n 's/^\([a-z]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 14
@@ -32,6 +32,9 @@ lint: ## formatting, clippy and rustdoc, warnings as errors
 
 fmt: ## format all code
 	$(CARGO) fmt --all
+
+shaders: ## check the shaders and write shaders/src/generated.rs, after a change of WGSL
+	UPDATE_SHADERS=1 $(CARGO) test -p antumbra-shaders --locked --test generated
 
 bench: ## run the benches; loading is measured on data/2CylinderEngine.glb where it is there (make data)
 	scripts/vulkan.sh

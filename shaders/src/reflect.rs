@@ -11,14 +11,9 @@ use crate::{
     source::SharedSource,
 };
 
-// Named paths, because the build script loads this file from elsewhere.
-#[path = "reflect/bindings.rs"]
 mod bindings;
-#[path = "reflect/requirements.rs"]
 mod requirements;
-#[path = "reflect/structs.rs"]
 mod structs;
-#[path = "reflect/vertex.rs"]
 mod vertex;
 
 use requirements::Requirements;

@@ -3,8 +3,6 @@
 
 use std::fmt::Write as _;
 
-use serde::Serialize;
-
 use crate::compile::order::Step;
 use crate::pass::PassKind;
 use crate::physical::NOWHERE;
@@ -19,10 +17,15 @@ pub enum PlanFormat {
     /// Mermaid, which Markdown viewers render.
     Mermaid,
     /// A JSON object with `passes`, `resources` and `edges`, for other tools.
+    #[cfg(feature = "json")]
     Json,
 }
 
-#[derive(Serialize)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[cfg_attr(
+    not(feature = "json"),
+    allow(dead_code, reason = "some fields are for JSON alone")
+)]
 struct Model<'a> {
     graph: &'a str,
     sync_points: usize,
@@ -31,26 +34,34 @@ struct Model<'a> {
     edges: Vec<Edge>,
 }
 
-#[derive(Serialize)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[cfg_attr(
+    not(feature = "json"),
+    allow(dead_code, reason = "some fields are for JSON alone")
+)]
 struct PassNode<'a> {
     name: &'a str,
     kind: PassKind,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
     group: Option<&'static str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
     in_loop: Option<usize>,
     /// Its position in the order in which passes run.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
     order: Option<usize>,
     sync_point: bool,
     pruned: bool,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
     cpu_us: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "json", serde(skip_serializing_if = "Option::is_none"))]
     gpu_us: Option<f64>,
 }
 
-#[derive(Serialize)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[cfg_attr(
+    not(feature = "json"),
+    allow(dead_code, reason = "some fields are for JSON alone")
+)]
 struct ResourceNode<'a> {
     name: &'a str,
     kind: &'static str,
@@ -63,7 +74,11 @@ struct ResourceNode<'a> {
     objects: Vec<u32>,
 }
 
-#[derive(Serialize)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[cfg_attr(
+    not(feature = "json"),
+    allow(dead_code, reason = "some fields are for JSON alone")
+)]
 struct Edge {
     pass: usize,
     resource: usize,
@@ -82,6 +97,7 @@ impl Plan {
         match format {
             PlanFormat::Dot => dot(&model),
             PlanFormat::Mermaid => mermaid(&model),
+            #[cfg(feature = "json")]
             // A model of plain values always serialises. If serde fails all the same, its message is the text.
             PlanFormat::Json => {
                 serde_json::to_string_pretty(&model).unwrap_or_else(|error| error.to_string())

@@ -14,8 +14,12 @@ pub(crate) type ConditionFn = Box<dyn Fn(&HostReader<'_>) -> bool + Send>;
 pub(crate) type CountFn = Box<dyn Fn(&HostReader<'_>) -> u32 + Send>;
 
 /// The kind of a pass.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "json",
+    derive(serde::Serialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum PassKind {
     /// One render pass, or several where queries exceed a set.
     Raster,

@@ -1,31 +1,24 @@
-//! Writes jobs as Rust statics, and the joined text of each job.
+//! Writes jobs as Rust statics. The text of a job is included from its files when the crate is compiled.
 
 use std::{
     fmt::{self, Debug, Write},
-    fs,
     num::NonZeroU64,
-    path::Path,
 };
 
-use crate::{
-    job::{Binding, EntryPoint, Job, StructLayout},
-    source::SharedSource,
-};
+use antumbra_shaders::{Binding, EntryPoint, Job, SharedSource, StructLayout};
 
-/// Writes `jobs.rs`, and `NAME.wgsl` for each job, into `out`.
-pub(crate) fn write(out: &Path, jobs: &[Job], shared: &[SharedSource<'_>]) -> Result<(), String> {
-    let path = out.join("jobs.rs");
-    let failed = |path: &Path, e: &dyn fmt::Display| format!("{}: {e}", path.display());
-    for job in jobs {
-        let text = out.join(format!("{}.wgsl", job.name));
-        fs::write(&text, job.source.as_bytes()).map_err(|e| failed(&text, &e))?;
-    }
+/// The Rust text of all jobs.
+pub fn jobs(jobs: &[Job], shared: &[SharedSource<'_>]) -> Result<String, fmt::Error> {
     let mut code = String::new();
-    all(&mut code, jobs, shared).map_err(|e| failed(&path, &e))?;
-    fs::write(&path, code).map_err(|e| failed(&path, &e))
+    all(&mut code, jobs, shared)?;
+    Ok(code)
 }
 
 fn all(w: &mut String, jobs: &[Job], shared: &[SharedSource<'_>]) -> fmt::Result {
+    writeln!(
+        w,
+        "// Written by `make shaders` from `wgsl/`; a test fails where the two differ. Do not edit.\n"
+    )?;
     writeln!(w, "/// Every built-in job, by name.")?;
     writeln!(w, "pub static ALL: &[&crate::Job] = &[")?;
     for job in jobs {
@@ -35,10 +28,10 @@ fn all(w: &mut String, jobs: &[Job], shared: &[SharedSource<'_>]) -> fmt::Result
     writeln!(w, "/// The shared texts for `//!import`, by name.")?;
     writeln!(w, "pub static SHARED: &[crate::SharedSource<'static>] = &[")?;
     for source in shared {
-        let SharedSource { name, text } = source;
+        let name = source.name;
         writeln!(
             w,
-            "crate::SharedSource {{ name: {name:?}, text: {text:?} }},"
+            "crate::SharedSource {{ name: {name:?}, text: include_str!(\"../wgsl/shared/{name}.wgsl\") }},"
         )?;
     }
     writeln!(w, "];")?;
@@ -56,10 +49,11 @@ fn module(w: &mut String, job: &Job) -> fmt::Result {
         "#[allow(unused_imports, reason = \"which of them depends on the job\")]\nuse std::{{borrow::Cow::Borrowed, num::{{NonZeroU32, NonZeroU64}}}};"
     )?;
     writeln!(w, "/// The text for wgpu, imports included.")?;
-    writeln!(
-        w,
-        "pub const SOURCE: &str = include_str!(concat!(env!(\"OUT_DIR\"), \"/{name}.wgsl\"));"
-    )?;
+    write!(w, "pub const SOURCE: &str = concat!(")?;
+    for part in job.parts.iter() {
+        write!(w, "include_str!(\"../{}\"), ", part.file)?;
+    }
+    writeln!(w, ");")?;
     writeln!(
         w,
         "/// The job.\npub static JOB: crate::Job = crate::Job {{"

@@ -1,0 +1,782 @@
+// Written by `make shaders` from `wgsl/`; a test fails where the two differ. Do not edit.
+
+/// Every built-in job, by name.
+pub static ALL: &[&crate::Job] = &[
+&adapt_threshold::JOB,
+&boxes::JOB,
+&compact::JOB,
+&count_atomic::JOB,
+&count_compare::JOB,
+&cull_patches::JOB,
+&depth::JOB,
+&histogram::JOB,
+&identity::JOB,
+&max_counts::JOB,
+&patch_compare::JOB,
+&patch_early::JOB,
+&scatter::JOB,
+&shaded::JOB,
+&signature::JOB,
+];
+/// The shared texts for `//!import`, by name.
+pub static SHARED: &[crate::SharedSource<'static>] = &[
+crate::SharedSource { name: "clip", text: include_str!("../wgsl/shared/clip.wgsl") },
+crate::SharedSource { name: "environment", text: include_str!("../wgsl/shared/environment.wgsl") },
+crate::SharedSource { name: "instance", text: include_str!("../wgsl/shared/instance.wgsl") },
+crate::SharedSource { name: "light", text: include_str!("../wgsl/shared/light.wgsl") },
+crate::SharedSource { name: "marks", text: include_str!("../wgsl/shared/marks.wgsl") },
+crate::SharedSource { name: "material", text: include_str!("../wgsl/shared/material.wgsl") },
+crate::SharedSource { name: "patch", text: include_str!("../wgsl/shared/patch.wgsl") },
+crate::SharedSource { name: "position", text: include_str!("../wgsl/shared/position.wgsl") },
+crate::SharedSource { name: "threshold", text: include_str!("../wgsl/shared/threshold.wgsl") },
+crate::SharedSource { name: "view", text: include_str!("../wgsl/shared/view.wgsl") },
+];
+/// `wgsl/adapt_threshold.wgsl`.
+pub mod adapt_threshold {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/adapt_threshold.wgsl"), include_str!("../wgsl/shared/threshold.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("adapt_threshold"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/adapt_threshold.wgsl"), first_line: 1, lines: 100 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 101, lines: 10 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("adapt_threshold"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("settings"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("adapt_threshold"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("judged"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("adapt_threshold"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("counts"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("adapt_threshold"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("adapted"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("adapt_threshold"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("AdaptedThreshold"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("padding_a"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("threshold"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("left_out"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 12, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Settings"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("allowed"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("least"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("padding"), offset: 12, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `adapt_threshold`.
+pub const ADAPT_THRESHOLD: &str = "adapt_threshold";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `settings`.
+pub const SETTINGS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `judged`.
+pub const JUDGED: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `counts`.
+pub const COUNTS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `adapted`.
+pub const ADAPTED: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `adapt_threshold`.
+pub const ADAPT_THRESHOLD: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/boxes.wgsl`.
+pub mod boxes {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/boxes.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("boxes"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/boxes.wgsl"), first_line: 1, lines: 19 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 20, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 34, lines: 13 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("centre"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("x"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 2, name: Borrowed("y"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 3, name: Borrowed("z"), format: wgpu::VertexFormat::Float32x3 }, ]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("View"), kind: crate::LayoutKind::Memory, size: 96, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty(), };
+/// Names of the entry points.
+pub mod entry {
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+}
+}
+/// `wgsl/compact.wgsl`.
+pub mod compact {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/compact.wgsl"), include_str!("../wgsl/shared/threshold.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("compact"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/compact.wgsl"), first_line: 1, lines: 89 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 90, lines: 10 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("settings"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("batches"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(32) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("candidates"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("counts"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("kept"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("draws"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(20) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("adapted"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("AdaptedThreshold"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("padding_a"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("threshold"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("left_out"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 12, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Batch"), kind: crate::LayoutKind::Memory, size: 32, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("first"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("index_count"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("first_index"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("base_vertex"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("over"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("most"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("hidden"), offset: 28, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Draw"), kind: crate::LayoutKind::Memory, size: 20, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("index_count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("instance_count"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("first_index"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("base_vertex"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("first_instance"), offset: 16, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Settings"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 12, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `compact`.
+pub const COMPACT: &str = "compact";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `settings`.
+pub const SETTINGS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `batches`.
+pub const BATCHES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `candidates`.
+pub const CANDIDATES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `counts`.
+pub const COUNTS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `kept`.
+pub const KEPT: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
+/// `draws`.
+pub const DRAWS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `adapted`.
+pub const ADAPTED: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `compact`.
+pub const COMPACT: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/count_atomic.wgsl`.
+pub mod count_atomic {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/count_atomic.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("count_atomic"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/count_atomic.wgsl"), first_line: 1, lines: 24 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 25, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 41, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 55, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 68, lines: 10 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, ]),
+}, crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: true, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("counts"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Instance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("origin_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("material"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("View"), kind: crate::LayoutKind::Memory, size: 96, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty().union(wgpu::Features::SHADER_EARLY_DEPTH_TEST), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE).union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE), };
+/// Names of the entry points.
+pub mod entry {
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
+/// `fragment`.
+pub const FRAGMENT: &str = "fragment";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `counts`.
+pub const COUNTS: crate::BindingPlace = crate::BindingPlace { group: 1, binding: 0 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+}
+}
+/// `wgsl/count_compare.wgsl`.
+pub mod count_compare {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/count_compare.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("count_compare"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/count_compare.wgsl"), first_line: 1, lines: 28 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 29, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 45, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 59, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 72, lines: 10 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, ]),
+}, crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("counts"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("occluder_depth"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: false }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Instance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("origin_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("material"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("View"), kind: crate::LayoutKind::Memory, size: 96, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE).union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE), };
+/// Names of the entry points.
+pub mod entry {
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
+/// `fragment`.
+pub const FRAGMENT: &str = "fragment";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `counts`.
+pub const COUNTS: crate::BindingPlace = crate::BindingPlace { group: 1, binding: 0 };
+/// `occluder_depth`.
+pub const OCCLUDER_DEPTH: crate::BindingPlace = crate::BindingPlace { group: 1, binding: 1 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+}
+}
+/// `wgsl/cull_patches.wgsl`.
+pub mod cull_patches {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/cull_patches.wgsl"), include_str!("../wgsl/shared/marks.wgsl"), include_str!("../wgsl/shared/threshold.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("cull_patches"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/cull_patches.wgsl"), first_line: 1, lines: 83 }, crate::SourcePart { file: Borrowed("wgsl/shared/marks.wgsl"), first_line: 84, lines: 8 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 92, lines: 10 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("settings"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("entries"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(24) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("counts"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("finished_depth"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: false }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("kept"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(8) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("draws"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(20) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("shown"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("adapted"), entry: wgpu::BindGroupLayoutEntry { binding: 7, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("AdaptedThreshold"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("padding_a"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("threshold"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("left_out"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 12, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Draw"), kind: crate::LayoutKind::Memory, size: 20, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("index_count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("instance_count"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("first_index"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("base_vertex"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("first_instance"), offset: 16, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Entry"), kind: crate::LayoutKind::Memory, size: 24, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("slot"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("patch_number"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("draw"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("nearest"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("least"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("greatest"), offset: 20, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Settings"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("threshold"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 12, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `cull_patches`.
+pub const CULL_PATCHES: &str = "cull_patches";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `settings`.
+pub const SETTINGS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `entries`.
+pub const ENTRIES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `counts`.
+pub const COUNTS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `finished_depth`.
+pub const FINISHED_DEPTH: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `kept`.
+pub const KEPT: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
+/// `draws`.
+pub const DRAWS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `shown`.
+pub const SHOWN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `adapted`.
+pub const ADAPTED: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 7 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `cull_patches`.
+pub const CULL_PATCHES: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/depth.wgsl`.
+pub mod depth {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/depth.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("depth"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/depth.wgsl"), first_line: 1, lines: 7 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 8, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 24, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 38, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 51, lines: 10 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, ]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Instance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("origin_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("material"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("View"), kind: crate::LayoutKind::Memory, size: 96, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::VERTEX_STORAGE), };
+/// Names of the entry points.
+pub mod entry {
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+}
+}
+/// `wgsl/histogram.wgsl`.
+pub mod histogram {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/histogram.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("histogram"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/histogram.wgsl"), first_line: 1, lines: 36 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("count"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("ids"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Uint, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("count"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("counts"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("count"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `count`.
+pub const COUNT: &str = "count";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `ids`.
+pub const IDS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `counts`.
+pub const COUNTS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `count`.
+pub const COUNT: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/identity.wgsl`.
+pub mod identity {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/identity.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), include_str!("../wgsl/shared/material.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("identity"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/identity.wgsl"), first_line: 1, lines: 55 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 56, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 72, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 86, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 99, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 109, lines: 34 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, ]),
+}, crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("masked_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 2, name: Borrowed("normal"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 3, name: Borrowed("uv"), format: wgpu::VertexFormat::Float32x2 }, crate::VertexInput { location: 4, name: Borrowed("colour"), format: wgpu::VertexFormat::Float32x4 }, ]),
+}, crate::EntryPoint { name: Borrowed("masked_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("masked_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("masked_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("masked_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("materials"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("masked_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_texture"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: true }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("masked_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_sampler"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering), count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("masked_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Instance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("origin_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("material"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Material"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("base_colour"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("uv_u"), offset: 16, size: 12 }, crate::FieldLayout { name: Borrowed("alpha_cutoff"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("uv_v"), offset: 32, size: 12 }, crate::FieldLayout { name: Borrowed("unlit"), offset: 44, size: 4 }, crate::FieldLayout { name: Borrowed("metallic"), offset: 48, size: 4 }, crate::FieldLayout { name: Borrowed("roughness"), offset: 52, size: 4 }, crate::FieldLayout { name: Borrowed("environment_level"), offset: 56, size: 4 }, crate::FieldLayout { name: Borrowed("environment_inset"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("View"), kind: crate::LayoutKind::Memory, size: 96, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[crate::Override { key: Borrowed("textured"), required: false }, ]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE), };
+/// Names of the entry points.
+pub mod entry {
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
+/// `fragment`.
+pub const FRAGMENT: &str = "fragment";
+/// `masked_vertex`.
+pub const MASKED_VERTEX: &str = "masked_vertex";
+/// `masked_fragment`.
+pub const MASKED_FRAGMENT: &str = "masked_fragment";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `materials`.
+pub const MATERIALS: crate::BindingPlace = crate::BindingPlace { group: 1, binding: 0 };
+/// `base_colour_texture`.
+pub const BASE_COLOUR_TEXTURE: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 0 };
+/// `base_colour_sampler`.
+pub const BASE_COLOUR_SAMPLER: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 1 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+}
+}
+/// `wgsl/max_counts.wgsl`.
+pub mod max_counts {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/max_counts.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("max_counts"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/max_counts.wgsl"), first_line: 1, lines: 13 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("max_counts"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("first"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("max_counts"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("second"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("max_counts"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("merged"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("max_counts"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `max_counts`.
+pub const MAX_COUNTS: &str = "max_counts";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `first`.
+pub const FIRST: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `second`.
+pub const SECOND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `merged`.
+pub const MERGED: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `max_counts`.
+pub const MAX_COUNTS: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/patch_compare.wgsl`.
+pub mod patch_compare {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/patch_compare.wgsl"), include_str!("../wgsl/shared/patch.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), include_str!("../wgsl/shared/material.wgsl"), include_str!("../wgsl/shared/marks.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("patch_compare"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/patch_compare.wgsl"), first_line: 1, lines: 24 }, crate::SourcePart { file: Borrowed("wgsl/shared/patch.wgsl"), first_line: 25, lines: 60 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 85, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 101, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 115, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 128, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 138, lines: 34 }, crate::SourcePart { file: Borrowed("wgsl/shared/marks.wgsl"), first_line: 172, lines: 8 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 5, name: Borrowed("patch_number"), format: wgpu::VertexFormat::Uint32 }, ]),
+}, crate::EntryPoint { name: Borrowed("textured_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 2, name: Borrowed("normal"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 3, name: Borrowed("uv"), format: wgpu::VertexFormat::Float32x2 }, crate::VertexInput { location: 4, name: Borrowed("colour"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 5, name: Borrowed("patch_number"), format: wgpu::VertexFormat::Uint32 }, ]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("materials"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_texture"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: true }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_sampler"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering), count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 3, name: Borrowed("shown"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 3, name: Borrowed("finished_depth"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: false }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Instance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("origin_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("material"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Material"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("base_colour"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("uv_u"), offset: 16, size: 12 }, crate::FieldLayout { name: Borrowed("alpha_cutoff"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("uv_v"), offset: 32, size: 12 }, crate::FieldLayout { name: Borrowed("unlit"), offset: 44, size: 4 }, crate::FieldLayout { name: Borrowed("metallic"), offset: 48, size: 4 }, crate::FieldLayout { name: Borrowed("roughness"), offset: 52, size: 4 }, crate::FieldLayout { name: Borrowed("environment_level"), offset: 56, size: 4 }, crate::FieldLayout { name: Borrowed("environment_inset"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("View"), kind: crate::LayoutKind::Memory, size: 96, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[crate::Override { key: Borrowed("textured"), required: false }, ]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE).union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE), };
+/// Names of the entry points.
+pub mod entry {
+/// `fragment`.
+pub const FRAGMENT: &str = "fragment";
+/// `textured_fragment`.
+pub const TEXTURED_FRAGMENT: &str = "textured_fragment";
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
+/// `textured_vertex`.
+pub const TEXTURED_VERTEX: &str = "textured_vertex";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `materials`.
+pub const MATERIALS: crate::BindingPlace = crate::BindingPlace { group: 1, binding: 0 };
+/// `base_colour_texture`.
+pub const BASE_COLOUR_TEXTURE: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 0 };
+/// `base_colour_sampler`.
+pub const BASE_COLOUR_SAMPLER: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 1 };
+/// `shown`.
+pub const SHOWN: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 0 };
+/// `finished_depth`.
+pub const FINISHED_DEPTH: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 1 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+}
+}
+/// `wgsl/patch_early.wgsl`.
+pub mod patch_early {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/patch_early.wgsl"), include_str!("../wgsl/shared/patch.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), include_str!("../wgsl/shared/material.wgsl"), include_str!("../wgsl/shared/marks.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("patch_early"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/patch_early.wgsl"), first_line: 1, lines: 15 }, crate::SourcePart { file: Borrowed("wgsl/shared/patch.wgsl"), first_line: 16, lines: 60 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 76, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 92, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 106, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 119, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 129, lines: 34 }, crate::SourcePart { file: Borrowed("wgsl/shared/marks.wgsl"), first_line: 163, lines: 8 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: true, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: true, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 5, name: Borrowed("patch_number"), format: wgpu::VertexFormat::Uint32 }, ]),
+}, crate::EntryPoint { name: Borrowed("textured_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 2, name: Borrowed("normal"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 3, name: Borrowed("uv"), format: wgpu::VertexFormat::Float32x2 }, crate::VertexInput { location: 4, name: Borrowed("colour"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 5, name: Borrowed("patch_number"), format: wgpu::VertexFormat::Uint32 }, ]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("materials"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_texture"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: true }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_sampler"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering), count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 3, name: Borrowed("shown"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Instance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("origin_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("material"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Material"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("base_colour"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("uv_u"), offset: 16, size: 12 }, crate::FieldLayout { name: Borrowed("alpha_cutoff"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("uv_v"), offset: 32, size: 12 }, crate::FieldLayout { name: Borrowed("unlit"), offset: 44, size: 4 }, crate::FieldLayout { name: Borrowed("metallic"), offset: 48, size: 4 }, crate::FieldLayout { name: Borrowed("roughness"), offset: 52, size: 4 }, crate::FieldLayout { name: Borrowed("environment_level"), offset: 56, size: 4 }, crate::FieldLayout { name: Borrowed("environment_inset"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("View"), kind: crate::LayoutKind::Memory, size: 96, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[crate::Override { key: Borrowed("textured"), required: false }, ]),
+immediate_size: 0,
+features: wgpu::Features::empty().union(wgpu::Features::SHADER_EARLY_DEPTH_TEST), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE).union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE), };
+/// Names of the entry points.
+pub mod entry {
+/// `fragment`.
+pub const FRAGMENT: &str = "fragment";
+/// `textured_fragment`.
+pub const TEXTURED_FRAGMENT: &str = "textured_fragment";
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
+/// `textured_vertex`.
+pub const TEXTURED_VERTEX: &str = "textured_vertex";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `materials`.
+pub const MATERIALS: crate::BindingPlace = crate::BindingPlace { group: 1, binding: 0 };
+/// `base_colour_texture`.
+pub const BASE_COLOUR_TEXTURE: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 0 };
+/// `base_colour_sampler`.
+pub const BASE_COLOUR_SAMPLER: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 1 };
+/// `shown`.
+pub const SHOWN: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 0 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+}
+}
+/// `wgsl/scatter.wgsl`.
+pub mod scatter {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/scatter.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("scatter"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/scatter.wgsl"), first_line: 1, lines: 24 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("scatter"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("settings"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("scatter"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("asked"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("scatter"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("answers"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(8) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("scatter"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("counts"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("scatter"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Settings"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("queries"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 12, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `scatter`.
+pub const SCATTER: &str = "scatter";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `settings`.
+pub const SETTINGS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `asked`.
+pub const ASKED: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `answers`.
+pub const ANSWERS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `counts`.
+pub const COUNTS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `scatter`.
+pub const SCATTER: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/shaded.wgsl`.
+pub mod shaded {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/shaded.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), include_str!("../wgsl/shared/material.wgsl"), include_str!("../wgsl/shared/light.wgsl"), include_str!("../wgsl/shared/environment.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("shaded"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/shaded.wgsl"), first_line: 1, lines: 154 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 155, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 171, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 185, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 198, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 208, lines: 34 }, crate::SourcePart { file: Borrowed("wgsl/shared/light.wgsl"), first_line: 242, lines: 76 }, crate::SourcePart { file: Borrowed("wgsl/shared/environment.wgsl"), first_line: 318, lines: 21 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 2, name: Borrowed("normal"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 3, name: Borrowed("uv"), format: wgpu::VertexFormat::Float32x2 }, crate::VertexInput { location: 4, name: Borrowed("colour"), format: wgpu::VertexFormat::Float32x4 }, ]),
+}, crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("reflecting_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("identified_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 2, name: Borrowed("normal"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 3, name: Borrowed("uv"), format: wgpu::VertexFormat::Float32x2 }, crate::VertexInput { location: 4, name: Borrowed("colour"), format: wgpu::VertexFormat::Float32x4 }, ]),
+}, crate::EntryPoint { name: Borrowed("identified_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("identified_reflecting_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("identified_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("identified_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("materials"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("reflecting_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("identified_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("identified_reflecting_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("lights"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(528) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("reflecting_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("identified_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("identified_reflecting_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_texture"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: true }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, crate::BindingUse { entry_point: Borrowed("reflecting_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, crate::BindingUse { entry_point: Borrowed("identified_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, crate::BindingUse { entry_point: Borrowed("identified_reflecting_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_sampler"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering), count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("reflecting_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("identified_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("identified_reflecting_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 3, name: Borrowed("environment_texture"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: true }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("reflecting_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, crate::BindingUse { entry_point: Borrowed("identified_reflecting_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, ]),
+}, crate::Binding { group: 3, name: Borrowed("environment_sampler"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering), count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("reflecting_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("identified_reflecting_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Instance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("origin_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("material"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Light"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("colour"), offset: 0, size: 12 }, crate::FieldLayout { name: Borrowed("kind"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("direction"), offset: 16, size: 12 }, crate::FieldLayout { name: Borrowed("range"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("position"), offset: 32, size: 12 }, crate::FieldLayout { name: Borrowed("cos_outer"), offset: 44, size: 4 }, crate::FieldLayout { name: Borrowed("cos_inner"), offset: 48, size: 4 }, crate::FieldLayout { name: Borrowed("reference_distance"), offset: 52, size: 4 }, crate::FieldLayout { name: Borrowed("padding"), offset: 56, size: 8 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Lights"), kind: crate::LayoutKind::Memory, size: 528, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("ambient"), offset: 0, size: 12 }, crate::FieldLayout { name: Borrowed("count"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("lights"), offset: 16, size: 512 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Material"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("base_colour"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("uv_u"), offset: 16, size: 12 }, crate::FieldLayout { name: Borrowed("alpha_cutoff"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("uv_v"), offset: 32, size: 12 }, crate::FieldLayout { name: Borrowed("unlit"), offset: 44, size: 4 }, crate::FieldLayout { name: Borrowed("metallic"), offset: 48, size: 4 }, crate::FieldLayout { name: Borrowed("roughness"), offset: 52, size: 4 }, crate::FieldLayout { name: Borrowed("environment_level"), offset: 56, size: 4 }, crate::FieldLayout { name: Borrowed("environment_inset"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("View"), kind: crate::LayoutKind::Memory, size: 96, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[crate::Override { key: Borrowed("alpha_mode"), required: false }, crate::Override { key: Borrowed("textured"), required: false }, crate::Override { key: Borrowed("positional_lights"), required: false }, ]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE), };
+/// Names of the entry points.
+pub mod entry {
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
+/// `fragment`.
+pub const FRAGMENT: &str = "fragment";
+/// `reflecting_fragment`.
+pub const REFLECTING_FRAGMENT: &str = "reflecting_fragment";
+/// `identified_vertex`.
+pub const IDENTIFIED_VERTEX: &str = "identified_vertex";
+/// `identified_fragment`.
+pub const IDENTIFIED_FRAGMENT: &str = "identified_fragment";
+/// `identified_reflecting_fragment`.
+pub const IDENTIFIED_REFLECTING_FRAGMENT: &str = "identified_reflecting_fragment";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `materials`.
+pub const MATERIALS: crate::BindingPlace = crate::BindingPlace { group: 1, binding: 0 };
+/// `lights`.
+pub const LIGHTS: crate::BindingPlace = crate::BindingPlace { group: 1, binding: 1 };
+/// `base_colour_texture`.
+pub const BASE_COLOUR_TEXTURE: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 0 };
+/// `base_colour_sampler`.
+pub const BASE_COLOUR_SAMPLER: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 1 };
+/// `environment_texture`.
+pub const ENVIRONMENT_TEXTURE: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 0 };
+/// `environment_sampler`.
+pub const ENVIRONMENT_SAMPLER: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 1 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+}
+}
+/// `wgsl/signature.wgsl`.
+pub mod signature {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/signature.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), include_str!("../wgsl/shared/material.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("signature"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/signature.wgsl"), first_line: 1, lines: 51 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 52, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 68, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 82, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 95, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 105, lines: 34 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 2, name: Borrowed("normal"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 3, name: Borrowed("uv"), format: wgpu::VertexFormat::Float32x2 }, crate::VertexInput { location: 4, name: Borrowed("colour"), format: wgpu::VertexFormat::Float32x4 }, ]),
+}, crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("materials"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_texture"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: true }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_sampler"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering), count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 3, name: Borrowed("signatures"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 3, name: Borrowed("samples"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 3, name: Borrowed("opaque_depth"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: false }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Instance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("origin_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("material"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Material"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("base_colour"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("uv_u"), offset: 16, size: 12 }, crate::FieldLayout { name: Borrowed("alpha_cutoff"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("uv_v"), offset: 32, size: 12 }, crate::FieldLayout { name: Borrowed("unlit"), offset: 44, size: 4 }, crate::FieldLayout { name: Borrowed("metallic"), offset: 48, size: 4 }, crate::FieldLayout { name: Borrowed("roughness"), offset: 52, size: 4 }, crate::FieldLayout { name: Borrowed("environment_level"), offset: 56, size: 4 }, crate::FieldLayout { name: Borrowed("environment_inset"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("View"), kind: crate::LayoutKind::Memory, size: 96, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[crate::Override { key: Borrowed("textured"), required: false }, ]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE).union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE), };
+/// Names of the entry points.
+pub mod entry {
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
+/// `fragment`.
+pub const FRAGMENT: &str = "fragment";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `materials`.
+pub const MATERIALS: crate::BindingPlace = crate::BindingPlace { group: 1, binding: 0 };
+/// `base_colour_texture`.
+pub const BASE_COLOUR_TEXTURE: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 0 };
+/// `base_colour_sampler`.
+pub const BASE_COLOUR_SAMPLER: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 1 };
+/// `signatures`.
+pub const SIGNATURES: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 0 };
+/// `samples`.
+pub const SAMPLES: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 1 };
+/// `opaque_depth`.
+pub const OPAQUE_DEPTH: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 2 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+}
+}
