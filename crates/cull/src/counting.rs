@@ -133,7 +133,7 @@ impl FrameGraph<'_> {
             let bytes = self.slot_bytes() * 2;
             let answers = self
                 .graph()
-                .buffer(view.named("query answers"), BufferDesc::new(bytes));
+                .buffer(view.named("query results"), BufferDesc::new(bytes));
             let spec = self.pass(view.named("queries"), CULL, PipelineKind::Query);
             let buffer = passes::query_pass(
                 self.graph(),

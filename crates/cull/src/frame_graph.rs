@@ -231,8 +231,8 @@ impl<'g> FrameGraph<'g> {
         let Some(Narrowing { inside, left }) = view.narrowing else {
             return all;
         };
-        let rest = self.graph.host::<Candidates>(view.named("rest"));
-        let mut node = self.graph.host_node(view.named("take away"));
+        let rest = self.graph.host::<Candidates>(view.named("remaining"));
+        let mut node = self.graph.host_node(view.named("remove culled"));
         node.group(CULL).read(inside).read(left).read(all);
         let rest = node.write(rest);
         node.run(move |ctx| {

@@ -15,8 +15,8 @@ use crate::view_nodes::ViewNodes;
 /// A culling strategy: a plug-in that adds nodes to the graph and says what the shaded pass draws.
 ///
 /// A strategy [declares](Self::declare) its nodes once per view whenever a plan is compiled: at the start, for another scene, when the scene's layout changes (it outgrows its
-/// buffers, or gains transparency, lights with a place or an environment), and when a budget goes to a step that has no plan yet. State between frames belongs in host values that
-/// its nodes update. `docs/architecture.md` defines the words: node, host value, slot, reference.
+/// buffers, or its pipeline classes, transparency, positional lights or environment change), and when a budget goes to a step that has no plan yet. State between frames belongs in host values that
+/// its nodes update. A host value is a resource in host memory; `docs/architecture.md` defines node, slot and reference.
 ///
 /// ```no_run
 /// use antumbra_cull::*;
@@ -33,6 +33,7 @@ use crate::view_nodes::ViewNodes;
 ///         let reach = self.0;
 ///         Ok(g.visible_by(view, candidates, move |table, frame, slot| {
 ///             let near = table.bounds(slot).distance(frame.camera.position) < reach;
+///             // No verdict says "too far". This one says that a setting left the entity out, not that it is hidden.
 ///             if near || !table.is_tested(slot) { Verdict::Visible } else { Verdict::BelowThreshold }
 ///         }))
 ///     }
@@ -60,7 +61,7 @@ pub trait Strategy: Send {
         Role::Contender
     }
 
-    /// Whether it must be given the entities that own a pixel ([`ViewInput::reference`](crate::ViewInput::reference)): for measuring alone.
+    /// Whether the caller must supply the slots that own a pixel of the reference ([`ViewInput::reference`](crate::ViewInput::reference)). Only for measuring.
     fn needs_reference(&self) -> bool {
         false
     }
@@ -70,12 +71,13 @@ pub trait Strategy: Send {
         None
     }
 
-    /// The same, to change them.
+    /// Mutable access to [`Self::tuning`], to change settings.
     fn tuning_mut(&mut self) -> Option<&mut dyn Tunable> {
         None
     }
 
-    /// Adds its nodes for one view, and says what that view draws.
+    /// Adds its nodes for one view to `g`, and returns what that view draws. Called for the views in order. Its shading passes draw into `view.targets` and leave the next versions
+    /// there.
     ///
     /// # Errors
     /// [`DeclareError`] when its settings exclude each other, or the device lacks what they need. The caller gets it as [`StageError::Declare`](crate::StageError::Declare), from
@@ -119,12 +121,13 @@ impl Role {
         }
     }
 
-    /// Whether others are measured by it: a comparison neither audits it nor gives it a budget.
+    /// Whether others are measured by it. `antumbra compare` neither audits it nor gives it a budget.
     pub fn is_yardstick(self) -> bool {
         self != Self::Contender
     }
 }
 
+// Not methods of the trait: a strategy implements them in [`Tunable`], and none may override these.
 impl dyn Strategy + '_ {
     /// Its settings as they stand; empty without any.
     pub fn settings(&self) -> Vec<Setting> {
@@ -136,29 +139,29 @@ impl dyn Strategy + '_ {
         self.tuning().map(Tunable::steps).unwrap_or_default()
     }
 
-    /// Sets a setting.
+    /// Sets the setting named `key`.
     ///
     /// # Errors
-    /// [`SettingError`] for a name that no setting has, or a value out of range.
+    /// As [`Tunable::set`]; [`SettingError::Unknown`] for a strategy without settings.
     pub fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
         match self.tuning_mut() {
             Some(tuning) => tuning.set(key, value),
-            None => Err(self.has_none(key)),
+            None => Err(self.unknown_setting(key)),
         }
     }
 
-    /// Sets a setting from text.
+    /// Sets the setting named `key` from text.
     ///
     /// # Errors
-    /// As [`Tunable::set`], and for text that is no value of its kind.
+    /// As [`Self::set`], and for text that is no value of its kind.
     pub fn set_text(&mut self, key: &str, text: &str) -> Result<(), SettingError> {
         match self.tuning_mut() {
             Some(tuning) => tuning.set_text(key, text),
-            None => Err(self.has_none(key)),
+            None => Err(self.unknown_setting(key)),
         }
     }
 
-    fn has_none(&self, key: &str) -> SettingError {
+    fn unknown_setting(&self, key: &str) -> SettingError {
         SettingError::Unknown {
             strategy: self.name().to_owned(),
             key: key.to_owned(),
@@ -176,7 +179,7 @@ pub enum DeclareError {
     Settings {
         /// The strategy.
         strategy: String,
-        /// Which, why, and what to set instead.
+        /// What conflicts, why, and what to set instead.
         conflict: String,
     },
     /// The device lacks what the settings ask for.
@@ -211,7 +214,7 @@ pub(crate) enum VerdictSource {
         counts: Buffer,
         layout: crate::CountLayout,
         rule: crate::SampleRule,
-        /// The frame's threshold, where it is not the rule's.
+        /// The threshold that the GPU finds for each frame; `None`: the rule's.
         adapted: Option<AdaptiveThreshold>,
     },
 }
@@ -231,8 +234,8 @@ impl VisibleSet {
         VerdictSource::Host(verdicts).into()
     }
 
-    /// A set that the GPU chose, whose passes the strategy has added itself: a candidate is drawn if its count of visible samples passes the rule, or if no
-    /// test may judge it. `counts` must be [`CountLayout::BySlot`](crate::CountLayout::BySlot).
+    /// A set that the GPU chose, whose passes the strategy has added itself: a candidate is drawn if its count exceeds the rule's threshold, or if it was not
+    /// tested or is exempt. The verdicts are derived from `candidates`, `counts` and `rule`, so these must describe what the passes drew. `counts` must be [`CountLayout::BySlot`](crate::CountLayout::BySlot).
     pub fn on_gpu(
         candidates: Host<Candidates>,
         counts: crate::Counts,

@@ -155,7 +155,7 @@ impl FrameGraph<'_> {
             Ok(())
         });
         let by_slot = self.sample_counts(view);
-        let mut node = self.graph().compute(view.named("scatter answers"));
+        let mut node = self.graph().compute(view.named("scatter query results"));
         node.group(CULL)
             .read(counts.queried)
             .storage_read(settings)

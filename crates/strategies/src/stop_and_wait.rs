@@ -143,8 +143,12 @@ impl Strategy for StopAndWait {
         let mut state = begin(g, view, candidates);
         let kind = g.shaded_kind();
         let passes = IterationPasses {
-            draw: g.pass(view.named("draw the visible"), DRAW, kind),
-            query: g.pass(view.named("ask about the next"), CULL, PipelineKind::Query),
+            draw: g.pass(view.named("draw visible"), DRAW, kind),
+            query: g.pass(
+                view.named("query the next batch"),
+                CULL,
+                PipelineKind::Query,
+            ),
         };
         let batch = self.batch;
         g.host_loop(view.named("stop and wait"), |g| {
@@ -158,7 +162,7 @@ impl Strategy for StopAndWait {
 /// Sorts the candidates by the nearest corners of their bounds.
 fn begin(g: &mut FrameGraph<'_>, view: &ViewNodes, candidates: Host<Candidates>) -> LoopState {
     let inputs = view.inputs();
-    let progress = g.graph().host::<Progress>(view.named("walk"));
+    let progress = g.graph().host::<Progress>(view.named("progress"));
     let verdicts = g.graph().host::<Verdicts>(view.named("verdicts"));
     let mut node = g.graph().host_node(view.named("sort front to back"));
     node.group(CULL)
@@ -203,9 +207,9 @@ fn iterate(
 ) -> Host<bool> {
     let inputs = view.inputs();
     let LoopState { progress, verdicts } = *state;
-    let visible = g.unsubmitted(&view.named("to draw"));
-    let queries = g.unsubmitted(&view.named("to ask about"));
-    let mut node = g.graph().host_node(view.named("next"));
+    let visible = g.unsubmitted(&view.named("draw list"));
+    let queries = g.unsubmitted(&view.named("occludees to query"));
+    let mut node = g.graph().host_node(view.named("choose the next batch"));
     node.group(CULL)
         .read(inputs.scene)
         .read(inputs.view)
@@ -247,9 +251,10 @@ fn iterate(
     });
     view.targets = passes::shaded_pass(g.graph(), &passes.draw, inputs, visible, view.targets);
     let depth = view.targets.depth;
-    let answers = g
-        .graph()
-        .buffer(view.named("answers"), BufferDesc::new(u64::from(batch) * 8));
+    let answers = g.graph().buffer(
+        view.named("query results"),
+        BufferDesc::new(u64::from(batch) * 8),
+    );
     let answers = passes::query_pass(g.graph(), &passes.query, inputs, queries, depth, answers);
     let done = g.graph().host::<bool>(view.named("done"));
     let mut node = g.graph().host_node(view.named("wait"));

@@ -1,9 +1,11 @@
 //! Three passes. The first renders the depth of proxies. The second counts, for each entity, the samples of its proxy that pass the depth test
-//! against the first. The third draws the meshes of the entities with more visible samples than a threshold.
+//! against that depth. The third draws the meshes of the entities with more visible samples than a threshold.
 //!
 //! Plate, Grundhoefer, Schmidt, Froehlich, *Occlusion Culling for Sub-Surface Models in Geo-Scientific Applications*, 2004. The passes need no
-//! drawing order, and the scene needs no preparation but proxies: simplified meshes that hide what the meshes hide. [`ThreePass::conservative`] lists the settings
-//! with which a visible entity may be culled; the defaults are among them.
+//! drawing order, and the scene needs no preparation but proxies: simplified meshes that hide what the meshes hide. The defaults are aggressive.
+//! It is conservative with `latency` same-frame or on-gpu, full meshes in both passes, `scale` 1, and `threshold`, `allow` and `coarser` 0.
+
+use std::ops::RangeInclusive;
 
 use antumbra_draw::MeshDetail;
 
@@ -20,14 +22,15 @@ pub struct ThreePass {
     pub latency: Latency,
     /// How samples are counted; `None`: the first of identity, atomics, compare and queries that the device and the other settings allow.
     pub counting: Option<Counting>,
-    /// An entity is drawn when more pixels of its proxy than this are visible, in pixels of the final image: `threshold * scale²`, rounded down, in samples of the first two passes'
-    /// image.
+    /// An entity is drawn when more pixels of its proxy than this are visible, in pixels of the final image. The counts are compared with `threshold * scale²`, rounded
+    /// down, since the first two passes draw a smaller image.
     pub threshold: u32,
-    /// The part of the image, in percent, that a frame may leave out although it is visible. The entities with the fewest visible samples go
-    /// first, none with more than [`Allowance::LARGEST`] samples. It raises the threshold as far as this part permits, and never lowers it. With [`Latency::OnGpu`] it can change at run time only if it was above 0 when the plan was made.
+    /// Percent of the image that a frame may leave out although it is visible. The entities with the fewest visible samples are left out first, and none with more than
+    /// [`Allowance::LARGEST`] samples of the first two passes' image. A value above 0 raises the threshold of each frame as far as it permits; it never lowers it. With
+    /// [`Latency::OnGpu`] it acts only if it was above 0 when the plan was compiled: otherwise the plan has no node for it.
     pub allow: Dial,
-    /// An entity with at most this many visible samples is drawn one level of detail coarser, with at most a quarter of them two levels,
-    /// with a sixteenth three. In pixels of the final image; 0: never.
+    /// An entity with at most this many visible samples is drawn one level of detail coarser, with at most a quarter of this number two levels,
+    /// with at most a sixteenth three. In pixels of the final image; 0: never. Blended entities are always drawn at full detail.
     pub coarser: u32,
     /// The geometry of the occluders in the first pass.
     pub occluders: TestGeometry,
@@ -36,11 +39,11 @@ pub struct ThreePass {
     /// A proxy is used where its deviation from its mesh, projected at the nearest depth of its box, is at most this many pixels of the final image; otherwise the mesh itself is
     /// used. Infinity, written `any`: the proxy everywhere but at the near plane.
     pub deviation: f64,
-    /// Side of the first two passes' image as a part of the final image's: 0.05 to 1.
+    /// Width and height of the first two passes' image as a fraction of the final image's: 0.05 to 1.
     pub scale: f64,
 }
 
-/// The geometry that an entity is tested with.
+/// The geometry that stands for an entity in the first two passes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TestGeometry {
     /// Its proxy, a simplified mesh; the full mesh where it has none.
@@ -87,8 +90,12 @@ impl Default for ThreePass {
 
 /// The words of the setting `counting`: `auto`, then those of [`Counting::ALL`] in order.
 const COUNTING: &[&str] = &["auto", "queries", "atomics", "compare", "identity"];
+/// The values of the settings `occluders` and `occludees`, in the order of their words in [`PARAMETERS`].
 const OCCLUDERS: [TestGeometry; 2] = [TestGeometry::Proxy, TestGeometry::Full];
 const OCCLUDEES: [TestGeometry; 3] = [TestGeometry::Proxy, TestGeometry::Full, TestGeometry::Box];
+
+/// The values of `scale`.
+const SCALES: RangeInclusive<f64> = 0.05..=1.0;
 
 const PARAMETERS: &[Parameter<ThreePass>] = &[
     Parameter::words(
@@ -109,7 +116,7 @@ const PARAMETERS: &[Parameter<ThreePass>] = &[
         "threshold",
         0..=1_000_000,
         "px",
-        "an entity is drawn if more pixels of its proxy are visible",
+        "an entity is drawn if more pixels of its proxy than this are visible, in pixels of the final image",
         |s| s.threshold,
         |s, pixels| s.threshold = pixels,
     ),
@@ -117,7 +124,7 @@ const PARAMETERS: &[Parameter<ThreePass>] = &[
         "allow",
         0.0..=100.0,
         "% of the image",
-        "part of the image that a frame may leave out although it is visible, the smallest entities first",
+        "part of the image that a frame may leave out although it is visible, the entities with the fewest visible samples first",
         |s| shortest(s.allow.get()),
         |s, percent| s.allow.turn(percent as f32),
     ),
@@ -125,21 +132,21 @@ const PARAMETERS: &[Parameter<ThreePass>] = &[
         "coarser",
         0..=1_000_000,
         "px",
-        "an entity with at most this many visible pixels is drawn one level of detail coarser, with a quarter of them two levels, with a sixteenth three; 0: never",
+        "an entity with at most this many visible pixels is drawn one level of detail coarser, with at most a quarter of this number two levels, with at most a sixteenth three; blended entities never; 0: never",
         |s| s.coarser,
         |s, pixels| s.coarser = pixels,
     ),
     Parameter::words(
         "occluders",
         &["proxy", "full"],
-        "what replaces the meshes in the first pass",
+        "the geometry of the occluders in the first pass",
         |s| s.occluders.word(),
         |s, at| s.occluders = OCCLUDERS[at],
     ),
     Parameter::words(
         "occludees",
         &["proxy", "full", "box"],
-        "what replaces the meshes in the second pass",
+        "the geometry of the occludees in the second pass",
         |s| s.occludees.word(),
         |s, at| s.occludees = OCCLUDEES[at],
     ),
@@ -147,31 +154,31 @@ const PARAMETERS: &[Parameter<ThreePass>] = &[
         "deviation",
         0.0,
         "px",
-        "most pixels by which a proxy may deviate from its mesh; nearer to the camera the mesh itself is used",
+        "the most pixels of the final image by which a proxy may deviate from its mesh; where it would deviate by more, the mesh itself is tested",
         |s| s.deviation,
         |s, pixels| s.deviation = pixels,
     ),
     Parameter::number(
         "scale",
-        0.05..=1.0,
+        SCALES,
         "",
-        "side of the first two passes' image as a part of the final one's",
+        "width and height of the first two passes' image as a fraction of the final image's",
         |s| s.scale,
         |s, scale| s.scale = scale,
     ),
 ];
 
-/// Below this scale there is a step between the scale and 1, at their geometric mean. Above it the two are too close for another step.
+/// Below this scale [`Tunable::steps`] has one more step, at the geometric mean of the scale and 1. From it on, the two are too close for another step.
 const INTERMEDIATE_STEP_BELOW: f64 = 0.75;
 
 impl ThreePass {
-    /// Refuses what a caller can set in code but not by name.
+    /// Refuses values of `occluders` and `scale` that a caller can set in code but not by name.
     fn check(&self) -> Result<(), DeclareError> {
         if self.occluders == TestGeometry::Box {
             return Err(self
                 .conflict("a box hides more than the mesh in it: set occluders to proxy or full"));
         }
-        if !(0.05..=1.0).contains(&self.scale) {
+        if !SCALES.contains(&self.scale) {
             return Err(self.conflict("scale is a number from 0.05 to 1"));
         }
         Ok(())
@@ -196,7 +203,7 @@ impl ThreePass {
             }
             return Ok(way);
         }
-        // Counting by ids needs one geometry pass instead of two, where both passes draw the same geometry.
+        // Identity first: where both passes draw the same geometry it needs one geometry pass instead of two. Queries last: they do not count.
         let preferred = [
             Counting::Identity,
             Counting::Atomics,
@@ -273,11 +280,11 @@ impl Strategy for ThreePass {
         let size = view
             .size()
             .map(|side| ((f64::from(side) * self.scale).round() as u32).max(1));
-        // The settings are in pixels of the final image. The counts are those of a smaller image.
-        let scaled = |pixels: u32| (f64::from(pixels) * self.scale * self.scale).floor() as u32;
+        // `threshold` and `coarser` are in pixels of the final image; counts are in samples of an image with scale² of its area.
+        let to_samples = |pixels: u32| (f64::from(pixels) * self.scale * self.scale).floor() as u32;
         let rule = SampleRule {
-            threshold: scaled(self.threshold),
-            coarser: scaled(self.coarser),
+            threshold: to_samples(self.threshold),
+            coarser: to_samples(self.coarser),
         };
         let candidates = g.in_frustum(view);
         let proxies = g.proxies_within(
@@ -292,6 +299,7 @@ impl Strategy for ThreePass {
             },
             ProxyLimits {
                 deviation: self.deviation,
+                // A late answer is used when the eye may already have passed through the mesh.
                 at_near_plane: match self.latency {
                     Latency::FrameLate => AtNearPlane::HideNothing,
                     Latency::SameFrame | Latency::OnGpu => AtNearPlane::Hide,
@@ -299,11 +307,11 @@ impl Strategy for ThreePass {
             },
         );
         let counts = g.count_samples(view, proxies, way, size);
-        let within = Allowance {
+        let allowance = Allowance {
             percent: self.allow.shared(),
             pixels: size[0].saturating_mul(size[1]),
         };
-        Ok(g.visible_samples_within(view, candidates, counts, self.latency, rule, &within))
+        Ok(g.visible_samples_within(view, candidates, counts, self.latency, rule, &allowance))
     }
 }
 
@@ -316,16 +324,17 @@ impl Tunable for ThreePass {
         assign("three-pass", PARAMETERS, self, key, value)
     }
 
-    /// From full meshes at full size, which is conservative, over proxies at full size to proxies at the present scale. Steps override `latency`, `threshold`, `allow`,
-    /// `coarser`, and where they say so `occluders`, `occludees` and `scale`.
+    /// The first step is conservative: full meshes at scale 1. Then come the present geometry at scale 1, at an intermediate scale and at the present scale, and last the present
+    /// scale with late counts if `latency` is frame-late. All steps override `latency`, `threshold`, `allow` and `coarser`, and `counting` where it is `queries`; some override
+    /// `occluders`, `occludees` and `scale`.
     fn steps(&self) -> Vec<Step> {
         // A late answer costs pixels at any setting, so the accurate steps use the answers of the same frame.
-        let current = match self.latency {
+        let undelayed = match self.latency {
             Latency::SameFrame => Latency::SameFrame,
             Latency::FrameLate | Latency::OnGpu => Latency::OnGpu,
         };
         let mut base = Step::of([
-            ("latency", current.word().into()),
+            ("latency", undelayed.word().into()),
             ("threshold", 0u32.into()),
             ("allow", 0u32.into()),
             ("coarser", 0u32.into()),

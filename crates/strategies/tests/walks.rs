@@ -401,7 +401,7 @@ fn late_walks_run_inside_somebody_elses_frame_and_waiting_ones_are_refused() {
     };
     assert!(embedded("occupancy-map:latency=frame-late").is_ok());
     let error = embedded(SAME).unwrap_err().to_string();
-    assert!(error.contains("walk"), "{error}");
+    assert!(error.contains("traversal"), "{error}");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Crystals: groups of triangles that are hidden together, grown from random seed triangles (Edmondson, sections 5.2.3 and 6.3). A crystal is
+//! Crystals, in the thesis's word: groups of triangles that are hidden together, grown from random seed triangles (Edmondson, sections 5.2.3 and 6.3). A crystal is
 //! one such group before groups are joined.
 //!
 //! Every seed grows breadth first, one triangle at a time and all seeds at the same pace, until it meets others or would grow over a ridge.

@@ -247,8 +247,8 @@ fn verdicts(
     seen: Buffer,
     found: Buffer,
 ) -> VisibleSet {
-    let queried = g.graph().host::<Queried>(view.named("asked"));
-    let mut node = g.graph().host_node(view.named("note asked"));
+    let queried = g.graph().host::<Queried>(view.named("queried slots"));
+    let mut node = g.graph().host_node(view.named("list queried slots"));
     node.group(CULL).read(candidates);
     let queried = node.write(queried);
     node.run(move |ctx| {

@@ -42,7 +42,7 @@ impl QueriedList {
         let named = |what: &str| view.named(&format!("{name}{what}"));
         Self {
             list: g.unsubmitted(&named("")),
-            queried: g.graph().host::<Queried>(named(": asked")),
+            queried: g.graph().host::<Queried>(named(": queried")),
             answers: g.graph().buffer(named(": answers"), BufferDesc::new(bytes)),
         }
     }

@@ -60,7 +60,7 @@ pub(super) fn same_frame(
         QueriedList::declare(g, view, "last occluded"),
         QueriedList::declare(g, view, "found visible"),
     );
-    let mut node = g.graph().host_node(view.named("recall"));
+    let mut node = g.graph().host_node(view.named("read history"));
     node.group(CULL).read(inputs.scene).read(inputs.view);
     node.read(candidates);
     let late = match drawn_answers {
@@ -188,7 +188,7 @@ pub(super) fn frame_late(
     );
     let lent_list = lent.map(|_| g.unsubmitted(&view.named("seen by the other eye")));
     let transparent = transparent_list(g, view);
-    let mut node = g.graph().host_node(view.named("recall"));
+    let mut node = g.graph().host_node(view.named("read history"));
     node.group(CULL).read(inputs.scene).read(inputs.view);
     node.read(candidates);
     if let Some(lent) = lent {

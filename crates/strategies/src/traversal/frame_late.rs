@@ -22,18 +22,18 @@ pub fn frame_late(
 ) -> VisibleSet {
     let inputs = TraversalInputs::new(g, view, shape, settings);
     let most = max_queries(g);
-    let traversal = g.graph().host::<LateTraversal>(view.named("walk"));
+    let traversal = g.graph().host::<LateTraversal>(view.named("traversal"));
     let verdicts = g.graph().host::<Verdicts>(view.named("verdicts"));
-    let queried = g.graph().host::<QueriedNodes>(view.named("asked"));
+    let queried = g.graph().host::<QueriedNodes>(view.named("queried nodes"));
     let sketch = settings
         .sketch
         .then(|| g.graph().host::<Sketch>(view.named("sketch")));
     let visible = g.unsubmitted(&view.named("visible set"));
-    let query_boxes = g.unsubmitted_boxes(&view.named("to ask about"), most);
+    let query_boxes = g.unsubmitted_boxes(&view.named("boxes to query"), most);
     let answers = g
         .graph()
-        .buffer(view.named("answers"), BufferDesc::new(most * 8));
-    let mut node = g.graph().host_node(view.named("walk the tree"));
+        .buffer(view.named("query results"), BufferDesc::new(most * 8));
+    let mut node = g.graph().host_node(view.named("traverse tree"));
     inputs.read_by(&mut node);
     let late = node.read_previous(answers, queried);
     let traversal = node.updates(traversal);
@@ -68,7 +68,7 @@ pub fn frame_late(
     });
     g.shade_list(view, "shaded", visible);
     let spec = BoxPassSpec {
-        name: view.named("ask for the next frame"),
+        name: view.named("query for the next frame"),
         group: CULL,
         pipeline: g.box_pipeline(),
     };

@@ -83,8 +83,8 @@ fn remaining_of(
 ) -> Option<Host<Remaining>> {
     let narrowed = view.narrowed_to()?;
     let scene = view.inputs().scene;
-    let remaining = g.graph().host::<Remaining>(view.named("left of the tree"));
-    let mut node = g.graph().host_node(view.named("find what is left"));
+    let remaining = g.graph().host::<Remaining>(view.named("remaining nodes"));
+    let mut node = g.graph().host_node(view.named("find remaining nodes"));
     node.group(CULL).read(scene).read(tree).read(narrowed);
     let remaining = node.write(remaining);
     node.run(move |ctx| {

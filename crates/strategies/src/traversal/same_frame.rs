@@ -31,7 +31,9 @@ pub fn same_frame(
 ) -> VisibleSet {
     let inputs = TraversalInputs::new(g, view, shape, settings);
     let mut state = begin(g, view, inputs);
-    g.host_loop(view.named("walk"), |g| iterate(g, view, inputs, &mut state));
+    g.host_loop(view.named("traversal"), |g| {
+        iterate(g, view, inputs, &mut state)
+    });
     let LoopState {
         traversal,
         verdicts,
@@ -46,9 +48,9 @@ pub fn same_frame(
 
 /// Starts the traversal at the roots.
 fn begin(g: &mut FrameGraph<'_>, view: &ViewNodes, inputs: TraversalInputs) -> LoopState {
-    let traversal = g.graph().host::<Traversal>(view.named("walk"));
+    let traversal = g.graph().host::<Traversal>(view.named("traversal"));
     let verdicts = g.graph().host::<Verdicts>(view.named("verdicts"));
-    let mut node = g.graph().host_node(view.named("begin at the roots"));
+    let mut node = g.graph().host_node(view.named("start at the roots"));
     inputs.read_by(&mut node);
     let state = LoopState {
         traversal: node.updates(traversal),
@@ -78,13 +80,13 @@ fn iterate(
         QueryMode::Single => 1,
         QueryMode::Batches => max_queries(g),
     };
-    let visible = g.unsubmitted(&view.named("to draw"));
-    let query_boxes = g.unsubmitted_boxes(&view.named("to ask about"), most);
+    let visible = g.unsubmitted(&view.named("draw list"));
+    let query_boxes = g.unsubmitted_boxes(&view.named("boxes to query"), most);
     let LoopState {
         traversal,
         verdicts,
     } = *state;
-    let mut node = g.graph().host_node(view.named("go on"));
+    let mut node = g.graph().host_node(view.named("traverse"));
     inputs.read_by(&mut node);
     let (traversal, verdicts) = (node.write(traversal), node.write(verdicts));
     let visible = visible.written_by(&mut node);
@@ -103,14 +105,14 @@ fn iterate(
         Ok(())
     });
     let kind = g.shaded_kind();
-    let spec = g.pass(view.named("draw the visible"), DRAW, kind);
+    let spec = g.pass(view.named("draw visible"), DRAW, kind);
     view.targets = passes::shaded_pass(g.graph(), &spec, inputs.view, visible, view.targets);
     let depth = view.targets.depth;
     let answers = g
         .graph()
-        .buffer(view.named("answers"), BufferDesc::new(most * 8));
+        .buffer(view.named("query results"), BufferDesc::new(most * 8));
     let spec = BoxPassSpec {
-        name: view.named("ask about those who wait"),
+        name: view.named("query pending nodes"),
         group: CULL,
         pipeline: g.box_pipeline(),
     };
@@ -174,7 +176,7 @@ fn copy_sketch(
     traversal: Host<Traversal>,
 ) -> Host<Sketch> {
     let sketch = g.graph().host::<Sketch>(view.named("sketch"));
-    let mut node = g.graph().host_node(view.named("sketch the walk"));
+    let mut node = g.graph().host_node(view.named("sketch traversal"));
     node.group(CULL).read(traversal);
     let sketch = node.write(sketch);
     node.run(move |ctx| {
