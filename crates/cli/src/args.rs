@@ -12,6 +12,7 @@ use antumbra::measure::trade_off::ErrorLimit;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 
 pub use prepare::{Kind, Made, PrepareArgs, TerrainArgs, Way};
+pub use value::{PathArg, SceneSetting};
 pub use view::{ViewArgs, VolumeArgs};
 
 use crate::strategies::listed;

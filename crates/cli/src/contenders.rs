@@ -1,19 +1,20 @@
-//! Which strategies a comparison compares.
+//! The strategies that a comparison measures: the standard selection, or those given with `--strategies`.
 
 use std::sync::Arc;
 
-use antumbra::cull::{AuditOptions, Strategy};
+use antumbra::cull::{AuditOptions, Latency, Registry, Strategy};
 use antumbra::measure::compare::Contender;
 use antumbra::terrain::HorizonStrategy;
 
 use crate::args::CompareArgs;
 use crate::failure::Failure;
-use crate::strategies::registry;
+use crate::fixed_setting::{FixedSetting, fixed_settings, with_fixed};
+use crate::strategies::{identity, name_of, registry};
 
-/// Waiting for each of more occludees than this takes minutes: only when asked for.
-const PATIENCE: usize = 500;
+/// Above this number of occludees the standard selection leaves `stop-and-wait` out. It waits for each occludee, which then takes minutes.
+const MOST_AWAITED: usize = 500;
 
-/// What is compared when nothing is asked for: label, then the strategy.
+/// The standard selection: labels and specifications. An empty label stands for the strategy's name.
 const STANDARD: [(&str, &str); 13] = [
     ("", "none"),
     ("", "frustum"),
@@ -36,7 +37,7 @@ const STANDARD: [(&str, &str); 13] = [
     ),
 ];
 
-/// What is compared beside it with two eyes.
+/// What two views add to the standard selection.
 const STEREO: [(&str, &str); 3] = [
     ("stereo late", "stereo-coherent:latency=frame-late"),
     ("stereo same", "stereo-coherent:latency=same-frame"),
@@ -46,145 +47,161 @@ const STEREO: [(&str, &str); 3] = [
     ),
 ];
 
-/// The contenders and what is said about them.
+/// What a terrain adds to the standard selection.
+const TERRAIN: [(&str, &str); 1] = [("", "horizon")];
+
+/// What the contenders depend on besides the arguments. The default serves to check the arguments before a scene is loaded.
+#[derive(Debug, Default, Clone, Copy)]
+pub struct Conditions<'a> {
+    /// The number of occludees in a frame, all views together.
+    pub occludees: usize,
+    /// Whether a frame has two views, one for each eye.
+    pub stereo: bool,
+    /// The strategy of the scene's terrain; `None` for a scene without one.
+    pub horizon: Option<&'a HorizonStrategy>,
+}
+
+/// The contenders of a comparison, and notes about them.
 pub struct Contenders {
-    /// In order.
+    /// The contenders, in the order of the report.
     pub list: Vec<Contender>,
-    /// For the person at the terminal.
+    /// Notes to print, such as which strategy is left out and why.
     pub notes: Vec<String>,
 }
 
-/// Reads the arguments; all of them are checked before anything is drawn. `occludees` are those of a frame, all views together;
-/// `stereo`: there are two.
+/// The contenders that the arguments select. Checks the strategies and settings; draws nothing.
 ///
 /// # Errors
-/// [`Failure::Registry`] for a strategy or setting that does not exist, with what exists; [`Failure::Usage`] for a `--set` without a dot.
-pub fn contenders(
-    args: &CompareArgs,
-    occludees: usize,
-    stereo: bool,
-    horizon: Option<&HorizonStrategy>,
-) -> Result<Contenders, Failure> {
-    let registry = Arc::new(registry(horizon));
+/// [`Failure::Registry`] for a strategy or setting that does not exist, with those that exist; [`Failure::Usage`] for a `--set` that is not
+/// `STRATEGY.KEY=VALUE`.
+pub fn contenders(args: &CompareArgs, conditions: Conditions<'_>) -> Result<Contenders, Failure> {
+    let registry = Arc::new(registry(conditions.horizon));
+    let fixed = fixed_settings(&args.set, &registry)?;
     let mut notes = Vec::new();
-    let mut specs: Vec<(String, String)> = Vec::new();
-    if args.strategies.is_empty() {
-        let stereo: &[(&str, &str)] = if stereo { &STEREO } else { &[] };
-        let own: &[(&str, &str)] = if horizon.is_some() {
-            &[("", "horizon")]
-        } else {
-            &[]
-        };
-        for (label, spec) in STANDARD.iter().chain(stereo).chain(own).copied() {
-            if spec == "stop-and-wait" && occludees > PATIENCE {
-                notes.push(format!(
-                    "stop-and-wait is left out: it would wait for {occludees} answers a frame, one by one. Ask for it with --strategies"
-                ));
-            } else {
-                specs.push((label.to_owned(), spec.to_owned()));
-            }
-        }
-    } else {
-        specs.extend(args.strategies.iter().map(|spec| {
-            (
-                if spec.contains(':') {
-                    spec.clone()
-                } else {
-                    String::new()
-                },
-                spec.clone(),
-            )
-        }));
-    }
-    let sets = args
-        .set
-        .iter()
-        .map(|set| split_set(set))
-        .collect::<Result<Vec<_>, _>>()?;
-    for (name, ..) in &sets {
-        registry.make(name)?;
-    }
-    let mut list: Vec<Contender> = Vec::new();
-    let mut seen: Vec<String> = Vec::new();
-    for (label, spec) in specs {
-        let name = spec.split(':').next().unwrap_or_default().to_owned();
-        let mut spec = spec;
-        for (_, key, value) in sets.iter().filter(|(of, ..)| *of == name) {
-            spec = format!("{spec}:{key}={value}");
-        }
-        let asks = registry
-            .parse(&spec)?
-            .settings()
+    let entries = match args.strategies.is_empty() {
+        true => standard(conditions, &mut notes),
+        false => args
+            .strategies
             .iter()
-            .any(|setting| setting.key == "latency");
-        let mut label = label;
-        if let Some(latency) = args.latency.filter(|_| asks) {
-            spec = format!("{spec}:latency={latency}");
-            label = if label.ends_with("exact") {
-                label
-            } else {
-                String::new()
-            };
-        }
-        let strategy = registry.parse(&spec)?;
+            .map(|spec| Entry::given(spec))
+            .collect(),
+    };
+    let mut list = Vec::new();
+    let mut seen = Vec::new();
+    for entry in entries {
+        let entry = entry.with_settings(&fixed, args.latency, &registry)?;
+        let strategy = registry.parse(&entry.spec)?;
         let identity = identity(strategy.as_ref());
-        if seen.contains(&identity) {
-            continue;
-        }
-        seen.push(identity);
-        let made = |label: &str| Contender::of(label, &registry, &spec);
-        let title = match label.as_str() {
-            "" => name.clone(),
-            label => label.to_owned(),
-        };
-        list.push(made(&label)?);
-        if strategy.role().is_yardstick() {
-            continue;
-        }
-        let usual = AuditOptions::default();
-        let audit = args.audit.map(|share| AuditOptions {
-            share: share.unwrap_or(usual.share),
-            ..usual
-        });
-        if let Some(audit) = audit {
-            list.push(made(&format!("{title} audited"))?.audited(audit));
-        }
-        if strategy.steps().is_empty() {
-            continue;
-        }
-        for budget in &args.budget {
-            let within = made(&format!("{title} within {budget}"))?.within(*budget);
-            list.push(match audit {
-                Some(audit) => within.audited(audit),
-                None => within,
-            });
+        if !seen.contains(&identity) {
+            seen.push(identity);
+            list.extend(runs(&entry, strategy.as_ref(), args, &registry)?);
         }
     }
     Ok(Contenders { list, notes })
 }
 
-/// Two entries with the same settings are one.
-pub fn identity(strategy: &dyn Strategy) -> String {
-    let settings: Vec<String> = strategy
-        .settings()
-        .iter()
-        .map(|setting| format!("{}={}", setting.key, setting.value))
-        .collect();
-    format!("{} {}", strategy.name(), settings.join(" "))
+/// A strategy to compare.
+struct Entry {
+    /// Its label in tables; an empty one stands for the strategy's name.
+    label: String,
+    /// Its specification, `NAME:key=value`.
+    spec: String,
 }
 
-/// Reads `STRATEGY.KEY=VALUE`.
-///
-/// # Errors
-/// [`Failure::Usage`] for anything else.
-pub fn split_set(text: &str) -> Result<(String, String, String), Failure> {
-    let parts = text
-        .split_once('=')
-        .and_then(|(left, value)| left.split_once('.').map(|(name, key)| (name, key, value)));
-    match parts {
-        Some((name, key, value)) => Ok((name.to_owned(), key.to_owned(), value.to_owned())),
-        None => Err(Failure::Usage(format!(
-            "'{text}' is no setting: write STRATEGY.KEY=VALUE"
-        ))),
+impl Entry {
+    /// An entry of `--strategies`. A specification with settings is its own label.
+    fn given(spec: &str) -> Self {
+        let label = match spec.contains(':') {
+            true => spec.to_owned(),
+            false => String::new(),
+        };
+        Self {
+            label,
+            spec: spec.to_owned(),
+        }
     }
+
+    /// Adds the fixed settings of its strategy, and the latency if the strategy has that setting.
+    fn with_settings(
+        self,
+        fixed: &[FixedSetting],
+        latency: Option<Latency>,
+        registry: &Registry,
+    ) -> Result<Self, Failure> {
+        let spec = with_fixed(&self.spec, fixed);
+        let settings = registry.parse(&spec)?.settings();
+        let has_latency = settings.iter().any(|setting| setting.key == "latency");
+        let Some(latency) = latency.filter(|_| has_latency) else {
+            return Ok(Self { spec, ..self });
+        };
+        // Most labels name the latency that is replaced; those that end with "exact" do not.
+        let label = match self.label.ends_with("exact") {
+            true => self.label,
+            false => String::new(),
+        };
+        let spec = format!("{spec}:latency={latency}");
+        Ok(Self { label, spec })
+    }
+}
+
+/// The standard selection under these conditions. Adds a note for a strategy that is left out.
+fn standard(conditions: Conditions<'_>, notes: &mut Vec<String>) -> Vec<Entry> {
+    let stereo: &[_] = if conditions.stereo { &STEREO } else { &[] };
+    let terrain: &[_] = match conditions.horizon {
+        Some(_) => &TERRAIN,
+        None => &[],
+    };
+    let occludees = conditions.occludees;
+    let mut entries = Vec::new();
+    for (label, spec) in STANDARD.iter().chain(stereo).chain(terrain) {
+        if *spec == "stop-and-wait" && occludees > MOST_AWAITED {
+            notes.push(format!(
+                "stop-and-wait is left out: it would wait for {occludees} answers a frame, one by one. Ask for it with --strategies"
+            ));
+            continue;
+        }
+        entries.push(Entry {
+            label: (*label).to_owned(),
+            spec: (*spec).to_owned(),
+        });
+    }
+    entries
+}
+
+/// The runs of an entry: with its settings, with an audit, and within each budget. A yardstick runs only with its settings.
+fn runs(
+    entry: &Entry,
+    strategy: &dyn Strategy,
+    args: &CompareArgs,
+    registry: &Arc<Registry>,
+) -> Result<Vec<Contender>, Failure> {
+    let run = |label: &str| Contender::of(label, registry, &entry.spec);
+    let title = match entry.label.as_str() {
+        "" => name_of(&entry.spec),
+        label => label,
+    };
+    let mut runs = vec![run(&entry.label)?];
+    if strategy.role().is_yardstick() {
+        return Ok(runs);
+    }
+    let usual = AuditOptions::default();
+    let audit = args.audit.map(|share| AuditOptions {
+        share: share.unwrap_or(usual.share),
+        ..usual
+    });
+    if let Some(audit) = audit {
+        runs.push(run(&format!("{title} audited"))?.audited(audit));
+    }
+    // A budget chooses among the steps.
+    if strategy.steps().is_empty() {
+        return Ok(runs);
+    }
+    for budget in &args.budget {
+        let within = run(&format!("{title} within {budget}"))?.within(*budget);
+        runs.push(match audit {
+            Some(audit) => within.audited(audit),
+            None => within,
+        });
+    }
+    Ok(runs)
 }

@@ -11,11 +11,10 @@ use clap::Args as ClapArgs;
 
 use crate::failure::Failure;
 
-/// The distance between the eyes, as a share of the convergence distance, that is comfortable to view: the "1/30 rule" of stereo
-/// photography.
+/// The default distance between the eyes, as a share of the convergence distance: the "1/30 rule" of stereo photography.
 const INTEROCULAR_SHARE: f64 = 1.0 / 30.0;
 
-/// Arguments of two views. Each distance implies them.
+/// Arguments of stereo views. A given distance implies two views.
 #[derive(Debug, Clone, Copy, ClapArgs)]
 pub struct StereoArgs {
     /// Draw two views, for the left and the right eye
@@ -30,17 +29,18 @@ pub struct StereoArgs {
 }
 
 impl StereoArgs {
-    /// Whether two views are drawn.
-    pub fn are_asked_for(&self) -> bool {
+    /// Whether two views are requested.
+    pub fn requested(&self) -> bool {
         self.stereo || self.interocular.is_some() || self.convergence.is_some()
     }
 
-    /// The two eyes, if they are drawn. Distances that are not given are chosen to suit the scene.
+    /// The two eyes if they are requested, otherwise `None`. A distance that is not given is derived from the scene's bounds and the first
+    /// pose.
     ///
     /// # Errors
-    /// [`Failure::Stereo`] for a path whose cameras have no eyes; [`Failure::Usage`] where a distance has to be named.
+    /// [`Failure::Stereo`] for a path whose cameras have no stereo views; [`Failure::Usage`] where the convergence distance cannot be derived.
     pub fn choose(&self, bounds: &Aabb, path: &CameraPath) -> Result<Option<Stereo>, Failure> {
-        if !self.are_asked_for() {
+        if !self.requested() {
             return Ok(None);
         }
         let Some(camera) = path.cameras().next() else {
@@ -61,10 +61,10 @@ impl StereoArgs {
     }
 }
 
-/// A stage's inputs for these views. With an oracle, each has the entities that own its pixels.
+/// A stage's inputs, one for each camera. With an oracle, each input has the reference: the entities that own pixels.
 ///
 /// # Errors
-/// When the oracle fails.
+/// Those of [`Oracle::render`].
 pub fn inputs(
     mut oracle: Option<&mut Oracle>,
     scene: &GpuScene,

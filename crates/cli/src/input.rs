@@ -19,8 +19,6 @@ use crate::failure::Failure;
 use crate::outputs::Outputs;
 use found::Found;
 
-pub use path::is_word;
-
 /// A scene with its name, and what fits it where the command line names nothing.
 pub struct Input {
     /// The scene, with proxies.

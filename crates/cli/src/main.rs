@@ -11,6 +11,7 @@ mod commands;
 mod contenders;
 mod eyes;
 mod failure;
+mod fixed_setting;
 mod input;
 mod landscape;
 mod measuring;

@@ -10,6 +10,7 @@ use std::path::{Component, Path, PathBuf};
 
 use antumbra::measure::compare::is_report_file;
 
+use crate::args::{PathArg, ViewArgs};
 use crate::failure::Failure;
 
 /// Links that lead to links, before a path counts as leading nowhere; as many as Linux follows.
@@ -37,6 +38,21 @@ impl std::fmt::Display for Named {
 }
 
 impl Outputs {
+    /// Of a command that draws this view: the files that the view is read from, and no output yet.
+    pub fn for_view(view: &ViewArgs) -> Self {
+        let mut outputs = Self::default();
+        if let Some(scene) = &view.scene {
+            outputs.reads("the scene", scene);
+        }
+        if let Some(PathArg::Named(path)) = &view.path {
+            outputs.reads("--path", path);
+        }
+        if let Some(volume) = &view.volume.file {
+            outputs.reads("--volume", volume);
+        }
+        outputs
+    }
+
     /// Adds a file that is read.
     pub fn reads(&mut self, role: &'static str, path: impl AsRef<Path>) {
         self.inputs.push(named(role, path.as_ref()));
@@ -57,25 +73,21 @@ impl Outputs {
     /// # Errors
     /// [`Failure::Usage`], which names both.
     pub fn check(&self) -> Result<(), Failure> {
-        let inputs: Vec<(&Named, Place)> = self
-            .inputs
-            .iter()
-            .map(|input| (input, Place::of(&input.path)))
-            .collect();
-        let mut written: Vec<(&Named, Place)> = Vec::new();
-        for output in &self.outputs {
-            let place = Place::of(&output.path);
-            is_free(output, &place, &inputs)?;
-            if let Some((other, _)) = written.iter().find(|(_, known)| place.is(known)) {
+        let inputs: Vec<Placed<'_>> = self.inputs.iter().map(Placed::of).collect();
+        let mut written: Vec<Placed<'_>> = Vec::new();
+        for output in self.outputs.iter().map(Placed::of) {
+            output.check_free(&inputs)?;
+            if let Some(other) = output.same_file(&written) {
                 return Err(Failure::Usage(format!(
-                    "{other} and {output} are one file: name two"
+                    "{other} and {} are one file: name two",
+                    output.named
                 )));
             }
-            written.push((output, place));
+            written.push(output);
         }
         for folder in &self.folders {
-            for output in report_files(folder)? {
-                is_free(&output, &Place::of(&output.path), &inputs)?;
+            for output in &report_files(folder)? {
+                Placed::of(output).check_free(&inputs)?;
             }
         }
         Ok(())
@@ -89,19 +101,42 @@ fn named(role: &'static str, path: &Path) -> Named {
     }
 }
 
-/// That an output is absent or a regular file, and no input.
-fn is_free(output: &Named, place: &Place, inputs: &[(&Named, Place)]) -> Result<(), Failure> {
-    if let Some((input, _)) = inputs.iter().find(|(_, known)| place.is(known)) {
-        return Err(Failure::Usage(format!(
-            "{output} would overwrite {input}: name another file"
-        )));
+/// A path on the command line, and where it leads.
+struct Placed<'a> {
+    named: &'a Named,
+    place: Place,
+}
+
+impl<'a> Placed<'a> {
+    fn of(named: &'a Named) -> Self {
+        Self {
+            named,
+            place: Place::of(&named.path),
+        }
     }
-    match &place.found {
-        Some(found) if !found.is_file() => Err(Failure::Usage(format!(
-            "{output} is {}: name a file",
-            kind(found.file_type())
-        ))),
-        _ => Ok(()),
+
+    /// The first of the others that is the same file.
+    fn same_file<'b>(&self, others: &[Placed<'b>]) -> Option<&'b Named> {
+        let mut others = others.iter();
+        let other = others.find(|other| self.place.is(&other.place));
+        other.map(|other| other.named)
+    }
+
+    /// Checks that an output is no input, and that it is absent or a regular file.
+    fn check_free(&self, inputs: &[Placed<'_>]) -> Result<(), Failure> {
+        let output = self.named;
+        if let Some(input) = self.same_file(inputs) {
+            return Err(Failure::Usage(format!(
+                "{output} would overwrite {input}: name another file"
+            )));
+        }
+        match &self.place.found {
+            Some(found) if !found.is_file() => Err(Failure::Usage(format!(
+                "{output} is {}: name a file",
+                kind(found.file_type())
+            ))),
+            _ => Ok(()),
+        }
     }
 }
 
@@ -152,9 +187,8 @@ impl Place {
 
     /// Whether both are one file: by path, or, where names differ (hard links, case), by what the file system says.
     fn is(&self, other: &Self) -> bool {
-        let same = |[one, other]: [&Metadata; 2]| is_same_file(one, other);
         let both = self.found.as_ref().zip(other.found.as_ref());
-        self.path == other.path || both.is_some_and(|(one, other)| same([one, other]))
+        self.path == other.path || both.is_some_and(|(one, other)| is_same_file(one, other))
     }
 }
 

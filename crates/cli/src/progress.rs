@@ -1,32 +1,24 @@
-//! Progress on a terminal; silence in a pipe.
+//! Progress bars on standard error. They are hidden where it is not a terminal.
 
 use antumbra::measure::compare::CompareProgress;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// A bar a phase.
+/// The progress of a comparison: one bar, which begins again with each phase.
 pub struct Bars {
     bar: ProgressBar,
     phase: &'static str,
 }
 
 impl Bars {
-    /// Bars on standard error where that is a terminal, unless `quiet`.
+    /// An empty bar; a hidden one if `quiet`.
     pub fn new(quiet: bool) -> Self {
-        let target = if quiet {
-            ProgressDrawTarget::hidden()
-        } else {
-            ProgressDrawTarget::stderr()
-        };
-        let bar = ProgressBar::with_draw_target(Some(1), target);
-        if let Ok(style) =
-            ProgressStyle::with_template("{msg:>14} {bar:40} {pos}/{len} frames, {eta} left")
-        {
-            bar.set_style(style);
+        Self {
+            bar: bar("{msg:>14} {bar:40} {pos}/{len} frames, {eta} left", quiet),
+            phase: "",
         }
-        Self { bar, phase: "" }
     }
 
-    /// Shows how far it is.
+    /// Shows the progress.
     pub fn show(&mut self, progress: CompareProgress) {
         if self.phase != progress.phase {
             self.phase = progress.phase;
@@ -37,23 +29,27 @@ impl Bars {
         self.bar.set_position(progress.done);
     }
 
-    /// Takes the bar away.
+    /// Removes the bar from the terminal.
     pub fn finish(self) {
         self.bar.finish_and_clear();
     }
 }
 
-/// A bar for one kind of work, on standard error where that is a terminal and `quiet` is not asked for. Work that takes no time shows none.
+/// A bar for one piece of work, which `what` names; a hidden one if `quiet`. Work that takes no time shows no bar.
 pub fn work(what: &'static str, quiet: bool) -> ProgressBar {
-    let target = if quiet {
-        ProgressDrawTarget::hidden()
-    } else {
-        ProgressDrawTarget::stderr()
+    let bar = bar("{msg:>14} {bar:40} {percent}%, {eta} left", quiet);
+    bar.set_message(what);
+    bar
+}
+
+fn bar(template: &str, quiet: bool) -> ProgressBar {
+    let target = match quiet {
+        true => ProgressDrawTarget::hidden(),
+        false => ProgressDrawTarget::stderr(),
     };
     let bar = ProgressBar::with_draw_target(Some(1), target);
-    if let Ok(style) = ProgressStyle::with_template("{msg:>14} {bar:40} {percent}%, {eta} left") {
+    if let Ok(style) = ProgressStyle::with_template(template) {
         bar.set_style(style);
     }
-    bar.set_message(what);
     bar
 }

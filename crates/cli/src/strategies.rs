@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antumbra::cull::Registry;
+use antumbra::cull::{Registry, Strategy};
 use antumbra::strategies;
 use antumbra::terrain::HorizonStrategy;
 
@@ -13,6 +13,30 @@ pub fn registry(horizon: Option<&HorizonStrategy>) -> Registry {
     let horizon = horizon.cloned().unwrap_or_default().with_registry(next);
     registry.register(move || Box::new(horizon.clone()));
     registry
+}
+
+/// The names of the yardsticks, in the order of the registry.
+pub fn yardsticks(registry: &Registry) -> Vec<&str> {
+    let is_yardstick = |name: &&str| {
+        let made = registry.make(name);
+        made.is_ok_and(|strategy| strategy.role().is_yardstick())
+    };
+    registry.names().filter(is_yardstick).collect()
+}
+
+/// The strategy's name in a specification, `NAME:key=value`.
+pub fn name_of(spec: &str) -> &str {
+    spec.split(':').next().unwrap_or_default()
+}
+
+/// A text that two strategies share where they have one name and the same settings.
+pub fn identity(strategy: &dyn Strategy) -> String {
+    let settings: Vec<String> = strategy
+        .settings()
+        .iter()
+        .map(|setting| format!("{}={}", setting.key, setting.value))
+        .collect();
+    format!("{} {}", strategy.name(), settings.join(" "))
 }
 
 /// The help of an option that takes strategies: what it says, and their names.

@@ -1,4 +1,4 @@
-//! Which settings a sweep tries: what `--vary` says, written out, and all its combinations.
+//! The settings that a sweep measures: all combinations of the values of `--vary`.
 
 use std::sync::Arc;
 
@@ -7,60 +7,52 @@ use antumbra::measure::report::VariedSetting;
 use antumbra::terrain::HorizonStrategy;
 
 use crate::args::SweepArgs;
-use crate::contenders::{identity, split_set};
 use crate::failure::Failure;
-use crate::strategies::registry;
+use crate::fixed_setting::{fixed_settings, with_fixed};
+use crate::strategies::{identity, name_of, registry, yardsticks};
 
 mod range;
 
-/// Each setting is a strategy with buffers of its own.
+/// The largest number of settings in a sweep. Each setting is a strategy with its own buffers.
 const MOST_SETTINGS: usize = 200;
-/// What every sweep is held against.
-const YARDSTICKS: [&str; 3] = ["none", "frustum", "ideal"];
 
 /// What a sweep compares.
 pub struct Settings {
     /// The yardsticks, then every setting.
     pub list: Vec<Contender>,
-    /// What is varied.
+    /// The settings that are varied, with their values.
     pub vary: Vec<VariedSetting>,
 }
 
-/// Reads the arguments; all of them are checked before anything is drawn.
+/// The settings that the arguments select. Checks strategies, keys and values; draws nothing.
 ///
 /// # Errors
-/// [`Failure::Registry`] for a strategy, key or value that does not exist, with what exists; [`Failure::Usage`] for what cannot be read,
-/// a strategy that is varied and not swept, a key that is varied twice, and more settings than fit.
+/// [`Failure::Registry`] for a strategy, key or value that does not exist, with those that exist; [`Failure::Usage`] for text that cannot be
+/// read, a varied strategy that `--strategy` does not name, a key that is varied twice, and too many settings.
 pub fn settings(args: &SweepArgs, horizon: Option<&HorizonStrategy>) -> Result<Settings, Failure> {
     let registry = Arc::new(registry(horizon));
-    let sets = args.set.iter().map(|set| split_set(set));
-    let sets = sets.collect::<Result<Vec<_>, _>>()?;
-    for (name, ..) in &sets {
-        registry.make(name)?;
-    }
+    let fixed = fixed_settings(&args.set, &registry)?;
     let vary = args.vary.iter().map(|text| varied(text));
     let vary = vary.collect::<Result<Vec<_>, _>>()?;
     let names: Vec<&str> = args.strategy.iter().map(|spec| name_of(spec)).collect();
     for (at, varied) in vary.iter().enumerate() {
-        refuse_strangers(varied, &names)?;
+        refuse_unnamed(varied, &names)?;
         refuse_twice(varied, vary.get(at + 1..).unwrap_or_default())?;
     }
     let mut list = Vec::new();
     let mut seen = Vec::new();
-    for name in YARDSTICKS {
+    let yardsticks = yardsticks(&registry);
+    for name in &yardsticks {
         seen.push(identity(registry.make(name)?.as_ref()));
         list.push(Contender::of("", &registry, name)?);
     }
     for (spec, name) in args.strategy.iter().zip(&names) {
-        let sets = sets.iter().filter(|(of, ..)| of == name);
-        let fixed = sets.fold(spec.clone(), |spec, (_, key, value)| {
-            format!("{spec}:{key}={value}")
-        });
-        registry.parse(&fixed)?;
-        let its: Vec<&VariedSetting> = vary.iter().filter(|varied| is_of(varied, name)).collect();
-        for chosen in combinations(&its)? {
-            let pairs = || its.iter().zip(&chosen);
-            let full = pairs().fold(fixed.clone(), |full, (varied, value)| {
+        let base = with_fixed(spec, &fixed);
+        registry.parse(&base)?;
+        let own: Vec<&VariedSetting> = vary.iter().filter(|varied| is_of(varied, name)).collect();
+        for chosen in combinations(&own)? {
+            let pairs = || own.iter().zip(&chosen);
+            let full = pairs().fold(base.clone(), |full, (varied, value)| {
                 format!("{full}:{}={value}", varied.key)
             });
             let label = pairs().fold(spec.clone(), |label, (varied, value)| {
@@ -72,22 +64,20 @@ pub fn settings(args: &SweepArgs, horizon: Option<&HorizonStrategy>) -> Result<S
                 list.push(Contender::of(label, &registry, &full)?);
             }
         }
-        if list.len() > MOST_SETTINGS + YARDSTICKS.len() {
-            return Err(too_many(list.len() - YARDSTICKS.len()));
+        if list.len() > MOST_SETTINGS + yardsticks.len() {
+            return Err(too_many(list.len() - yardsticks.len()));
         }
     }
     Ok(Settings { list, vary })
 }
 
-fn name_of(spec: &str) -> &str {
-    spec.split(':').next().unwrap_or_default()
-}
-
+/// Whether the setting varies in this strategy.
 fn is_of(varied: &VariedSetting, name: &str) -> bool {
     varied.strategy.as_deref().is_none_or(|of| of == name)
 }
 
-fn refuse_strangers(varied: &VariedSetting, names: &[&str]) -> Result<(), Failure> {
+/// Refuses to vary a strategy that `--strategy` does not name.
+fn refuse_unnamed(varied: &VariedSetting, names: &[&str]) -> Result<(), Failure> {
     match &varied.strategy {
         Some(of) if !names.contains(&of.as_str()) => Err(Failure::Usage(format!(
             "'{of}.{}' is varied, but --strategy does not name {of} (it names: {})",
@@ -98,6 +88,7 @@ fn refuse_strangers(varied: &VariedSetting, names: &[&str]) -> Result<(), Failur
     }
 }
 
+/// Refuses a setting that is varied again later.
 fn refuse_twice(varied: &VariedSetting, later: &[VariedSetting]) -> Result<(), Failure> {
     let same = |other: &&VariedSetting| {
         let of = [&varied.strategy, &other.strategy];
@@ -112,7 +103,7 @@ fn refuse_twice(varied: &VariedSetting, later: &[VariedSetting]) -> Result<(), F
     }
 }
 
-/// All ways to take one value of each; the last varies fastest.
+/// All combinations of one value of each setting. The value of the last setting changes fastest.
 fn combinations<'a>(vary: &[&'a VariedSetting]) -> Result<Vec<Vec<&'a str>>, Failure> {
     let counts = vary.iter().map(|varied| varied.values.len());
     let count = counts.fold(1, usize::saturating_mul);
@@ -141,7 +132,7 @@ fn too_many(count: usize) -> Failure {
     ))
 }
 
-/// Reads `[STRATEGY.]KEY=V1,V2`.
+/// Reads `KEY=V1,V2` or `STRATEGY.KEY=V1,V2`, in which a value may be a range.
 fn varied(text: &str) -> Result<VariedSetting, Failure> {
     let form = || {
         Failure::Usage(format!(
@@ -155,8 +146,8 @@ fn varied(text: &str) -> Result<VariedSetting, Failure> {
     };
     let mut values = Vec::new();
     for part in right.split(',') {
-        match part.split_once("..") {
-            Some((from, rest)) => values.extend(range::values(part, from, rest)?),
+        match range::values(part, MOST_SETTINGS)? {
+            Some(range) => values.extend(range),
             None => values.push(part.to_owned()),
         }
     }

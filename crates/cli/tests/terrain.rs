@@ -227,7 +227,7 @@ fn horizons_cull_terrain_and_what_stands_on_it_and_no_pixel_of_either() {
     assert!(left < 0.8 * inside, "{left} of {inside}");
 }
 
-/// Every strategy there is but this one, in what latencies it has, with fewer boxes than somebody would wait for.
+/// `horizon` alone, then with each other strategy next, in the latencies that it has.
 const THEN: [&str; 16] = [
     "horizon",
     "horizon:then=none",
@@ -264,7 +264,7 @@ fn whatever_follows_the_horizon_culls_more_and_is_as_right_as_it_is() {
             if waits && exact {
                 assert_right(strategy);
             }
-            // Nobody takes back what the terrain hides.
+            // The next strategy does not draw what the terrain hides.
             assert!(occluded(strategy) >= alone - 1e-9, "{text}");
         }
     }

@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use antumbra::cull::{Latency, Range};
+use antumbra::cull::{Latency, SettingRange};
 use antumbra::measure::MeasureError;
 use antumbra::measure::trade_off::ErrorLimit;
 use antumbra::subsurface::{Axis, SampleBox};
@@ -31,7 +31,12 @@ impl FromStr for Samples {
 
 /// The axis that a slice is perpendicular to, and its sample along that axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct SliceAt(pub Axis, pub u32);
+pub struct SliceAt {
+    /// The axis.
+    pub axis: Axis,
+    /// The sample, from 0.
+    pub sample: u32,
+}
 
 impl FromStr for SliceAt {
     type Err = String;
@@ -42,7 +47,7 @@ impl FromStr for SliceAt {
             .into_iter()
             .find(|known| known.to_string() == axis);
         match (axis, sample.parse()) {
-            (Some(axis), Ok(sample)) => Ok(Self(axis, sample)),
+            (Some(axis), Ok(sample)) => Ok(Self { axis, sample }),
             _ => Err("write it as inline=120, crossline=80 or time=300".to_owned()),
         }
     }
@@ -91,6 +96,51 @@ impl FromStr for Size {
     }
 }
 
+/// A camera path as `--path` names it. Any text is one: what is no word names a view or a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum PathArg {
+    /// `orbit`: around the scene.
+    Orbit,
+    /// `flight`: through the scene or over its terrain.
+    Flight,
+    /// `camera:NAME`: a camera of the scene; `None` for `camera`, the first one.
+    Camera(Option<String>),
+    /// A view of the built-in subsurface scene or, where it has none of that name, a file of poses.
+    Named(String),
+}
+
+impl From<String> for PathArg {
+    fn from(text: String) -> Self {
+        match text.as_str() {
+            "orbit" => Self::Orbit,
+            "flight" => Self::Flight,
+            "camera" => Self::Camera(None),
+            named => match named.strip_prefix("camera:") {
+                Some("") => Self::Camera(None),
+                Some(name) => Self::Camera(Some(name.to_owned())),
+                None => Self::Named(text),
+            },
+        }
+    }
+}
+
+/// A setting of a built-in scene, written after its name: `tiles=5`, or its size alone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SceneSetting<'a> {
+    /// The key; `size` where the text is a value alone.
+    pub key: &'a str,
+    /// The value as text. The scene's options check it.
+    pub value: &'a str,
+}
+
+impl<'a> SceneSetting<'a> {
+    /// Reads `KEY=VALUE`, or a size.
+    pub fn read(text: &'a str) -> Self {
+        let (key, value) = text.split_once('=').unwrap_or(("size", text));
+        Self { key, value }
+    }
+}
+
 /// How horizons are computed.
 pub fn method(text: &str) -> Result<Method, String> {
     text.parse()
@@ -114,5 +164,5 @@ pub fn share(text: &str) -> Result<f64, String> {
 /// When the results of queries are used.
 pub fn latency(text: &str) -> Result<Latency, String> {
     text.parse()
-        .map_err(|()| format!("it takes {}", Range::Words(Latency::WORDS)))
+        .map_err(|()| format!("it takes {}", SettingRange::Words(Latency::WORDS)))
 }

@@ -5,10 +5,8 @@ use std::path::PathBuf;
 use antumbra::draw::AdapterChoice;
 use clap::Args as ClapArgs;
 
-use super::value::{LensAt, Size, SliceAt};
+use super::value::{LensAt, PathArg, Size, SliceAt};
 use crate::eyes::StereoArgs;
-use crate::input::is_word;
-use crate::outputs::Outputs;
 
 /// What decides a scene and its views.
 #[derive(Debug, Clone, ClapArgs)]
@@ -20,7 +18,7 @@ pub struct ViewArgs {
     /// The camera path: orbit, flight, camera (the first camera of the scene file), camera:NAME, a view of the built-in subsurface scene
     /// (open, occluded), or a JSON file of poses. The default flies through subsurface and over terrains, and orbits other scenes
     #[arg(long)]
-    pub path: Option<String>,
+    pub path: Option<PathArg>,
     /// The number of poses of the path
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub frames: Option<u32>,
@@ -54,23 +52,6 @@ pub struct VolumeArgs {
     /// A semi-transparent box of the volume: the first and last sample along the inline, crossline and time axis
     #[arg(long, value_name = "I..I,C..C,T..T")]
     pub lens: Vec<LensAt>,
-}
-
-impl ViewArgs {
-    /// The files that are read, for a check of those that are written.
-    pub fn outputs(&self) -> Outputs {
-        let mut outputs = Outputs::default();
-        if let Some(scene) = &self.scene {
-            outputs.reads("the scene", scene);
-        }
-        if let Some(path) = self.path.as_ref().filter(|path| !is_word(path)) {
-            outputs.reads("--path", path);
-        }
-        if let Some(volume) = &self.volume.file {
-            outputs.reads("--volume", volume);
-        }
-        outputs
-    }
 }
 
 impl VolumeArgs {

@@ -6,10 +6,11 @@ use antumbra::measure::summary::recommendations;
 use antumbra::measure::table::{Table, facts, wants_colour};
 
 use crate::args::CompareArgs;
-use crate::contenders::contenders;
+use crate::contenders::{Conditions, contenders};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::measuring::measure;
+use crate::outputs::Outputs;
 use crate::print::print;
 
 /// Compares, writes the report, prints the table and the report's file.
@@ -18,20 +19,19 @@ use crate::print::print;
 /// What stopped it; nothing half-written stays behind.
 pub fn run(args: CompareArgs) -> Result<(), Failure> {
     // Wrong usage is found before anything is loaded.
-    contenders(&args, 0, false, None)?;
-    let mut outputs = args.view.outputs();
+    contenders(&args, Conditions::default())?;
+    let mut outputs = Outputs::for_view(&args.view);
     outputs.reports_into("--out", &args.out);
     outputs.check()?;
     let gpu = Gpu::open(&args.view.adapter)?;
     let input = Input::open(&args.view, &gpu, &mut outputs)?;
-    // Each eye has queries of its own.
-    let occludees = input.scene.drawable_count() * input.views().len();
-    let contenders = contenders(
-        &args,
-        occludees,
-        input.stereo.is_some(),
-        input.horizon.as_ref(),
-    )?;
+    let conditions = Conditions {
+        // Each eye has its own queries.
+        occludees: input.scene.drawable_count() * input.views().len(),
+        stereo: input.stereo.is_some(),
+        horizon: input.horizon.as_ref(),
+    };
+    let contenders = contenders(&args, conditions)?;
     let comparison = measure(&gpu, input, &contenders.list, &args.view)?;
     comparison.save(&args.out)?;
     if !args.view.quiet {

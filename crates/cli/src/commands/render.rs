@@ -17,6 +17,7 @@ use crate::args::RenderArgs;
 use crate::eyes::inputs;
 use crate::failure::Failure;
 use crate::input::Input;
+use crate::outputs::Outputs;
 use crate::print::print;
 use crate::strategies::registry;
 
@@ -31,7 +32,7 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
     // A layout puts two images together.
     args.view.eyes.stereo |= args.layout.is_some();
     let files = OutputFiles::of(&args);
-    let mut outputs = args.view.outputs();
+    let mut outputs = Outputs::for_view(&args.view);
     files
         .images
         .iter()
@@ -102,7 +103,7 @@ struct OutputFiles {
 impl OutputFiles {
     /// Their names, from the arguments alone.
     fn of(args: &RenderArgs) -> Self {
-        let views: &[&str] = match args.view.eyes.are_asked_for() {
+        let views: &[&str] = match args.view.eyes.requested() {
             true => &EYES,
             false => &[""],
         };

@@ -72,7 +72,7 @@ fn page(strategy: &dyn Strategy, width: usize) -> String {
     lines.join("\n")
 }
 
-/// A text in lines that begin with so many spaces.
+/// The lines of a text, each of at most `width` characters and after `indent` spaces.
 fn wrapped(text: &str, indent: usize, width: usize) -> Vec<String> {
     let indent = " ".repeat(indent);
     let options = textwrap::Options::new(width)

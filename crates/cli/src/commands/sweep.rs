@@ -10,6 +10,7 @@ use crate::args::SweepArgs;
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::measuring::measure;
+use crate::outputs::Outputs;
 use crate::print::print;
 use crate::vary::settings;
 
@@ -20,7 +21,7 @@ use crate::vary::settings;
 pub fn run(args: SweepArgs) -> Result<(), Failure> {
     // Wrong usage is found before anything is loaded.
     settings(&args, None)?;
-    let mut outputs = args.view.outputs();
+    let mut outputs = Outputs::for_view(&args.view);
     outputs.reports_into("--out", &args.out);
     outputs.check()?;
     let gpu = Gpu::open(&args.view.adapter)?;

@@ -15,7 +15,7 @@ use antumbra::terrain::{
 };
 use glam::DVec3;
 
-use crate::args::{ViewArgs, VolumeArgs};
+use crate::args::{SceneSetting, ViewArgs, VolumeArgs};
 use crate::failure::Failure;
 use crate::print::warn;
 use crate::{landscape, progress};
@@ -91,9 +91,7 @@ impl Found {
         }
         let mut words = named.split(':');
         let name = words.next().unwrap_or_default();
-        let settings: Vec<(&str, &str)> = words
-            .map(|word| word.split_once('=').unwrap_or(("size", word)))
-            .collect();
+        let settings: Vec<SceneSetting<'_>> = words.map(SceneSetting::read).collect();
         match name {
             "subsurface" => Self::subsurface(&settings, args),
             "terrain" => Self::terrain(&settings, args.quiet),
@@ -101,9 +99,9 @@ impl Found {
         }
     }
 
-    fn terrain(settings: &[(&str, &str)], quiet: bool) -> Result<Self, Failure> {
+    fn terrain(settings: &[SceneSetting<'_>], quiet: bool) -> Result<Self, Failure> {
         let mut options = demo_scenes::terrain::TerrainSceneOptions::default();
-        for (key, value) in settings {
+        for SceneSetting { key, value } in settings {
             options.set(key, value)?;
         }
         Ok(Self {
@@ -135,12 +133,12 @@ impl Found {
         })
     }
 
-    fn subsurface(settings: &[(&str, &str)], args: &ViewArgs) -> Result<Self, Failure> {
+    fn subsurface(settings: &[SceneSetting<'_>], args: &ViewArgs) -> Result<Self, Failure> {
         let mut options = SubsurfaceSceneOptions::default();
-        for (key, value) in settings {
+        for SceneSetting { key, value } in settings {
             options.set(key, value)?;
         }
-        // VolumeSections that the command line names replace the model's own.
+        // Sections that the command line names replace the model's own.
         if args.volume.are_named() {
             (options.slices, options.lens) = (false, false);
         }
@@ -160,9 +158,9 @@ impl Found {
         })
     }
 
-    fn built_in(name: &str, settings: &[(&str, &str)]) -> Result<Self, Failure> {
+    fn built_in(name: &str, settings: &[SceneSetting<'_>]) -> Result<Self, Failure> {
         let mut size = None;
-        for (key, value) in settings {
+        for SceneSetting { key, value } in settings {
             if *key != "size" {
                 return Err(Failure::Usage(format!(
                     "'{key}' is no setting of {name}: it has a size alone, {name}:2"
@@ -227,8 +225,8 @@ impl Found {
             SectionPositions {
                 slices: (args.slice.iter())
                     .map(|at| SlicePosition {
-                        axis: at.0,
-                        index: at.1,
+                        axis: at.axis,
+                        index: at.sample,
                     })
                     .collect(),
                 lenses: args.lens.iter().map(|at| at.0).collect(),

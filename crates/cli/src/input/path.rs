@@ -6,7 +6,7 @@ use antumbra::scene::{Aabb, Camera, Projection, Scene};
 use antumbra::terrain::{FlightStation, Terrain, TerrainInScene};
 
 use super::found::Found;
-use crate::args::ViewArgs;
+use crate::args::{PathArg, ViewArgs};
 use crate::failure::Failure;
 
 /// The near plane of sub-surface views, in metres: the model is 6 km wide, and flown through.
@@ -39,55 +39,42 @@ pub fn path(
     frames: usize,
 ) -> Result<CameraPath, Failure> {
     let aspect = f64::from(size[0]) / f64::from(size[1]);
-    let named = args.path.as_deref();
-    if let Some(name) = named.and_then(camera_name) {
-        return still(&found.scene, name, frames);
-    }
+    let named = args.path.as_ref();
     if let Some(model) = &found.model
         && let Some(path) = own_path(named, model, frames)?
     {
         return Ok(path);
     }
     if let Some(TerrainInScene { terrain, .. }) = &found.terrain
-        && matches!(named, None | Some("flight"))
+        && matches!(named, None | Some(PathArg::Flight))
     {
         return over(terrain, frames);
     }
     match named {
         // The grid's own orbit, whole grid or a part of it.
-        None | Some("orbit") if found.whole_grid => Ok(CameraPath::orbit(&Orbit::grid(frames))?),
-        None | Some("orbit") => Ok(CameraPath::orbit_around(bounds, aspect, frames)?),
-        Some("flight") => Ok(CameraPath::flight(bounds, args.seed, frames)?),
-        Some(file) => Ok(CameraPath::load(file)?),
+        None | Some(PathArg::Orbit) if found.whole_grid => {
+            Ok(CameraPath::orbit(&Orbit::grid(frames))?)
+        }
+        None | Some(PathArg::Orbit) => Ok(CameraPath::orbit_around(bounds, aspect, frames)?),
+        Some(PathArg::Flight) => Ok(CameraPath::flight(bounds, args.seed, frames)?),
+        Some(PathArg::Camera(name)) => still(&found.scene, name.as_deref(), frames),
+        Some(PathArg::Named(file)) => Ok(CameraPath::load(file)?),
     }
 }
 
-/// Whether a path is a built-in one or a camera of the scene, and not a file.
-pub fn is_word(path: &str) -> bool {
-    matches!(path, "orbit" | "flight") || camera_name(path).is_some()
-}
-
-/// The name in `camera:NAME`; the empty one in `camera`.
-fn camera_name(path: &str) -> Option<&str> {
-    match path.strip_prefix("camera")? {
-        "" => Some(""),
-        rest => rest.strip_prefix(':'),
-    }
-}
-
-/// A path that stays at a camera of the scene: the one of this name, or the first where the name is empty.
-fn still(scene: &Scene, name: &str, frames: usize) -> Result<CameraPath, Failure> {
+/// A path that stays at a camera of the scene: the one of this name, or the first for `None`.
+fn still(scene: &Scene, name: Option<&str>, frames: usize) -> Result<CameraPath, Failure> {
     let cameras: Vec<(&str, Camera)> = scene
         .cameras()
         .map(|(entity, camera)| (scene.entity_name(entity), camera))
         .collect();
     let found = cameras
         .iter()
-        .find(|(known, _)| name.is_empty() || *known == name);
+        .find(|(known, _)| name.is_none_or(|name| *known == name));
     let Some((known, camera)) = found else {
-        let asked = match name.is_empty() {
-            true => "camera".to_owned(),
-            false => format!("camera:{name}"),
+        let given = match name {
+            None => "camera".to_owned(),
+            Some(name) => format!("camera:{name}"),
         };
         let known: Vec<&str> = cameras
             .iter()
@@ -97,9 +84,9 @@ fn still(scene: &Scene, name: &str, frames: usize) -> Result<CameraPath, Failure
             })
             .collect();
         return Err(Failure::Usage(match known.is_empty() {
-            true => format!("--path {asked}: the scene has no camera"),
+            true => format!("--path {given}: the scene has no camera"),
             false => format!(
-                "--path {asked}: the scene has no camera of that name; its cameras are: {}",
+                "--path {given}: the scene has no camera of that name; its cameras are: {}",
                 known.join(", ")
             ),
         }));
@@ -137,14 +124,14 @@ fn over(terrain: &Terrain, frames: usize) -> Result<CameraPath, Failure> {
 
 /// A path of a sub-surface model: its flight, or one of its views.
 fn own_path(
-    named: Option<&str>,
+    named: Option<&PathArg>,
     model: &Model,
     frames: usize,
 ) -> Result<Option<CameraPath>, Failure> {
     let projection = |fov_y| Projection::Perspective { fov_y, near: NEAR };
     let views = model.views();
     match named {
-        None | Some("flight") => {
+        None | Some(PathArg::Flight) => {
             let fov_y = views.first().map_or(0.7, |view| view.fov_y);
             let flight = model.flight();
             let waypoints: Vec<_> = (flight.iter())
@@ -157,7 +144,7 @@ fn own_path(
                 CameraPath::through("flight", &waypoints, projection(fov_y), FLIGHT, frames)?;
             Ok(Some(path))
         }
-        Some(name) => {
+        Some(PathArg::Named(name)) => {
             let Some(view) = views.iter().find(|view| view.name == name) else {
                 return Ok(None);
             };
@@ -166,5 +153,6 @@ fn own_path(
             let poses = vec![pose; frames];
             Ok(Some(CameraPath::new(name, projection(view.fov_y), poses)?))
         }
+        Some(PathArg::Orbit | PathArg::Camera(_)) => Ok(None),
     }
 }

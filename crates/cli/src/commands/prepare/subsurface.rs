@@ -11,7 +11,7 @@ use antumbra::subsurface::{
     prepare_surfaces, surface_material, write_volume,
 };
 
-use crate::args::{Kind, PrepareArgs, Way};
+use crate::args::{Kind, PrepareArgs, SceneSetting, Way};
 use crate::failure::Failure;
 use crate::print::print;
 use crate::progress;
@@ -43,7 +43,9 @@ pub fn scene(args: &PrepareArgs) -> Result<(), Failure> {
     let proxies: usize = prepared.iter().map(PreparedSurface::proxy_triangles).sum();
     let tiles: usize = prepared.iter().map(|surface| surface.tiles.len()).sum();
     let flipped: usize = prepared.iter().map(|surface| surface.flipped).sum();
-    let (horizons, faults) = count(&prepared);
+    let is_fault = |surface: &&PreparedSurface| surface.kind == SurfaceKind::Fault;
+    let faults = prepared.iter().filter(is_fault).count();
+    let horizons = prepared.len() - faults;
     let mut scene = Scene::new();
     let name = args.output.file_stem().unwrap_or_default();
     scene.set_name(name.to_string_lossy());
@@ -68,14 +70,6 @@ pub fn scene(args: &PrepareArgs) -> Result<(), Failure> {
         }
     }
     Ok(())
-}
-
-fn count(prepared: &[PreparedSurface]) -> (usize, usize) {
-    let faults = prepared
-        .iter()
-        .filter(|surface| surface.kind == SurfaceKind::Fault);
-    let faults = faults.count();
-    (prepared.len() - faults, faults)
 }
 
 fn read_surfaces(args: &PrepareArgs, input: &FilePath) -> Result<Vec<Surface>, Failure> {
@@ -127,8 +121,7 @@ fn model(input: &FilePath) -> Result<Option<Model>, Failure> {
         return Ok(None);
     }
     let mut options = SubsurfaceSceneOptions::default();
-    for word in words {
-        let (key, value) = word.split_once('=').unwrap_or(("size", word));
+    for SceneSetting { key, value } in words.map(SceneSetting::read) {
         options.set(key, value)?;
     }
     Ok(Some(Model::new(&options.model)?))

@@ -7,7 +7,7 @@ use antumbra::terrain::{
     GroupOptions, PreparedScene, RasterDetail, Sectors, Terrain, TerrainOptions,
 };
 
-use crate::args::{PrepareArgs, TerrainArgs};
+use crate::args::{PrepareArgs, SceneSetting, TerrainArgs};
 use crate::failure::Failure;
 use crate::landscape;
 use crate::print::print;
@@ -97,8 +97,7 @@ fn built_in(named: &str, args: &PrepareArgs) -> Result<PreparedScene, Failure> {
         ));
     }
     let mut options = TerrainSceneOptions::default();
-    for word in named.split(':').skip(1) {
-        let (key, value) = word.split_once('=').unwrap_or(("size", word));
+    for SceneSetting { key, value } in named.split(':').skip(1).map(SceneSetting::read) {
         options.set(key, value)?;
     }
     options.vertices = wanted.vertices.unwrap_or(options.vertices);
