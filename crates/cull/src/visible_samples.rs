@@ -56,7 +56,7 @@ impl FrameGraph<'_> {
         selection: Selection,
     ) -> VisibleSet {
         let samples = self.graph().host::<Samples>(view.named("latest samples"));
-        let mut node = self.graph().host_node(view.named("read previous counts"));
+        let mut node = self.graph().host_node(view.named("read previous results"));
         node.group(CULL);
         let answers = node.read_previous(counts.buffer, counts.queried);
         let samples = node.updates(samples);

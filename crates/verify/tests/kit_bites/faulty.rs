@@ -91,7 +91,7 @@ impl Strategy for Late {
         let proxies = g.proxies(view, inside, MeshDetail::Level(0), MeshDetail::Level(0));
         let counts = g.count_samples(view, proxies, Counting::Queries, view.size());
         let latest = g.graph().host::<Latest>(view.named("latest"));
-        let mut node = g.graph().host_node(view.named("read previous counts"));
+        let mut node = g.graph().host_node(view.named("read previous results"));
         let answers = node.read_previous(counts.buffer, counts.queried);
         let latest = node.updates(latest);
         node.run(move |ctx| {
