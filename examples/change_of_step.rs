@@ -10,9 +10,9 @@
 use std::error::Error;
 use std::time::Instant;
 
-use antumbra::cull::{Budget, Stage, StageOptions, ViewInput, ViewSpec};
+use antumbra::cull::{AdapterChoice, Budget, Gpu, Stage, StageOptions, ViewInput, ViewSpec};
 use antumbra::demo_scenes::{GridOptions, grid};
-use antumbra::draw::{AdapterChoice, Gpu, GpuScene};
+use antumbra::draw::GpuScene;
 use antumbra::scene::{Camera, Projection};
 use antumbra::strategies::registry;
 use glam::DVec3;

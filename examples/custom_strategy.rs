@@ -2,10 +2,10 @@
 //! Models with Large Occluders*, 1997), and tests each occludee against it with a hardware query, whose answer stays on the GPU.
 
 use antumbra::cull::{
-    Counting, DeclareError, FrameGraph, Latency, ProxySource, Stage, StageOptions,
+    AdapterChoice, Counting, DeclareError, FrameGraph, Gpu, Latency, MeshDetail, ProxySource,
+    Stage, StageOptions, Strategy, ViewInput, ViewNodes, ViewSpec, VisibleSet,
 };
-use antumbra::cull::{Strategy, ViewInput, ViewNodes, ViewSpec, VisibleSet};
-use antumbra::draw::{AdapterChoice, Gpu, GpuScene, MeshDetail};
+use antumbra::draw::GpuScene;
 use antumbra::measure::path::CameraPath;
 use antumbra::strategies::registry;
 

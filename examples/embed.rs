@@ -4,9 +4,12 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use antumbra::cull::{ImportedTargets, Stage, StageOptions, ViewInput, ViewSpec};
+use antumbra::cull::{
+    DEPTH_FORMAT, Gpu, ImportedTargets, Stage, StageOptions, ViewInput, ViewSpec, WANTED_FEATURES,
+    read_back,
+};
 use antumbra::demo_scenes;
-use antumbra::draw::{DEPTH_FORMAT, Gpu, GpuScene, WANTED_FEATURES, read_back};
+use antumbra::draw::GpuScene;
 use antumbra::graph::Mode;
 use antumbra::measure::image_error::save_png;
 use antumbra::scene::{Camera, Projection};

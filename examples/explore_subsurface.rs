@@ -4,9 +4,9 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use antumbra::cull::{Stage, StageOptions, ViewInput, ViewSpec};
+use antumbra::cull::{AdapterChoice, Gpu, Stage, StageOptions, ViewInput, ViewSpec, read_back};
 use antumbra::demo_scenes::subsurface::{SubsurfaceScene, SubsurfaceSceneOptions};
-use antumbra::draw::{AdapterChoice, Gpu, GpuScene, read_back};
+use antumbra::draw::GpuScene;
 use antumbra::measure::image_error::save_png;
 use antumbra::scene::{Camera, EntityKey, Projection, Scene};
 use antumbra::strategies::registry;

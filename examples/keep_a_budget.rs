@@ -12,9 +12,8 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use antumbra::cull::{AuditOptions, Budget};
+use antumbra::cull::{AdapterChoice, AuditOptions, Budget, Gpu};
 use antumbra::demo_scenes::{GridOptions, grid};
-use antumbra::draw::{AdapterChoice, Gpu};
 use antumbra::measure::audit_summary::audit_summaries;
 use antumbra::measure::compare::{CompareOptions, Contender, Script, compare_scripted};
 use antumbra::measure::path::CameraPath;

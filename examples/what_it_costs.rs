@@ -10,9 +10,9 @@
 use std::error::Error;
 use std::time::Instant;
 
-use antumbra::cull::{Stage, StageOptions, ViewInput, ViewSpec};
+use antumbra::cull::{AdapterChoice, Gpu, Stage, StageOptions, ViewInput, ViewSpec};
 use antumbra::demo_scenes::{GridOptions, grid};
-use antumbra::draw::{AdapterChoice, Gpu, GpuScene};
+use antumbra::draw::GpuScene;
 use antumbra::scene::{
     AlphaMode, Camera, Drawable, Environment, Image, Light, Material, Projection, Sampler, Scene,
 };

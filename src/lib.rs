@@ -78,9 +78,10 @@ pub use {glam, wgpu};
 /// What a program that culls names most.
 pub mod prelude {
     pub use antumbra_cull::{
-        AdapterChoice, FrustumOnly, Gpu, GpuScene, ImportedTargets, Latency, Registry, Stage,
-        StageError, StageOptions, Strategy, Verdict, ViewInput, ViewSpec,
+        AdapterChoice, FrustumOnly, Gpu, ImportedTargets, Latency, Registry, Stage, StageError,
+        StageOptions, StageScene, Strategy, Verdict, ViewInput, ViewSpec,
     };
+    pub use antumbra_draw::GpuScene;
     pub use antumbra_graph::Mode;
     pub use antumbra_scene::{Camera, Projection, Scene};
 }

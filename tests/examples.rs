@@ -12,8 +12,8 @@ mod embed;
 #[allow(dead_code, reason = "its main is run by hand")]
 mod explore_subsurface;
 
+use antumbra::cull::MeshDetail;
 use antumbra::cull::{FrustumOnly, Strategy};
-use antumbra::draw::MeshDetail;
 use antumbra::measure::compare::{CompareOptions, Contender, compare};
 use antumbra::measure::path::CameraPath;
 use antumbra::verify::kit::{self, Kit};

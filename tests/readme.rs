@@ -2,9 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra::cull::{
-    Counting, DeclareError, FrameGraph, Latency, Strategy, ViewNodes, VisibleSet,
+    Counting, DeclareError, FrameGraph, Latency, MeshDetail, Strategy, ViewNodes, VisibleSet,
 };
-use antumbra::draw::MeshDetail;
 use antumbra::verify::kit;
 
 struct Sampled;

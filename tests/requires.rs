@@ -12,9 +12,10 @@ use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex};
 
 use antumbra::cull::{
-    DeclareError, FrameGraph, Stage, StageOptions, Strategy, ViewNodes, VisibleSet,
+    DrawSource, Gpu, Pass, PipelineClass, Renderer, SceneFrame, SceneLayout, SceneTable,
+    ShadeTargets, Stage, StageOptions, StageScene, Strategy, TestRenderer,
 };
-use antumbra::draw::{GpuScene, PipelineClass, PipelineKind};
+use antumbra::draw::{BuiltinRenderer, GpuScene, PipelineKind};
 use antumbra::graph::PlanFormat;
 use antumbra::scene::Scene;
 use antumbra::strategies::registry;
@@ -57,7 +58,7 @@ impl Plan {
     }
 }
 
-fn stage(scene: &GpuScene, strategy: Box<dyn Strategy>, names: &[&str]) -> Stage {
+fn stage(scene: &dyn StageScene, strategy: Box<dyn Strategy>, names: &[&str]) -> Stage {
     let views = views(names, [64, 48]);
     stage_with(scene, strategy, views, StageOptions::default())
 }
@@ -79,42 +80,64 @@ fn plan(scene: &mut Scene, text: &str, views: &[&str]) -> Plan {
     }
 }
 
-/// Draws what is in the frustum, and records the kind of pipeline that a strategy shades with.
-struct Probe {
-    inner: Box<dyn Strategy>,
+/// A scene whose renderer records the kinds of its pipelines.
+struct Watched {
+    scene: GpuScene,
     kinds: Arc<Mutex<Vec<PipelineKind>>>,
 }
 
-impl Strategy for Probe {
-    fn name(&self) -> &str {
-        "probe"
+impl StageScene for Watched {
+    fn gpu(&self) -> &Gpu {
+        self.scene.gpu()
     }
-    fn summary(&self) -> &str {
-        "draws what is in the frustum and records its pipelines"
+    fn number(&self) -> u64 {
+        self.scene.number()
     }
-    fn conservative(&self) -> bool {
-        true
+    fn table(&self) -> &Arc<SceneTable> {
+        self.scene.table()
     }
-    fn declare(
-        &mut self,
-        g: &mut FrameGraph<'_>,
-        view: &mut ViewNodes,
-    ) -> Result<VisibleSet, DeclareError> {
-        self.kinds.lock().unwrap().push(g.shaded_kind());
-        self.inner.declare(g, view)
+    fn layout(&self) -> SceneLayout {
+        self.scene.layout()
+    }
+    fn frame(&self) -> SceneFrame {
+        self.scene.frame()
+    }
+    fn renderer(&self) -> Box<dyn Renderer> {
+        Box::new(Watching {
+            inner: BuiltinRenderer::new(self.gpu()),
+            kinds: Arc::clone(&self.kinds),
+        })
+    }
+}
+
+/// The built-in renderer, watched.
+struct Watching {
+    inner: BuiltinRenderer,
+    kinds: Arc<Mutex<Vec<PipelineKind>>>,
+}
+
+impl Renderer for Watching {
+    fn begin_view(&mut self, pass: Pass<'_>) {
+        self.inner.begin_view(pass);
+    }
+    fn shade(&mut self, pass: Pass<'_>, source: DrawSource, into: ShadeTargets) -> ShadeTargets {
+        let out = self.inner.shade(pass, source, into);
+        *self.kinds.lock().unwrap() = self.inner.kinds().collect();
+        out
+    }
+    fn tests(&mut self) -> &mut dyn TestRenderer {
+        self.inner.tests()
     }
 }
 
 /// Whether the shading pipelines have positional lights, and whether they have an environment.
 fn shading(scene: &mut Scene) -> [bool; 2] {
-    let scene = GpuScene::new(vulkan(), scene).unwrap();
-    let kinds = Arc::new(Mutex::new(Vec::new()));
-    let probe = Probe {
-        inner: registry().make("frustum").unwrap(),
-        kinds: Arc::clone(&kinds),
+    let watched = Watched {
+        scene: GpuScene::new(vulkan(), scene).unwrap(),
+        kinds: Arc::default(),
     };
-    let _stage = stage(&scene, Box::new(probe), &["main"]);
-    let kinds = kinds.lock().unwrap();
+    let _stage = stage(&watched, registry().make("frustum").unwrap(), &["main"]);
+    let kinds = watched.kinds.lock().unwrap();
     let [
         PipelineKind::Shaded {
             positional_lights,
@@ -125,8 +148,8 @@ fn shading(scene: &mut Scene) -> [bool; 2] {
     else {
         panic!("{kinds:?}");
     };
-    assert_eq!(scene.frame().environment.is_some(), *environment);
-    assert_eq!(scene.layout().positional_lights, *positional_lights);
+    assert_eq!(watched.scene.buffers().environment.is_some(), *environment);
+    assert_eq!(watched.layout().positional_lights, *positional_lights);
     [*positional_lights, *environment]
 }
 
@@ -250,7 +273,7 @@ fn a_volume_brings_textures_and_without_one_there_are_none() {
         let scene = GpuScene::new(vulkan(), scene).unwrap();
         let classes = scene.layout().classes().any(PipelineClass::textured);
         // The first texture is one white texel, for materials without an image.
-        assert_eq!(scene.frame().textures.len() > 1, classes);
+        assert_eq!(scene.buffers().textures.len() > 1, classes);
         classes
     };
     assert!(!textured(&mut plain()));

@@ -1,7 +1,7 @@
 //! Plays a scene to every strategy, on every backend.
 
-use antumbra::cull::{Strategy, Verdicts};
-use antumbra::draw::{Gpu, GpuScene};
+use antumbra::cull::{Gpu, Strategy, Verdicts};
+use antumbra::draw::GpuScene;
 use antumbra::scene::{Camera, EntityKey, Scene};
 use antumbra::strategies::registry;
 use antumbra::verify::kit::Kit;

@@ -2,8 +2,8 @@
 //!
 //! That answers arrive in the order of frames is tested with the graph: `crates/graph/tests/gpu/late.rs`.
 
-use antumbra::cull::{Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
-use antumbra::draw::{Gpu, GpuScene};
+use antumbra::cull::{Gpu, Stage, StageOptions, StageScene, Verdicts, ViewInput, ViewSpec};
+use antumbra::draw::GpuScene;
 use antumbra::scene::Camera;
 use antumbra::verify::{EntitySet, Oracle};
 use antumbra_testing::{SceneBuilder, gpus, look_at, perspective_degrees, placed};

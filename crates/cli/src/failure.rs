@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use antumbra::cull::{RegistryError, SettingError, StageError};
+use antumbra::cull::{DeviceError, RegistryError, SettingError, StageError};
 use antumbra::demo_scenes::DemoSceneError;
-use antumbra::draw::{DeviceError, DrawError};
+use antumbra::draw::DrawError;
 use antumbra::formats::{LoadError, RasterError, SaveError};
 use antumbra::measure::MeasureError;
 use antumbra::scene::StereoError;

@@ -5,8 +5,7 @@ mod path;
 
 use std::path::Path;
 
-use antumbra::cull::ViewSpec;
-use antumbra::draw::Gpu;
+use antumbra::cull::{Gpu, ViewSpec};
 use antumbra::measure::compare::Script;
 use antumbra::measure::path::CameraPath;
 use antumbra::measure::views;

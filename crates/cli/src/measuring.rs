@@ -1,6 +1,6 @@
 //! Runs a comparison for the commands that need one, with its progress on the terminal.
 
-use antumbra::draw::Gpu;
+use antumbra::cull::Gpu;
 use antumbra::measure::compare::{CompareOptions, Comparison, Contender, Script, compare_scripted};
 
 use crate::args::ViewArgs;

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use antumbra_draw::{SceneTable, ViewFrame};
+use crate::entities::SceneTable;
+use crate::view::ViewFrame;
 
 /// The entities that a strategy chooses from, for one view and frame.
 #[derive(Debug, Clone, Default)]

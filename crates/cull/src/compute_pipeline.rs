@@ -1,7 +1,8 @@
 //! A compute pipeline made from one of the shaders, and how it is dispatched.
 
-use antumbra_draw::Gpu;
 use antumbra_graph::{Bind, BodyError, ComputeContext};
+
+use crate::device::Gpu;
 
 /// A compute pipeline of one bind group.
 #[derive(Debug, Clone)]

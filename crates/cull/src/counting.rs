@@ -9,15 +9,16 @@
 use std::fmt;
 use std::str::FromStr;
 
-use antumbra_draw::passes::{self, DepthTest, IdTargets, ListDraws};
-use antumbra_draw::{Gpu, IDENTITY_FORMAT, PipelineKind};
 use antumbra_graph::{Bind, Buffer, BufferDesc, Clear, Host, Texture, TextureDesc};
 use antumbra_shaders::jobs;
 
 use crate::candidates::Queried;
 use crate::count_layout::CountLayout;
+use crate::device::Gpu;
+use crate::draw_source::ListDraws;
 use crate::frame_graph::{CULL, FrameGraph};
 use crate::proxies::Proxies;
+use crate::renderer::{DepthTest, IDENTITY_FORMAT, IdTargets};
 use crate::view_nodes::ViewNodes;
 
 /// A way of counting visible samples.
@@ -122,27 +123,17 @@ impl FrameGraph<'_> {
         way: Counting,
         size: [u32; 2],
     ) -> Counts {
-        let inputs = view.inputs();
         let depth = self.depth_texture(view.named("occluder depth"), size);
         if way == Counting::Identity {
             return self.count_identities(view, proxies, depth, size);
         }
-        let spec = self.pass(view.named("occluder depth"), CULL, PipelineKind::Depth);
-        let depth = passes::depth_pass(self.graph(), &spec, inputs, proxies.occluders, depth);
+        let depth = self.draw_depth(view, "occluder depth", proxies.occluders, depth);
         if way == Counting::Queries {
             let bytes = self.slot_bytes() * 2;
             let answers = self
                 .graph()
                 .buffer(view.named("query results"), BufferDesc::new(bytes));
-            let spec = self.pass(view.named("queries"), CULL, PipelineKind::Query);
-            let buffer = passes::query_pass(
-                self.graph(),
-                &spec,
-                inputs,
-                proxies.occludees,
-                depth,
-                answers,
-            );
+            let buffer = self.query(view, "queries", proxies.occludees, depth, answers);
             return Counts {
                 buffer,
                 layout: CountLayout::ByQuery,
@@ -176,14 +167,8 @@ impl FrameGraph<'_> {
         size: [u32; 2],
         counts: Buffer,
     ) -> Buffer {
-        let inputs = view.inputs();
         let test = self.depth_test(way, depth, view.named("scratch depth"), size);
-        let kind = match test {
-            DepthTest::Early { .. } => PipelineKind::CountAtomic,
-            DepthTest::InShader { .. } => PipelineKind::CountCompare,
-        };
-        let spec = self.pass(view.named("count samples"), CULL, kind);
-        passes::count_pass(self.graph(), &spec, inputs, what, test, counts)
+        self.count(view, "count samples", what.into(), test, counts)
     }
 
     /// How fragments are tested against a finished depth of `size` pixels: early for [`Counting::Atomics`], otherwise in the shader, with a scratch depth
@@ -217,11 +202,9 @@ impl FrameGraph<'_> {
             view.named("entity ids"),
             TextureDesc::new(width, height, IDENTITY_FORMAT).cleared(blank),
         );
-        let spec = self.pass(view.named("entity ids"), CULL, PipelineKind::Identity);
         let targets = IdTargets { ids, depth };
-        let inputs = view.inputs();
-        let IdTargets { ids, depth } =
-            passes::identity_pass(self.graph(), &spec, inputs, proxies.occluders, targets);
+        let targets = self.draw_ids(view, "entity ids", proxies.occluders, targets);
+        let IdTargets { ids, depth } = targets;
         let counts = self.sample_counts(view);
         let mut counts = self.histogram(view, ids, size, counts);
         if let Some(others) = proxies.others {

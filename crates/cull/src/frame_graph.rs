@@ -4,11 +4,6 @@ use std::any::Any;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use antumbra_draw::boxes::{BoxDraws, BoxPipeline};
-use antumbra_draw::passes::{self, ListDraws, PassSpec};
-use antumbra_draw::{
-    DEPTH_FORMAT, DrawList, Gpu, PipelineKind, SceneLayout, SceneTable, ViewFrame,
-};
 use antumbra_graph::{
     BodyError, BufferDesc, Clear, Graph, Host, HostBuilder, HostContext, LoopOptions, Texture,
     TextureDesc,
@@ -17,14 +12,22 @@ use antumbra_graph::{
 use antumbra_scene::hierarchy::HierarchyShape;
 use antumbra_shaders::Job;
 
+use crate::boxes::{BoxDraws, BoxPipeline};
 use crate::candidates::Candidates;
 use crate::compute_pipeline::ComputePipeline;
+use crate::device::Gpu;
+use crate::draw_source::{DrawList, ListDraws};
+use crate::entities::SceneTable;
 use crate::narrowing::Narrowing;
 use crate::order::back_to_front;
 use crate::pipelines::Pipelines;
+use crate::renderer::DEPTH_FORMAT;
+use crate::renderer::{Renderer, ShadeTargets};
+use crate::stage_scene::SceneLayout;
 use crate::strategy::VisibleSet;
 use crate::tree::Tree;
 use crate::verdict::{Verdict, Verdicts};
+use crate::view::ViewFrame;
 use crate::view_nodes::ViewNodes;
 
 /// The group label of the nodes that find the visible set.
@@ -34,8 +37,9 @@ pub const DRAW: &str = "draw";
 
 /// The graph under declaration, with the steps that culling is made of.
 pub struct FrameGraph<'g> {
-    graph: &'g mut Graph,
-    shared: &'g mut Shared,
+    pub(crate) graph: &'g mut Graph,
+    pub(crate) shared: &'g mut Shared,
+    pub(crate) renderer: &'g mut dyn Renderer,
 }
 
 /// The handle of a host value that [`Stage::shown`](crate::Stage::shown) finds by view and name.
@@ -69,8 +73,16 @@ pub struct Chosen {
 }
 
 impl<'g> FrameGraph<'g> {
-    pub(crate) fn new(graph: &'g mut Graph, shared: &'g mut Shared) -> Self {
-        Self { graph, shared }
+    pub(crate) fn new(
+        graph: &'g mut Graph,
+        shared: &'g mut Shared,
+        renderer: &'g mut dyn Renderer,
+    ) -> Self {
+        Self {
+            graph,
+            shared,
+            renderer,
+        }
     }
 
     /// The graph itself, for a strategy's own nodes.
@@ -113,25 +125,14 @@ impl<'g> FrameGraph<'g> {
                 .saturating_mul(8)
                 .saturating_add(16),
         };
-        let shared = &mut *self.shared;
+        let (shared, renderer) = (&mut *self.shared, &mut *self.renderer);
         self.graph.host_loop_with(name, options, |graph| {
-            declare(&mut FrameGraph { graph, shared })
+            declare(&mut FrameGraph {
+                graph,
+                shared,
+                renderer,
+            })
         });
-    }
-
-    /// The name, group and pipelines of a drawing node. Pipelines are made once a stage.
-    pub fn pass(&mut self, name: String, group: &'static str, kind: PipelineKind) -> PassSpec {
-        let Shared {
-            gpu,
-            layout,
-            pipelines,
-            ..
-        } = &mut *self.shared;
-        PassSpec {
-            name,
-            group,
-            pipelines: pipelines.pass(gpu, kind, layout),
-        }
     }
 
     /// A depth texture, cleared to infinitely far by its first writer.
@@ -363,18 +364,7 @@ impl<'g> FrameGraph<'g> {
 
     /// Shades one draw list into the view's targets.
     pub fn shade_list(&mut self, view: &mut ViewNodes, name: &str, list: ListDraws) {
-        let spec = self.pass(view.named(name), DRAW, self.shaded_kind());
-        view.targets = passes::shaded_pass(self.graph, &spec, view.inputs, list, view.targets);
-    }
-
-    /// The kind of pipelines that shade into the view's targets.
-    pub fn shaded_kind(&self) -> PipelineKind {
-        PipelineKind::Shaded {
-            format: self.shared.colour_format,
-            positional_lights: self.shared.layout.positional_lights,
-            environment: self.shared.layout.environment,
-            identified: false,
-        }
+        self.shade_source(view, name, list.into(), ShadeTargets::from(view.targets));
     }
 
     /// Chooses with a rule that looks at one candidate at a time, and shades the chosen entities.

@@ -4,10 +4,6 @@
 //! A strategy of its own uses three steps: [`FrameGraph::lay_out`], [`FrameGraph::compact`] with counts of visible samples by slot, and
 //! [`FrameGraph::shade_indirect`].
 
-use antumbra_draw::passes::{self, IdentifiedTargets, IndirectDraws};
-use antumbra_draw::{
-    DrawList, INDIRECT_DRAW_BYTES, MeshDetail, PipelineKind, Run, SceneTable, ViewFrame,
-};
 use antumbra_graph::{
     Bind, BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext, Texture,
 };
@@ -16,7 +12,11 @@ use bytemuck::{Pod, Zeroable};
 
 use crate::adaptive_threshold::AdaptiveThreshold;
 use crate::candidates::{Candidates, Queried};
-use crate::frame_graph::{CULL, DRAW, FrameGraph};
+use crate::draw_source::{DrawList, INDIRECT_DRAW_BYTES, IndirectDraws, Run};
+use crate::entities::{MeshDetail, SceneTable};
+use crate::frame_graph::{CULL, FrameGraph};
+use crate::renderer::ShadeTargets;
+use crate::view::ViewFrame;
 use crate::view_nodes::ViewNodes;
 
 /// Mirrors `Batch` of `compact.wgsl`.
@@ -277,7 +277,7 @@ impl FrameGraph<'_> {
 
     /// Shades the kept entities.
     pub fn shade_indirect(&mut self, view: &mut ViewNodes, name: &str, what: IndirectDraws) {
-        self.shade_kept(view, name, what, self.shaded_kind(), None);
+        self.shade_source(view, name, what.into(), ShadeTargets::from(view.targets));
     }
 
     /// Shades the kept entities, and writes their ids to a second target.
@@ -288,27 +288,12 @@ impl FrameGraph<'_> {
         what: IndirectDraws,
         ids: Texture,
     ) -> Texture {
-        let kind = self.shaded_kind().identified();
-        self.shade_kept(view, name, what, kind, Some(ids))
-            .unwrap_or(ids)
-    }
-
-    fn shade_kept(
-        &mut self,
-        view: &mut ViewNodes,
-        name: &str,
-        what: IndirectDraws,
-        kind: PipelineKind,
-        ids: Option<Texture>,
-    ) -> Option<Texture> {
-        let spec = self.pass(view.named(name), DRAW, kind);
-        let targets = IdentifiedTargets {
-            targets: view.targets,
-            ids,
+        let into = ShadeTargets {
+            ids: Some(ids),
+            ..view.targets.into()
         };
-        let out = passes::shaded_indirect_pass(self.graph(), &spec, view.inputs(), what, targets);
-        view.targets = out.targets;
-        out.ids
+        let out = self.shade_source(view, name, what.into(), into);
+        out.ids.unwrap_or(ids)
     }
 }
 

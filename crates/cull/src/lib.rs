@@ -12,13 +12,17 @@
 
 mod adaptive_threshold;
 mod audit;
+pub mod boxes;
 mod budget;
 mod candidates;
 mod chain;
 mod compute_pipeline;
 mod count_layout;
 mod counting;
+mod device;
 mod dial;
+mod draw_source;
+mod entities;
 mod frame_graph;
 pub mod indirect;
 mod latency;
@@ -27,21 +31,25 @@ pub mod order;
 mod pipelines;
 mod proxies;
 mod query_detail;
+pub mod read_back;
 mod registry;
+mod render_passes;
+mod renderer;
 mod sample_rule;
 mod samples;
+mod split_point;
 mod stage;
+mod stage_scene;
 mod strategy;
 mod tree;
 mod tuning;
 mod verdict;
+mod view;
 mod view_nodes;
 mod visible_on_gpu;
 mod visible_samples;
 mod yardsticks;
 
-pub use antumbra_draw::passes::Targets;
-pub use antumbra_draw::{AdapterChoice, Gpu, GpuScene};
 pub use audit::{AUDIT, Audit, AuditOptions, Estimate, FrameAudit};
 pub use budget::{Budget, BudgetError, BudgetState};
 pub use candidates::{Candidates, Queried, Query, Stamp};
@@ -49,15 +57,29 @@ pub use chain::Chain;
 pub use compute_pipeline::ComputePipeline;
 pub use count_layout::CountLayout;
 pub use counting::{Counting, Counts};
+pub use device::{AdapterChoice, DeviceError, Gpu, WANTED_FEATURES, adapter_title, adapters};
 pub use dial::Dial;
+pub use draw_source::{
+    DrawList, DrawSource, INDIRECT_DRAW_BYTES, IndirectDraws, ListDraws, Run, patches,
+};
+pub use entities::{
+    Alpha, Batch, IndexRange, MeshDetail, MeshRanges, NewOccupant, Occupant, OrientedBox,
+    PipelineClass, PipelineTraits, SceneTable, SlotGroups,
+};
 pub use frame_graph::{CULL, Chosen, DRAW, FrameGraph};
 pub use latency::Latency;
 pub use proxies::{AtNearPlane, Proxies, ProxyLimits, ProxySource};
 pub use query_detail::query_detail;
 pub use registry::{Registry, RegistryError};
+pub use renderer::{
+    DEPTH_FORMAT, DepthTest, IDENTITY_FORMAT, IdTargets, Pass, Renderer, ShadeTargets, Targets,
+    TestRenderer, ViewInputs,
+};
 pub use sample_rule::{Allowance, SampleRule};
 pub use samples::Samples;
+pub use split_point::SplitPoint;
 pub use stage::{ImportedTargets, Stage, StageError, StageOptions, ViewInput, ViewSpec};
+pub use stage_scene::{SceneFrame, SceneLayout, StageScene};
 pub use strategy::{DeclareError, Role, Strategy, VisibleSet};
 pub use tree::Tree;
 pub use tuning::{
@@ -65,5 +87,6 @@ pub use tuning::{
     shortest,
 };
 pub use verdict::{Verdict, Verdicts};
+pub use view::{GpuView, ViewAxes, ViewFrame};
 pub use view_nodes::ViewNodes;
 pub use yardsticks::{Everything, FrustumOnly, Ideal};

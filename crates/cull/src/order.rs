@@ -1,6 +1,8 @@
 //! Orders of drawing: front to back to save fragments, back to front to blend.
 
-use antumbra_draw::{DrawList, MeshDetail, SceneTable, ViewFrame};
+use crate::draw_source::DrawList;
+use crate::entities::{MeshDetail, SceneTable};
+use crate::view::ViewFrame;
 
 /// Orders slots by the distance of their bounds' centres, nearest first, ties by slot. Each entry holds the slot in its low half and the
 /// distance in its high half, so that integers are sorted.

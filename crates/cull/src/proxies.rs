@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
-use antumbra_draw::passes::ListDraws;
-use antumbra_draw::{MeshDetail, SceneTable, ViewFrame};
 use antumbra_graph::Host;
 
 use crate::candidates::{Candidates, Queried};
+use crate::draw_source::ListDraws;
+use crate::entities::{MeshDetail, SceneTable};
 use crate::frame_graph::{CULL, FrameGraph};
 use crate::order::front_to_back;
+use crate::view::ViewFrame;
 use crate::view_nodes::ViewNodes;
 
 /// Candidates, and the geometry that stands for them.

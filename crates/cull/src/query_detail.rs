@@ -1,7 +1,9 @@
 //! The geometry of an entity's query: the cheapest one that covers every sample of the mesh.
 
-use antumbra_draw::{MeshDetail, SceneTable, ViewFrame};
 use antumbra_scene::Topology;
+
+use crate::entities::{MeshDetail, SceneTable};
+use crate::view::ViewFrame;
 
 /// Triangles of a box.
 const BOX_TRIANGLES: u32 = 12;

@@ -1,9 +1,8 @@
 //! Visible samples by slot, however they were counted, and the verdicts that follow from them.
 
-use antumbra_draw::SceneTable;
-
 use crate::candidates::{Candidates, Queried, Stamp};
 use crate::count_layout::CountLayout;
+use crate::entities::SceneTable;
 use crate::sample_rule::{SampleRule, Selection, highest_threshold};
 use crate::verdict::{Verdict, Verdicts};
 

@@ -7,7 +7,6 @@ mod kept;
 
 use std::sync::Arc;
 
-use antumbra_draw::{DeviceError, DrawError, Gpu, GpuScene, ViewFrame, read_back};
 use antumbra_graph::{CompileErrors, ExecuteError, FrameReport, Host, Mode, Plan};
 use antumbra_scene::{Camera, CameraError};
 use built::{Built, Inherited, build};
@@ -18,12 +17,17 @@ use crate::adaptive_threshold::GpuThreshold;
 use crate::audit::{Audit, AuditOptions};
 use crate::budget::{Budget, BudgetController, BudgetState};
 use crate::candidates::Queried;
+use crate::device::{DeviceError, Gpu};
 use crate::narrowing::{Narrowing, hide};
 use crate::pipelines::Pipelines;
+use crate::read_back;
+use crate::renderer::Renderer;
 use crate::samples::Samples;
+use crate::stage_scene::StageScene;
 use crate::strategy::{DeclareError, Strategy, VerdictSource};
 use crate::tuning::Step;
 use crate::verdict::Verdicts;
+use crate::view::ViewFrame;
 
 /// A view of a stage. Its name and size are fixed.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -104,7 +108,7 @@ impl ViewInput<'_> {
     }
 }
 
-/// The host's textures, of the view's size, usable as render attachments. Depth is [`DEPTH_FORMAT`](antumbra_draw::DEPTH_FORMAT), reversed.
+/// The host's textures, of the view's size, usable as render attachments. Depth is [`DEPTH_FORMAT`](crate::DEPTH_FORMAT), reversed.
 #[derive(Debug, Clone, Copy)]
 pub struct ImportedTargets<'a> {
     /// Colour, of the stage's format.
@@ -131,9 +135,6 @@ pub enum StageError {
     /// A frame failed.
     #[error(transparent)]
     Execute(#[from] ExecuteError),
-    /// The scene does not fit.
-    #[error(transparent)]
-    Draw(#[from] DrawError),
     /// The device.
     #[error(transparent)]
     Device(#[from] DeviceError),
@@ -159,6 +160,7 @@ pub struct Stage {
     built: Built,
     kept: KeptPlans,
     pipelines: Pipelines,
+    renderer: Box<dyn Renderer>,
     cuts: Vec<u64>,
     /// Frames drawn so far, by all plans.
     frames: u64,
@@ -181,7 +183,7 @@ impl Stage {
     /// # Errors
     /// [`StageError::Declare`] and [`StageError::Compile`]; [`StageError::Input`] without a view or with one of no pixels.
     pub fn new(
-        scene: &GpuScene,
+        scene: &dyn StageScene,
         strategy: Box<dyn Strategy>,
         specs: Vec<ViewSpec>,
         options: StageOptions,
@@ -212,11 +214,13 @@ impl Stage {
             .map(|budget| BudgetController::new(budget, strategy.as_mut(), options.mode))
             .transpose()?;
         let mut pipelines = Pipelines::default();
+        let mut renderer = scene.renderer();
         let inherited = Inherited {
             pipelines: &mut pipelines,
             audits: &[],
             frames: 0,
             step: step(controller.as_ref()),
+            renderer: renderer.as_mut(),
         };
         let built = build(scene, strategy.as_mut(), &specs, &options, inherited)?;
         let cuts = vec![0; specs.len()];
@@ -229,6 +233,7 @@ impl Stage {
             built,
             kept: KeptPlans::default(),
             pipelines,
+            renderer,
             cuts,
             frames: 0,
             audits,
@@ -251,14 +256,14 @@ impl Stage {
         &mut self.built.plan
     }
 
-    /// Runs a frame and submits it. The scene must have been [synced](GpuScene::sync). With another scene than in the last frame the stage starts over: nothing
+    /// Runs a frame and submits it. The scene must have been [synced](StageScene). With another scene than in the last frame the stage starts over: nothing
     /// that it knows of the last one is used.
     ///
     /// # Errors
     /// [`StageError::Input`] when the inputs are not one a view; otherwise what failed.
     pub fn frame(
         &mut self,
-        scene: &GpuScene,
+        scene: &dyn StageScene,
         views: &[ViewInput<'_>],
     ) -> Result<FrameReport, StageError> {
         self.prepare(scene, views)?;
@@ -274,7 +279,7 @@ impl Stage {
     /// As for [`Self::frame`].
     pub fn record(
         &mut self,
-        scene: &GpuScene,
+        scene: &dyn StageScene,
         views: &[ViewInput<'_>],
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<FrameReport, StageError> {
@@ -330,7 +335,7 @@ impl Stage {
     }
 
     /// Declares the strategy's nodes again, for the scene and the settings as they are now.
-    fn declare(&mut self, scene: &GpuScene) -> Result<Built, StageError> {
+    fn declare(&mut self, scene: &dyn StageScene) -> Result<Built, StageError> {
         if let Some(audit) = &mut self.options.audit {
             // A new plan counts its frames from 0, and must not draw the same patches once more.
             audit.seed = audit.seed.wrapping_add(1 << 32);
@@ -340,6 +345,7 @@ impl Stage {
             audits: &self.audits,
             frames: self.frames,
             step: step(self.controller.as_ref()),
+            renderer: self.renderer.as_mut(),
         };
         let strategy = self.strategy.as_mut();
         build(scene, strategy, &self.specs, &self.options, inherited)
@@ -357,7 +363,11 @@ impl Stage {
         kept
     }
 
-    fn prepare(&mut self, scene: &GpuScene, views: &[ViewInput<'_>]) -> Result<(), StageError> {
+    fn prepare(
+        &mut self,
+        scene: &dyn StageScene,
+        views: &[ViewInput<'_>],
+    ) -> Result<(), StageError> {
         if views.len() != self.specs.len() {
             return Err(StageError::Input(format!(
                 "{} views, and it has {}",
@@ -450,7 +460,7 @@ impl Stage {
     ///
     /// # Errors
     /// [`StageError::Device`] when the device is lost meanwhile; [`StageError::Input`] for a view that does not exist or no frame yet.
-    pub fn verdicts(&self, view: usize, scene: &GpuScene) -> Result<Verdicts, StageError> {
+    pub fn verdicts(&self, view: usize, scene: &dyn StageScene) -> Result<Verdicts, StageError> {
         let missing = || StageError::Input(format!("view {view}, which has no verdicts yet"));
         let built = self.built.views.get(view).ok_or_else(missing)?;
         let plan = &self.built.plan;

@@ -1,8 +1,9 @@
 //! The tree of boxes that hierarchical strategies traverse, updated with the scene's table.
 
-use antumbra_draw::{MeshDetail, SceneTable};
 use antumbra_scene::Aabb;
 use antumbra_scene::hierarchy::{GroupedLeaf, Hierarchy, HierarchyError, HierarchyShape};
+
+use crate::entities::{MeshDetail, SceneTable};
 
 /// A hierarchy over all slots that a test may cull, with the number of triangles below each node.
 #[derive(Debug, Clone, Default)]

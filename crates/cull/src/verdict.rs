@@ -1,6 +1,6 @@
 //! Verdicts: for each occludee, whether it is drawn and why.
 
-use antumbra_draw::SceneTable;
+use crate::entities::SceneTable;
 
 /// Why an occludee is drawn or not.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]

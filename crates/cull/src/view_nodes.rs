@@ -2,16 +2,18 @@
 
 use std::sync::Arc;
 
-use antumbra_draw::passes::{Targets, ViewInputs};
 use antumbra_graph::Host;
 
 use crate::candidates::Candidates;
 use crate::narrowing::Narrowing;
+use crate::renderer::{Targets, ViewInputs};
 
 /// One view while its nodes are declared.
 #[derive(Debug)]
 pub struct ViewNodes {
     pub(crate) name: String,
+    /// What names of nodes and resources begin with: empty for a single view.
+    pub(crate) prefix: String,
     pub(crate) index: usize,
     pub(crate) count: usize,
     pub(crate) size: [u32; 2],
@@ -63,10 +65,6 @@ impl ViewNodes {
 
     /// A node's or resource's name in this view.
     pub fn named(&self, what: &str) -> String {
-        if self.count > 1 {
-            format!("{}: {what}", self.name)
-        } else {
-            what.to_owned()
-        }
+        format!("{}{what}", self.prefix)
     }
 }

@@ -1,12 +1,13 @@
 //! From counts to a visible set on the GPU: compute nodes keep the visible entities of each batch and write its indirect draws. Neither a stall nor a delay.
 
-use antumbra_draw::{MeshDetail, Run, SceneTable};
 use antumbra_graph::{Bind, Buffer, BufferDesc, Host};
 use antumbra_shaders::jobs;
 
 use crate::candidates::{Candidates, Queried};
 use crate::count_layout::CountLayout;
 use crate::counting::Counts;
+use crate::draw_source::Run;
+use crate::entities::{MeshDetail, SceneTable};
 use crate::frame_graph::{CULL, FrameGraph};
 use crate::indirect::{GpuSettings, IndirectLayout, LayoutSize, SampleBounds, untested};
 use crate::order::back_to_front;

@@ -2,9 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{
-    Counting, DeclareError, FrameGraph, Latency, ProxySource, Strategy, ViewNodes, VisibleSet,
+    Counting, DeclareError, FrameGraph, Latency, MeshDetail, ProxySource, Strategy, ViewNodes,
+    VisibleSet,
 };
-use antumbra_draw::MeshDetail;
 use antumbra_verify::kit::{Case, Kit};
 
 /// Every third candidate is an occluder, every second is tested.

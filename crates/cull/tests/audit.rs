@@ -3,10 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{
-    AUDIT, AuditOptions, DeclareError, Estimate, FrameAudit, FrameGraph, ImportedTargets,
-    StageOptions, Strategy, Verdict, ViewInput, ViewNodes, VisibleSet,
+    AUDIT, AuditOptions, DEPTH_FORMAT, DeclareError, Estimate, FrameAudit, FrameGraph, Gpu,
+    ImportedTargets, StageOptions, Strategy, Verdict, ViewInput, ViewNodes, VisibleSet, read_back,
 };
-use antumbra_draw::{DEPTH_FORMAT, Gpu, GpuScene, read_back};
+use antumbra_draw::GpuScene;
 use antumbra_graph::Mode;
 use antumbra_scene::{
     AlphaMode, Camera, Drawable, Geometry, Material, Mesh, Scene, Topology, icosphere,

@@ -6,11 +6,11 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use antumbra_cull::{
-    Chain, DeclareError, FrameGraph, Latency, RegistryError, Setting, SettingError, Stage,
-    StageError, StageOptions, Strategy, Tunable, Value, Verdict, ViewInput, ViewNodes, ViewSpec,
-    VisibleSet,
+    Chain, DeclareError, FrameGraph, Latency, RegistryError, SceneTable, Setting, SettingError,
+    Stage, StageError, StageOptions, Strategy, Tunable, Value, Verdict, ViewFrame, ViewInput,
+    ViewNodes, ViewSpec, VisibleSet,
 };
-use antumbra_draw::{GpuScene, SceneTable, ViewFrame};
+use antumbra_draw::GpuScene;
 use antumbra_scene::Camera;
 use antumbra_strategies::registry;
 use antumbra_testing::{balls, look_at, perspective, stage_with, views, vulkan};

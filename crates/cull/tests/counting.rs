@@ -5,10 +5,10 @@
 use std::sync::{Arc, Mutex};
 
 use antumbra_cull::{
-    Candidates, Counting, DeclareError, FrameGraph, Latency, Samples, StageOptions, Strategy,
-    Verdict, ViewInput, ViewNodes, VisibleSet,
+    Candidates, Counting, DeclareError, FrameGraph, Gpu, Latency, MeshDetail, Samples,
+    StageOptions, Strategy, Verdict, ViewFrame, ViewInput, ViewNodes, VisibleSet,
 };
-use antumbra_draw::{Gpu, GpuScene, MeshDetail, ViewFrame};
+use antumbra_draw::GpuScene;
 use antumbra_scene::{
     AlphaMode, Camera, Drawable, Geometry, Material, Mesh, Scene, Topology, icosphere,
 };

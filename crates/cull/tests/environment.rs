@@ -2,8 +2,8 @@
 //! and OpenGL.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{Stage, ViewInput};
-use antumbra_draw::{Gpu, GpuScene, read_back};
+use antumbra_cull::{Gpu, Stage, ViewInput, read_back};
+use antumbra_draw::GpuScene;
 use antumbra_scene::{
     Camera, Drawable, Environment, Geometry, Image, ImageKey, Light, Material, Mesh, Sampler, Scene,
 };

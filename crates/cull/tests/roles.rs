@@ -1,8 +1,8 @@
 //! Visible samples choose levels of detail, and do not decide about entities that are not tested.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{SampleRule, Verdict};
-use antumbra_draw::{Gpu, GpuScene};
+use antumbra_cull::{Gpu, SampleRule, Verdict};
+use antumbra_draw::GpuScene;
 use antumbra_scene::{Camera, Drawable, EntityKey, Material, Mesh, Scene, icosphere};
 use antumbra_testing::{Settled, add, cuboid, drawable, gl, glass, look_at, perspective, vulkan};
 use antumbra_verify::{EntitySet, Oracle};

@@ -4,8 +4,8 @@ use std::marker::PhantomData;
 
 use bytemuck::Pod;
 
-use crate::device::Gpu;
 use crate::error::DrawError;
+use antumbra_cull::Gpu;
 
 /// A GPU buffer of `T` that grows by doubling. Offsets and lengths are in elements.
 #[derive(Debug)]

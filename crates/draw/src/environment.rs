@@ -9,9 +9,9 @@ use antumbra_scene::{Image, Scene};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
-use crate::device::Gpu;
 use crate::pipeline::ENVIRONMENT_GROUP;
 use crate::texture::{halved, to_linear};
+use antumbra_cull::Gpu;
 
 /// Width and height of level 0 in texels. A texel is 0.7 degrees wide.
 const TEXELS: u32 = 256;

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::device::DeviceError;
+use antumbra_cull::DeviceError;
 
 /// Why a scene cannot be drawn.
 #[derive(Debug, Error)]

@@ -4,9 +4,10 @@
 //! the shader's subtraction of the eye is exact to about 48 bits. (Rendering relative to the eye with two floats a coordinate: Cozzi and
 //! Ring, *3D Engine Design for Virtual Globes*, 2011, section 5.4.)
 
+use antumbra_cull::SplitPoint;
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
-use glam::{DAffine3, DVec3};
+use glam::DAffine3;
 
 /// An entity's transform and material. Mirrors `Instance` of `shared/instance.wgsl`.
 #[repr(C)]
@@ -54,32 +55,13 @@ impl Instance {
     }
 }
 
-/// A point as the sum of two f32 a coordinate.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct SplitPoint {
-    /// The nearest f32.
-    pub high: [f32; 3],
-    /// The nearest f32 to the remainder.
-    pub low: [f32; 3],
-}
-
-impl SplitPoint {
-    pub fn new(point: DVec3) -> Self {
-        let high = point.as_vec3();
-        let low = (point - high.as_dvec3()).as_vec3();
-        Self {
-            high: high.to_array(),
-            low: low.to_array(),
-        }
-    }
-}
-
 assert_layout!(Instance, "depth", "Instance", { row_x, row_y, row_z, origin_low, material });
 
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
+    use glam::DVec3;
 
     #[test]
     fn a_kilometre_wide_world_at_earth_scale_keeps_its_micrometres() {

@@ -1,48 +1,27 @@
-//! The built-in renderer: meshes on the GPU, draw lists, pipelines, and the passes that draw.
+//! The built-in renderer: meshes on the GPU, pipelines, and the passes that draw what a stage decides to draw.
 //!
-//! - [`Gpu`] opens a device.
 //! - [`GpuScene`] holds a [`Scene`](antumbra_scene::Scene)'s drawable entities on the device: shared vertex and index arenas, one instance
-//!   buffer, and the [`SceneTable`] that culling reads.
-//! - [`DrawList`] says what to draw. [`PassPipelines`] and [`Recorder`] draw it; [`passes`] are graph nodes that do so.
+//!   buffer, and the [`SceneTable`](antumbra_cull::SceneTable) that culling reads. It is the [`StageScene`](antumbra_cull::StageScene) of a stage.
+//! - [`BuiltinRenderer`] is its [`Renderer`](antumbra_cull::Renderer): [`PassPipelines`] and [`Recorder`] draw a list; [`passes`] are graph nodes that do so.
 
 mod arena;
-pub mod boxes;
-mod class;
-mod detail;
-mod device;
+mod builtin;
 mod environment;
 mod error;
 mod instance;
 mod light;
-mod list;
 mod material;
 mod mesh;
-mod oriented;
 pub mod passes;
-pub mod patches;
 mod pipeline;
-mod ranges;
-pub mod read_back;
 mod record;
-mod scale;
 mod scene;
-mod slot_groups;
-mod table;
 mod texture;
-mod view;
 
-pub use class::{Alpha, PipelineClass, PipelineTraits};
-pub use detail::MeshDetail;
-pub use device::{AdapterChoice, DeviceError, Gpu, WANTED_FEATURES, adapter_title, adapters};
+pub use builtin::BuiltinRenderer;
 pub use error::DrawError;
 pub use instance::Instance;
 pub use light::{GpuLights, MAX_LIGHTS, SceneLights};
-pub use list::{DrawList, Run};
-pub use oriented::OrientedBox;
-pub use pipeline::{DEPTH_FORMAT, IDENTITY_FORMAT, PassPipelines, PipelineKind};
-pub use ranges::{IndexRange, MeshRanges};
-pub use record::{INDIRECT_DRAW_BYTES, Recorder, begin};
-pub use scene::{GpuScene, SceneFrame, SceneLayout};
-pub use slot_groups::SlotGroups;
-pub use table::{Batch, Occupant, SceneTable};
-pub use view::{GpuView, ViewAxes, ViewFrame};
+pub use pipeline::{PassPipelines, PipelineKind};
+pub use record::{Recorder, begin};
+pub use scene::{GpuScene, SceneBuffers};

@@ -8,7 +8,7 @@ use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
 use glam::{DAffine3, DVec3};
 
-use crate::view::ViewAxes;
+use antumbra_cull::ViewAxes;
 
 /// The most lights that the shaded pass uses. Of more lights, the strongest are taken.
 pub const MAX_LIGHTS: usize = 8;

@@ -8,9 +8,8 @@ use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 
 use crate::arena::Arena;
-use crate::device::Gpu;
 use crate::error::DrawError;
-use crate::ranges::{IndexRange, MeshRanges};
+use antumbra_cull::{Gpu, IndexRange, MeshRanges};
 
 /// A vertex's attributes other than its position.
 #[repr(C)]

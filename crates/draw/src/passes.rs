@@ -1,66 +1,20 @@
-//! Raster nodes that draw: depth, hardware queries, sample counts, entity ids, shaded colour. Each is one node over one draw source.
+//! Raster nodes that draw: depth, hardware queries, sample counts, entity ids, shaded colour, audited patches. Each is one node over one draw
+//! source.
 
 use std::sync::Arc;
 
+use antumbra_cull::patches::{PATCH_SIDE, PatchDraws};
+use antumbra_cull::{
+    DepthTest, DrawSource, IdTargets, IndirectDraws, ListDraws, SceneFrame, ShadeTargets, Targets,
+    ViewInputs,
+};
 use antumbra_graph::{
-    AccessError, Bind, BodyError, Buffer, Graph, Host, HostBuilder, HostRef, RasterBuilder,
-    RasterContext, Texture,
+    AccessError, Bind, BodyError, Buffer, Graph, HostRef, RasterBuilder, RasterContext, Texture,
 };
 
-use crate::list::DrawList;
-use crate::pipeline::{ENVIRONMENT_GROUP, PassPipelines, PipelineKind};
+use crate::pipeline::{ENVIRONMENT_GROUP, PassPipelines};
 use crate::record::{Recorder, begin};
-use crate::scene::SceneFrame;
-use crate::view::ViewFrame;
-
-/// What every drawing node of a view reads.
-#[derive(Debug, Clone, Copy)]
-pub struct ViewInputs {
-    /// The scene.
-    pub scene: Host<SceneFrame>,
-    /// The camera.
-    pub view: Host<ViewFrame>,
-    /// [`GpuView`](crate::GpuView), uploaded.
-    pub uniform: Buffer,
-    /// [`GpuLights`](crate::GpuLights), uploaded.
-    pub lights: Buffer,
-}
-
-/// The image of a view: shaded passes draw into these textures and return their next versions.
-#[derive(Debug, Clone, Copy)]
-pub struct Targets {
-    /// Colour.
-    pub colour: Texture,
-    /// Depth, reversed: 0 is infinitely far.
-    pub depth: Texture,
-}
-
-/// A [`Targets`] whose pass may write entity ids beside the colour.
-#[derive(Debug, Clone, Copy)]
-pub struct IdentifiedTargets {
-    /// Colour and depth.
-    pub targets: Targets,
-    /// Entity ids ([`IDENTITY_FORMAT`](crate::IDENTITY_FORMAT)); `Some` exactly where the pipelines are [identified](PipelineKind::identified).
-    pub ids: Option<Texture>,
-}
-
-/// What a shaded pass with hardware queries returns.
-#[derive(Debug, Clone, Copy)]
-pub struct QueriedTargets {
-    /// Colour and depth.
-    pub targets: Targets,
-    /// The queries' results, a u64 each.
-    pub answers: Buffer,
-}
-
-/// The image of an entity-id pass.
-#[derive(Debug, Clone, Copy)]
-pub struct IdTargets {
-    /// Slot + 1 a pixel, 0 where nothing is drawn; [`IDENTITY_FORMAT`](crate::IDENTITY_FORMAT).
-    pub ids: Texture,
-    /// Depth, reversed.
-    pub depth: Texture,
-}
+use crate::scene::SceneBuffers;
 
 /// Sums over visible transparent fragments, a u32 each.
 #[derive(Debug, Clone, Copy)]
@@ -69,87 +23,6 @@ pub struct Signatures {
     pub by_pixel: Buffer,
     /// Fragments by slot.
     pub by_slot: Buffer,
-}
-
-/// How the fragments of a counting pass are held against a finished depth.
-#[derive(Debug, Clone, Copy)]
-pub enum DepthTest {
-    /// By the depth test itself, forced early. Needs [`wgpu::Features::SHADER_EARLY_DEPTH_TEST`].
-    Early {
-        /// The finished depth.
-        depth: Texture,
-    },
-    /// By a comparison in the shader.
-    InShader {
-        /// The finished depth.
-        depth: Texture,
-        /// A depth texture of the same size that is written but never read: a pass needs an attachment, and not every device
-        /// lets one texture be attached and sampled at once.
-        scratch: Texture,
-    },
-}
-
-impl DepthTest {
-    /// Declares the textures on a node.
-    pub(crate) fn declare(self, node: &mut RasterBuilder<'_>) {
-        match self {
-            Self::Early { depth } => {
-                node.requires(wgpu::Features::SHADER_EARLY_DEPTH_TEST)
-                    .depth_read(depth);
-            }
-            Self::InShader { depth, scratch } => {
-                node.sample(depth).depth(scratch);
-            }
-        }
-    }
-
-    /// The depth as a shader binding, where the shader reads it.
-    pub(crate) fn bind(self, binding: u32) -> Option<Bind> {
-        match self {
-            Self::Early { .. } => None,
-            Self::InShader { depth, .. } => Some(Bind::Texture(binding, depth)),
-        }
-    }
-}
-
-/// A draw source on the host: a draw list, with its slots on the GPU.
-#[derive(Debug, Clone, Copy)]
-pub struct ListDraws {
-    /// The list.
-    pub list: Host<DrawList>,
-    /// [`DrawList::slots`], uploaded.
-    pub slots: Buffer,
-}
-
-impl ListDraws {
-    /// Declares on a host node that it writes the list and uploads the slots. Returns the versions it writes.
-    pub fn written_by(self, node: &mut HostBuilder<'_>) -> Self {
-        Self {
-            list: node.write(self.list),
-            slots: node.upload(self.slots),
-        }
-    }
-}
-
-/// A draw source on the GPU: indirect draws over the slots that a compute node kept of a list. One draw a run of the list.
-#[derive(Debug, Clone, Copy)]
-pub struct IndirectDraws {
-    /// The list that was chosen from. It says which pipeline each draw takes.
-    pub layout: Host<DrawList>,
-    /// The kept slots, at the places of their runs.
-    pub slots: Buffer,
-    /// The indexed indirect draws.
-    pub draws: Buffer,
-}
-
-impl IndirectDraws {
-    /// The list that was chosen from.
-    fn as_list(self) -> ListDraws {
-        ListDraws {
-            list: self.layout,
-            slots: self.slots,
-        }
-    }
 }
 
 /// A drawing node's name, timing group and pipelines.
@@ -173,7 +46,7 @@ pub fn depth_pass(
 ) -> Texture {
     let mut node = node(g, spec, inputs, source);
     let depth = node.depth(depth);
-    draw(&mut node, spec, inputs, source);
+    draw(&mut node, spec, inputs, None, source);
     depth
 }
 
@@ -190,51 +63,44 @@ pub fn identity_pass(
         ids: node.colour(targets.ids),
         depth: node.depth(targets.depth),
     };
-    draw(&mut node, spec, inputs, source);
+    draw(&mut node, spec, inputs, None, source);
     out
 }
 
-/// Shades a list. Blended classes test the depth and do not write it.
+/// Shades a source, lit by `lights`, which is uploaded [`GpuLights`](crate::GpuLights). Blended classes test the depth and do not write it. The pipelines are [identified](PipelineKind::identified) exactly where `into` has ids.
 pub fn shaded_pass(
     g: &mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
-    source: ListDraws,
-    targets: Targets,
-) -> Targets {
-    let mut node = node(g, spec, inputs, source);
-    node.storage_read(inputs.lights);
-    let out = attach(&mut node, targets);
-    draw(&mut node, spec, inputs, source);
-    out
-}
-
-/// Shades indirect draws, with entity ids beside the colour where `targets` has them.
-pub fn shaded_indirect_pass(
-    g: &mut Graph,
-    spec: &PassSpec,
-    inputs: ViewInputs,
-    source: IndirectDraws,
-    IdentifiedTargets { targets, ids }: IdentifiedTargets,
-) -> IdentifiedTargets {
-    let mut node = node(g, spec, inputs, source.as_list());
-    node.storage_read(inputs.lights).indirect(source.draws);
-    // Without the feature, a draw whose first instance is not 0 draws nothing, and no error is reported.
-    node.requires(wgpu::Features::INDIRECT_FIRST_INSTANCE);
-    let colour = node.colour(targets.colour);
-    let ids = ids.map(|ids| node.colour(ids));
-    let depth = node.depth(targets.depth);
-    let pipelines = Arc::clone(&spec.pipelines);
-    node.run(move |ctx| {
-        let layout = ctx.get(source.layout)?;
-        let draws = ctx.buffer(source.draws)?;
-        let scene = bind(ctx, inputs, &pipelines, source.slots)?;
-        Recorder::new(&scene, &pipelines).indirect(ctx.pass(), layout.runs(), draws, 0);
-        Ok(())
-    });
-    IdentifiedTargets {
+    lights: Buffer,
+    source: DrawSource,
+    into: ShadeTargets,
+) -> ShadeTargets {
+    let list = source.as_list();
+    let mut node = node(g, spec, inputs, list);
+    node.storage_read(lights);
+    let lights = Some(lights);
+    let colour = node.colour(into.targets.colour);
+    let ids = into.ids.map(|ids| node.colour(ids));
+    let depth = node.depth(into.targets.depth);
+    let queries = match source {
+        DrawSource::List(list) => match into.queries {
+            Some(results) => Some(draw_queried(&mut node, spec, inputs, lights, list, results)),
+            None => {
+                draw(&mut node, spec, inputs, lights, list);
+                None
+            }
+        },
+        DrawSource::Indirect(draws) => {
+            draw_indirect(&mut node, spec, inputs, lights, draws);
+            // No indirect draw is a query: the results stay unwritten, and the plan says so.
+            into.queries
+        }
+    };
+    ShadeTargets {
         targets: Targets { colour, depth },
         ids,
+        queries,
     }
 }
 
@@ -250,72 +116,39 @@ pub fn query_pass(
 ) -> Buffer {
     let mut node = node(g, spec, inputs, source);
     node.depth_read(depth);
-    draw_queried(&mut node, spec, inputs, source, answers)
+    draw_queried(&mut node, spec, inputs, None, source, answers)
 }
 
-/// Shades a list with one hardware query for each of its [queries](DrawList::query_count): whether any sample passed while it
-/// was drawn. The results are u64: zero, or something else.
-pub fn shaded_query_pass(
-    g: &mut Graph,
-    spec: &PassSpec,
-    inputs: ViewInputs,
-    source: ListDraws,
-    targets: Targets,
-    answers: Buffer,
-) -> QueriedTargets {
-    let mut node = node(g, spec, inputs, source);
-    node.storage_read(inputs.lights);
-    QueriedTargets {
-        targets: attach(&mut node, targets),
-        answers: draw_queried(&mut node, spec, inputs, source, answers),
-    }
-}
-
-/// Counts the samples of a list that pass against a finished depth, by slot. The pipelines are [`PipelineKind::CountAtomic`] for
+/// Counts the samples of a source that pass against a finished depth, by slot. The pipelines are [`PipelineKind::CountAtomic`] for
 /// [`DepthTest::Early`] and [`PipelineKind::CountCompare`] for [`DepthTest::InShader`]. Ties pass.
 pub fn count_pass(
     g: &mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
-    source: ListDraws,
-    test: DepthTest,
-    counts: Buffer,
-) -> Buffer {
-    let mut node = node(g, spec, inputs, source);
-    test.declare(&mut node);
-    let counted = node.storage_write(counts);
-    let pipelines = Arc::clone(&spec.pipelines);
-    node.run(move |ctx| {
-        let list = ctx.get(source.list)?;
-        let scene = bind(ctx, inputs, &pipelines, source.slots)?;
-        bind_counts(ctx, &pipelines, test, counted)?;
-        Recorder::new(&scene, &pipelines).list(ctx.pass(), &list);
-        Ok(())
-    });
-    counted
-}
-
-/// [`count_pass`] over indirect draws.
-pub fn count_indirect_pass(
-    g: &mut Graph,
-    spec: &PassSpec,
-    inputs: ViewInputs,
-    source: IndirectDraws,
+    source: DrawSource,
     test: DepthTest,
     counts: Buffer,
 ) -> Buffer {
     let mut node = node(g, spec, inputs, source.as_list());
-    node.indirect(source.draws)
-        .requires(wgpu::Features::INDIRECT_FIRST_INSTANCE);
+    if let DrawSource::Indirect(draws) = source {
+        reads_indirect(&mut node, draws.draws);
+    }
     test.declare(&mut node);
     let counted = node.storage_write(counts);
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
-        let layout = ctx.get(source.layout)?;
-        let draws = ctx.buffer(source.draws)?;
-        let scene = bind(ctx, inputs, &pipelines, source.slots)?;
+        let list = source.as_list();
+        let scene = bind(ctx, inputs, &pipelines, list.slots, None)?;
         bind_counts(ctx, &pipelines, test, counted)?;
-        Recorder::new(&scene, &pipelines).indirect(ctx.pass(), layout.runs(), draws, 0);
+        let mut recorder = Recorder::new(&scene, buffers_of(&scene)?, &pipelines);
+        let runs = ctx.get(list.list)?;
+        match source {
+            DrawSource::List(_) => recorder.list(ctx.pass(), &runs),
+            DrawSource::Indirect(indirect) => {
+                let draws = ctx.buffer(indirect.draws)?;
+                recorder.indirect(ctx.pass(), runs.runs(), draws, 0);
+            }
+        }
         Ok(())
     });
     counted
@@ -341,17 +174,67 @@ pub fn signature_pass(
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
         let list = ctx.get(source.list)?;
-        let scene = bind(ctx, inputs, &pipelines, source.slots)?;
+        let scene = bind(ctx, inputs, &pipelines, source.slots, None)?;
         let binds = [
             Bind::Buffer(0, sums.by_pixel),
             Bind::Buffer(1, sums.by_slot),
             Bind::Texture(2, depth),
         ];
         group(ctx, &pipelines, 3, &binds)?;
-        Recorder::new(&scene, &pipelines).list(ctx.pass(), &list);
+        Recorder::new(&scene, buffers_of(&scene)?, &pipelines).list(ctx.pass(), &list);
         Ok(())
     });
     sums
+}
+
+/// Draws kept entries into their patches and marks the pixels in which any of them is at or in front of a finished depth. `shown` has
+/// [`PATCH_BYTES`](antumbra_cull::patches::PATCH_BYTES) for each patch; the marks must be zero before. The pipelines are [`PipelineKind::PatchEarly`] for [`DepthTest::Early`] and
+/// [`PipelineKind::PatchCompare`] for [`DepthTest::InShader`].
+pub fn patch_pass(
+    g: &mut Graph,
+    spec: &PassSpec,
+    inputs: ViewInputs,
+    source: PatchDraws,
+    test: DepthTest,
+    shown: Buffer,
+) -> Buffer {
+    let mut node = g.raster(spec.name.clone());
+    node.group(spec.group)
+        .read(inputs.scene)
+        .read(inputs.view)
+        .read(source.list)
+        .vertex(source.kept)
+        .indirect(source.draws)
+        .uniform(inputs.uniform)
+        .requires(wgpu::Features::INDIRECT_FIRST_INSTANCE)
+        // The node's body reports a value that cannot be read.
+        .only_if(move |host| host.get(source.list).map_or(true, |list| !list.is_empty()));
+    test.declare(&mut node);
+    let marked = node.storage_write(shown);
+    let pipelines = Arc::clone(&spec.pipelines);
+    node.run(move |ctx| {
+        let list = ctx.get(source.list)?;
+        let [width, height] = ctx.get(inputs.view)?.size;
+        let draws = ctx.buffer(source.draws)?;
+        let scene = bind(ctx, inputs, &pipelines, source.kept, None)?;
+        let mut binds = vec![Bind::Buffer(0, marked)];
+        binds.extend(test.bind(1));
+        group(ctx, &pipelines, 3, &binds)?;
+        let mut recorder = Recorder::new(&scene, buffers_of(&scene)?, &pipelines);
+        for patch in list.patches() {
+            let [x, y] = patch.corner;
+            let side = |from: u32, end: u32| PATCH_SIDE.min(end.saturating_sub(from));
+            let (wide, high) = (side(x, width), side(y, height));
+            let runs = list.runs().get(patch.runs.clone()).unwrap_or_default();
+            if runs.is_empty() || wide == 0 || high == 0 {
+                continue;
+            }
+            ctx.pass().set_scissor_rect(x, y, wide, high);
+            recorder.indirect(ctx.pass(), runs, draws, patch.runs.start);
+        }
+        Ok(())
+    });
+    marked
 }
 
 fn node<'g>(
@@ -371,18 +254,12 @@ fn node<'g>(
     node
 }
 
-fn attach(node: &mut RasterBuilder<'_>, targets: Targets) -> Targets {
-    Targets {
-        colour: node.colour(targets.colour),
-        depth: node.depth(targets.depth),
-    }
-}
-
 /// Draws a list, each of its queries within a hardware query.
 fn draw_queried(
     node: &mut RasterBuilder<'_>,
     spec: &PassSpec,
     inputs: ViewInputs,
+    lights: Option<Buffer>,
     source: ListDraws,
     answers: Buffer,
 ) -> Buffer {
@@ -392,8 +269,8 @@ fn draw_queried(
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
         let list = ctx.get(source.list)?;
-        let scene = bind(ctx, inputs, &pipelines, source.slots)?;
-        let mut recorder = Recorder::new(&scene, &pipelines);
+        let scene = bind(ctx, inputs, &pipelines, source.slots, lights)?;
+        let mut recorder = Recorder::new(&scene, buffers_of(&scene)?, &pipelines);
         let mut runs = list.runs();
         for number in ctx.query_range() {
             let entries = list.query_entries(number);
@@ -414,14 +291,45 @@ fn draw_queried(
     answers
 }
 
-fn draw(node: &mut RasterBuilder<'_>, spec: &PassSpec, inputs: ViewInputs, source: ListDraws) {
+fn draw(
+    node: &mut RasterBuilder<'_>,
+    spec: &PassSpec,
+    inputs: ViewInputs,
+    lights: Option<Buffer>,
+    source: ListDraws,
+) {
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
         let list = ctx.get(source.list)?;
-        let scene = bind(ctx, inputs, &pipelines, source.slots)?;
-        Recorder::new(&scene, &pipelines).list(ctx.pass(), &list);
+        let scene = bind(ctx, inputs, &pipelines, source.slots, lights)?;
+        Recorder::new(&scene, buffers_of(&scene)?, &pipelines).list(ctx.pass(), &list);
         Ok(())
     });
+}
+
+fn draw_indirect(
+    node: &mut RasterBuilder<'_>,
+    spec: &PassSpec,
+    inputs: ViewInputs,
+    lights: Option<Buffer>,
+    source: IndirectDraws,
+) {
+    reads_indirect(node, source.draws);
+    let pipelines = Arc::clone(&spec.pipelines);
+    node.run(move |ctx| {
+        let layout = ctx.get(source.layout)?;
+        let draws = ctx.buffer(source.draws)?;
+        let scene = bind(ctx, inputs, &pipelines, source.slots, lights)?;
+        let mut recorder = Recorder::new(&scene, buffers_of(&scene)?, &pipelines);
+        recorder.indirect(ctx.pass(), layout.runs(), draws, 0);
+        Ok(())
+    });
+}
+
+/// Declares indirect draws. Without the feature, a draw whose first instance is not 0 draws nothing, and no error is reported.
+fn reads_indirect(node: &mut RasterBuilder<'_>, draws: Buffer) {
+    node.indirect(draws)
+        .requires(wgpu::Features::INDIRECT_FIRST_INSTANCE);
 }
 
 /// Binds the counting pipelines' own group: the counts and, where the shader compares, the depth.
@@ -437,58 +345,50 @@ fn bind_counts(
     group(ctx, pipelines, 1, &binds)
 }
 
-/// Binds what all pipelines of a pass share, with `slots` as the instances' vertex buffer. Returns the scene.
-pub(crate) fn bind<'a>(
+/// What the passes read of a scene.
+pub(crate) fn buffers_of(scene: &SceneFrame) -> Result<&SceneBuffers, BodyError> {
+    scene.data::<SceneBuffers>().ok_or_else(|| {
+        BodyError::msg("the built-in renderer draws scenes of `GpuScene` alone: use the renderer of the scene at hand")
+    })
+}
+
+/// Binds what all pipelines of a pass share, with `slots` as the instances' vertex buffer, and `lights` for shading.
+fn bind<'a>(
     ctx: &mut RasterContext<'a>,
     inputs: ViewInputs,
     pipelines: &PassPipelines,
     slots: Buffer,
+    lights: Option<Buffer>,
 ) -> Result<HostRef<'a, SceneFrame>, BodyError> {
     let scene = ctx.get(inputs.scene)?;
+    let buffers = buffers_of(&scene)?;
     let slots = ctx.buffer(slots)?;
-    let shaded = matches!(pipelines.kind(), PipelineKind::Shaded { .. });
-    let materials = pipelines.kind().has_materials();
-    group(
-        ctx,
-        pipelines,
-        0,
-        &[
-            Bind::Buffer(0, inputs.uniform),
-            Bind::external(1, scene.instances.clone()),
-        ],
-    )?;
-    if shaded {
-        group(
-            ctx,
-            pipelines,
-            1,
-            &[
-                Bind::external(0, scene.materials.clone()),
-                Bind::Buffer(1, inputs.lights),
-            ],
-        )?;
-    } else if materials {
-        group(
-            ctx,
-            pipelines,
-            1,
-            &[Bind::external(0, scene.materials.clone())],
-        )?;
+    let binds = [
+        Bind::Buffer(0, inputs.uniform),
+        Bind::external(1, buffers.instances.clone()),
+    ];
+    group(ctx, pipelines, 0, &binds)?;
+    let materials = || Bind::external(0, buffers.materials.clone());
+    if let Some(lights) = lights {
+        let binds = [materials(), Bind::Buffer(1, lights)];
+        group(ctx, pipelines, 1, &binds)?;
+        if let Some(environment) = &buffers.environment {
+            ctx.pass()
+                .set_bind_group(ENVIRONMENT_GROUP, environment, &[]);
+        }
+    } else if pipelines.kind().has_materials() {
+        group(ctx, pipelines, 1, &[materials()])?;
         // Pipelines without a mask share the layout, and all groups of a layout must be bound.
-        if let Some(white) = scene.textures.first() {
+        if let Some(white) = buffers.textures.first() {
             ctx.pass().set_bind_group(2, white, &[]);
         }
     }
-    if shaded && let Some(environment) = &scene.environment {
-        ctx.pass()
-            .set_bind_group(ENVIRONMENT_GROUP, environment, &[]);
-    }
-    begin(ctx.pass(), &scene, pipelines, slots);
+    begin(ctx.pass(), buffers, pipelines, slots);
     Ok(scene)
 }
 
 /// Binds one group, where the pipelines have it.
-pub(crate) fn group(
+fn group(
     ctx: &mut RasterContext<'_>,
     pipelines: &PassPipelines,
     number: u32,

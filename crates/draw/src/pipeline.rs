@@ -1,19 +1,13 @@
 //! Render pipelines, created only for the pipeline classes that a scene has.
 
+use antumbra_cull::{Alpha, DEPTH_FORMAT, Gpu, IDENTITY_FORMAT, PipelineClass};
 use antumbra_scene::Topology as Primitive;
 use antumbra_shaders::Job;
 use antumbra_shaders::jobs::{
     count_atomic, count_compare, depth, identity, patch_compare, patch_early, shaded, signature,
 };
 
-use crate::class::{Alpha, PipelineClass};
-use crate::device::Gpu;
 use crate::mesh::{ATTRIBUTE_LAYOUT, POSITION_LAYOUT, SLOT_LAYOUT, SLOT_PATCH_LAYOUT};
-
-/// The format of every depth buffer: reversed, infinite far plane.
-pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-/// The format of entity-id buffers: slot + 1; 0 where nothing is drawn.
-pub const IDENTITY_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 
 /// The bind group of the environment in the shaded pass.
 pub(crate) const ENVIRONMENT_GROUP: u32 = 3;

@@ -2,18 +2,16 @@
 
 use std::ops::Range;
 
-use crate::list::{DrawList, Run};
-use crate::pipeline::PassPipelines;
-use crate::scene::SceneFrame;
+use antumbra_cull::{DrawList, INDIRECT_DRAW_BYTES, Run, SceneFrame};
 
-/// Bytes of an indexed indirect draw.
-pub const INDIRECT_DRAW_BYTES: u64 = 20;
+use crate::pipeline::PassPipelines;
+use crate::scene::SceneBuffers;
 
 /// Sets the index buffer and the vertex buffers of a pass that draws a scene with these pipelines. `slots` holds a u32 instance slot
 /// for each instance.
 pub fn begin(
     pass: &mut wgpu::RenderPass<'_>,
-    scene: &SceneFrame,
+    scene: &SceneBuffers,
     pipelines: &PassPipelines,
     slots: &wgpu::Buffer,
 ) {
@@ -29,6 +27,7 @@ pub fn begin(
 #[derive(Debug)]
 pub struct Recorder<'a> {
     scene: &'a SceneFrame,
+    buffers: &'a SceneBuffers,
     pipelines: &'a PassPipelines,
     pipeline: Option<usize>,
     texture: Option<u32>,
@@ -36,9 +35,14 @@ pub struct Recorder<'a> {
 
 impl<'a> Recorder<'a> {
     /// A recorder for a pass that has [begun](begin). It binds pipelines and group 2; all other groups are the caller's.
-    pub fn new(scene: &'a SceneFrame, pipelines: &'a PassPipelines) -> Self {
+    pub fn new(
+        scene: &'a SceneFrame,
+        buffers: &'a SceneBuffers,
+        pipelines: &'a PassPipelines,
+    ) -> Self {
         Self {
             scene,
+            buffers,
             pipelines,
             pipeline: None,
             texture: None,
@@ -115,7 +119,7 @@ impl<'a> Recorder<'a> {
             self.pipeline = Some(class.index());
         }
         if self.pipelines.kind().textured(class) && self.texture != Some(batch.texture) {
-            let Some(texture) = self.scene.textures.get(batch.texture as usize) else {
+            let Some(texture) = self.buffers.textures.get(batch.texture as usize) else {
                 return false;
             };
             pass.set_bind_group(2, texture, &[]);

@@ -11,26 +11,23 @@ use std::collections::HashMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use antumbra_cull::{Batch, Gpu, Renderer, SceneFrame, SceneLayout, SceneTable, StageScene};
 use antumbra_scene::{EntityKey, Environment, ImageKey, MaterialKey, MeshKey, Scene, SceneChanges};
 use slotmap::SecondaryMap;
 
 use crate::arena::Arena;
-use crate::class::PipelineClass;
-use crate::device::Gpu;
+use crate::builtin::BuiltinRenderer;
 use crate::environment;
 use crate::error::DrawError;
 use crate::instance::Instance;
 use crate::light::SceneLights;
 use crate::material::GpuMaterial;
 use crate::mesh::MeshArenas;
-use crate::table::{Batch, SceneTable};
 use crate::texture;
 
-/// What the passes of a frame need of a scene: shared handles, cheap to clone.
+/// What the built-in renderer's passes read of a scene: shared handles, cheap to clone.
 #[derive(Debug, Clone)]
-pub struct SceneFrame {
-    /// All drawable entities, by slot.
-    pub table: Arc<SceneTable>,
+pub struct SceneBuffers {
     /// Vertex positions.
     pub positions: wgpu::Buffer,
     /// Other vertex attributes.
@@ -47,30 +44,6 @@ pub struct SceneFrame {
     pub lights: Arc<SceneLights>,
     /// The bind group of the environment that surfaces reflect.
     pub environment: Option<wgpu::BindGroup>,
-}
-
-/// What a compiled plan depends on. When it changes, plans must be compiled again.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct SceneLayout {
-    /// Capacity in slots: the size of buffers of counts by slot.
-    pub slots: u32,
-    /// Capacity in batches: the number of indirect draws.
-    pub batches: u32,
-    /// Classes in use, as a bit mask by [`PipelineClass::index`].
-    pub classes: u128,
-    /// Whether any entity is blended.
-    pub transparent: bool,
-    /// Whether any light is a point or a spot light. Without one, lighting needs no distances.
-    pub positional_lights: bool,
-    /// Whether the scene has an environment to reflect.
-    pub environment: bool,
-}
-
-impl SceneLayout {
-    /// The classes in use, in drawing order.
-    pub fn classes(&self) -> impl Iterator<Item = PipelineClass> + '_ {
-        PipelineClass::all().filter(|class| self.classes >> class.index() & 1 != 0)
-    }
 }
 
 /// A scene's drawable entities on one device.
@@ -167,11 +140,10 @@ impl GpuScene {
         self.apply(scene, &changes)
     }
 
-    /// The handles that the passes of a frame use.
-    pub fn frame(&self) -> SceneFrame {
+    /// What the built-in renderer's passes read.
+    pub fn buffers(&self) -> SceneBuffers {
         let buffers = self.arenas.buffers();
-        SceneFrame {
-            table: Arc::clone(&self.table),
+        SceneBuffers {
             positions: buffers.positions.clone(),
             attributes: buffers.attributes.clone(),
             indices: buffers.indices.clone(),
@@ -183,21 +155,9 @@ impl GpuScene {
         }
     }
 
-    /// What plans for this scene depend on.
-    pub fn layout(&self) -> SceneLayout {
-        SceneLayout {
-            slots: self.instances.capacity() as u32,
-            batches: (self.table.batches().len() as u32).next_power_of_two(),
-            classes: self.classes,
-            transparent: self.table.has_transparent(),
-            positional_lights: self.lights.any_positional(),
-            environment: self.environment.is_some(),
-        }
-    }
-
-    /// An id, unique in this process. Slots and epochs are meaningful only together with it.
-    pub fn number(&self) -> u64 {
-        self.number
+    /// The device.
+    pub fn gpu(&self) -> &Gpu {
+        &self.gpu
     }
 
     /// All drawable entities, by slot.
@@ -208,11 +168,6 @@ impl GpuScene {
     /// The slot of an entity; `None` for one that is not drawn.
     pub fn slot(&self, entity: EntityKey) -> Option<u32> {
         self.slot_of.get(entity).copied()
-    }
-
-    /// The device.
-    pub fn gpu(&self) -> &Gpu {
-        &self.gpu
     }
 
     fn apply(&mut self, scene: &Scene, changes: &SceneChanges) -> Result<(), DrawError> {
@@ -245,6 +200,39 @@ impl GpuScene {
         self.table = shared;
         let dirty = outcome?;
         self.upload(dirty)
+    }
+}
+
+impl StageScene for GpuScene {
+    fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    fn number(&self) -> u64 {
+        self.number
+    }
+
+    fn table(&self) -> &Arc<SceneTable> {
+        &self.table
+    }
+
+    fn layout(&self) -> SceneLayout {
+        SceneLayout {
+            slots: self.instances.capacity() as u32,
+            batches: (self.table.batches().len() as u32).next_power_of_two(),
+            classes: self.classes,
+            transparent: self.table.has_transparent(),
+            positional_lights: self.lights.any_positional(),
+            environment: self.environment.is_some(),
+        }
+    }
+
+    fn frame(&self) -> SceneFrame {
+        SceneFrame::new(Arc::clone(&self.table), Arc::new(self.buffers()))
+    }
+
+    fn renderer(&self) -> Box<dyn Renderer> {
+        Box::new(BuiltinRenderer::new(&self.gpu))
     }
 }
 

@@ -4,8 +4,8 @@
 
 use antumbra_scene::{Filter, Image, Sampler, Wrap};
 
-use crate::device::Gpu;
 use crate::error::DrawError;
+use antumbra_cull::Gpu;
 
 /// One white pixel, for materials without an image.
 pub fn white() -> Image {

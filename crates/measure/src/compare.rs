@@ -9,9 +9,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 use antumbra_cull::{
-    AuditOptions, Budget, Registry, RegistryError, Role, Stage, StageOptions, Strategy,
+    AuditOptions, Budget, Gpu, Registry, RegistryError, Role, Stage, StageOptions, Strategy,
 };
-use antumbra_draw::{Gpu, GpuScene};
+use antumbra_draw::GpuScene;
 use antumbra_scene::{Scene, Stereo};
 use image::RgbaImage;
 

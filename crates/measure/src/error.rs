@@ -124,5 +124,5 @@ pub enum MeasureError {
     Draw(#[from] antumbra_draw::DrawError),
     /// The device.
     #[error(transparent)]
-    Device(#[from] antumbra_draw::DeviceError),
+    Device(#[from] antumbra_cull::DeviceError),
 }

@@ -5,9 +5,9 @@
 
 use std::hint::black_box;
 
-use antumbra_cull::{Tree, Verdicts};
-use antumbra_draw::boxes::{BoxContents, BoxList};
-use antumbra_draw::{AdapterChoice, Gpu, GpuScene, SceneTable, ViewFrame};
+use antumbra_cull::boxes::{BoxContents, BoxList};
+use antumbra_cull::{AdapterChoice, Gpu, SceneTable, Tree, Verdicts, ViewFrame};
+use antumbra_draw::GpuScene;
 use antumbra_scene::hierarchy::HierarchyShape;
 use antumbra_scene::{EntityKey, Scene};
 use antumbra_strategies::occupancy::{BlockRect, OccupancyMap};

@@ -5,16 +5,14 @@
 //! section 2, and Staneker et al. 2004, section 2. Each iteration of a host loop draws what the last answers showed visible, queries the next
 //! entities, and waits for their answers at a sync point.
 
-use antumbra_draw::passes::{self, PassSpec};
-use antumbra_draw::{MeshDetail, PipelineKind};
+use antumbra_cull::{
+    CULL, Candidates, DeclareError, FrameGraph, Latency, MeshDetail, Parameter, Setting,
+    SettingError, Strategy, Tunable, Value, Verdict, Verdicts, ViewNodes, VisibleSet, assign,
+    describe, query_detail,
+};
 use antumbra_graph::{BufferDesc, Host};
 
 use antumbra_cull::order::by_nearest_corner;
-use antumbra_cull::{
-    CULL, Candidates, DRAW, DeclareError, FrameGraph, Latency, Parameter, Setting, SettingError,
-    Strategy, Tunable, Value, Verdict, Verdicts, ViewNodes, VisibleSet, assign, describe,
-    query_detail,
-};
 use antumbra_scene::hierarchy::HierarchyShape;
 
 use crate::query_results::query_results;
@@ -92,12 +90,6 @@ struct LoopState {
     verdicts: Host<Verdicts>,
 }
 
-/// The drawing nodes of an iteration.
-struct IterationPasses {
-    draw: PassSpec,
-    query: PassSpec,
-}
-
 impl Strategy for StopAndWait {
     fn name(&self) -> &str {
         "stop-and-wait"
@@ -141,18 +133,9 @@ impl Strategy for StopAndWait {
         }
         let candidates = g.in_frustum(view);
         let mut state = begin(g, view, candidates);
-        let kind = g.shaded_kind();
-        let passes = IterationPasses {
-            draw: g.pass(view.named("draw visible"), DRAW, kind),
-            query: g.pass(
-                view.named("query the next batch"),
-                CULL,
-                PipelineKind::Query,
-            ),
-        };
         let batch = self.batch;
         g.host_loop(view.named("stop and wait"), |g| {
-            iterate(g, view, &mut state, &passes, batch)
+            iterate(g, view, &mut state, batch)
         });
         shade_transparent(g, view, state.verdicts);
         Ok(VisibleSet::drawn(state.verdicts))
@@ -202,7 +185,6 @@ fn iterate(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
     state: &mut LoopState,
-    passes: &IterationPasses,
     batch: u32,
 ) -> Host<bool> {
     let inputs = view.inputs();
@@ -249,13 +231,13 @@ fn iterate(
         ctx.upload(queries.slots, 0, bytemuck::cast_slice(query_list.slots()))?;
         Ok(())
     });
-    view.targets = passes::shaded_pass(g.graph(), &passes.draw, inputs, visible, view.targets);
+    g.shade_list(view, "draw visible", visible);
     let depth = view.targets.depth;
     let answers = g.graph().buffer(
         view.named("query results"),
         BufferDesc::new(u64::from(batch) * 8),
     );
-    let answers = passes::query_pass(g.graph(), &passes.query, inputs, queries, depth, answers);
+    let answers = g.query(view, "query the next batch", queries, depth, answers);
     let done = g.graph().host::<bool>(view.named("done"));
     let mut node = g.graph().host_node(view.named("wait"));
     node.group(CULL).read(progress).read_back(answers);

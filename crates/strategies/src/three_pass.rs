@@ -7,12 +7,10 @@
 
 use std::ops::RangeInclusive;
 
-use antumbra_draw::MeshDetail;
-
 use antumbra_cull::{
-    Allowance, AtNearPlane, Counting, DeclareError, Dial, FrameGraph, Latency, Parameter,
-    ProxyLimits, ProxySource, SampleRule, Setting, SettingError, Step, Strategy, Tunable, Value,
-    ViewNodes, VisibleSet, assign, describe, shortest,
+    Allowance, AtNearPlane, Counting, DeclareError, Dial, FrameGraph, Latency, MeshDetail,
+    Parameter, ProxyLimits, ProxySource, SampleRule, Setting, SettingError, Step, Strategy,
+    Tunable, Value, ViewNodes, VisibleSet, assign, describe, shortest,
 };
 
 /// The strategy `three-pass`.

@@ -1,11 +1,9 @@
 //! Transparent entities hide nothing, so a view draws them last: after all opaque entities, far before near.
 
-use antumbra_draw::passes::ListDraws;
-use antumbra_draw::{SceneTable, ViewFrame};
+use antumbra_cull::{CULL, FrameGraph, ListDraws, SceneTable, Verdicts, ViewFrame, ViewNodes};
 use antumbra_graph::{BodyError, Host, HostContext};
 
 use antumbra_cull::order::back_to_front;
-use antumbra_cull::{CULL, FrameGraph, Verdicts, ViewNodes};
 
 /// The list of the visible transparent entities; `None` where the scene has no transparent entity.
 pub(crate) fn transparent_list(g: &mut FrameGraph<'_>, view: &ViewNodes) -> Option<ListDraws> {

@@ -4,8 +4,10 @@
 
 use std::collections::BTreeMap;
 
-use antumbra_cull::{DeclareError, Stage, StageError, StageOptions, Verdict, Verdicts, ViewSpec};
-use antumbra_draw::{GpuScene, read_back};
+use antumbra_cull::{
+    DeclareError, Stage, StageError, StageOptions, Verdict, Verdicts, ViewSpec, read_back,
+};
+use antumbra_draw::GpuScene;
 use antumbra_graph::Mode;
 use antumbra_scene::{Camera, Stereo};
 use antumbra_strategies::registry;

@@ -1,8 +1,7 @@
 //! The conformance kit on every strategy of this crate, with every setting that changes its passes, on Vulkan and on GL.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::Counting;
-use antumbra_draw::{AdapterChoice, Gpu};
+use antumbra_cull::{AdapterChoice, Counting, Gpu};
 use antumbra_strategies::registry;
 use antumbra_testing::{gl, vulkan};
 use antumbra_verify::kit::{Case, Kit, KitFailure, ViolationKind};

@@ -2,8 +2,8 @@
 //! out, in every latency.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{AuditOptions, StageOptions, Verdicts, ViewInput};
-use antumbra_draw::{Gpu, GpuScene};
+use antumbra_cull::{AuditOptions, Gpu, StageOptions, Verdicts, ViewInput};
+use antumbra_draw::GpuScene;
 use antumbra_scene::{Camera, Drawable, EntityKey, Material, Mesh, Scene, icosphere};
 use antumbra_strategies::registry;
 use antumbra_testing::{

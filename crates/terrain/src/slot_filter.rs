@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antumbra_draw::{SceneTable, ViewFrame};
+use antumbra_cull::{SceneTable, ViewFrame};
 use antumbra_scene::{Aabb, Projection, Topology};
 use glam::DVec3;
 

@@ -5,7 +5,7 @@
 
 use std::sync::OnceLock;
 
-use antumbra_draw::{AdapterChoice, Gpu};
+use antumbra_cull::{AdapterChoice, Gpu};
 
 /// The first Vulkan adapter.
 pub fn vulkan() -> &'static Gpu {

@@ -1,7 +1,8 @@
 //! Stages, and frames played on them.
 
-use antumbra_cull::{Stage, StageOptions, Strategy, Verdicts, ViewInput, ViewSpec};
-use antumbra_draw::{GpuScene, read_back};
+use antumbra_cull::{
+    Stage, StageOptions, StageScene, Strategy, Verdicts, ViewInput, ViewSpec, read_back,
+};
 use antumbra_scene::Camera;
 use antumbra_strategies::registry;
 use antumbra_verify::{EntitySet, Oracle};
@@ -16,14 +17,14 @@ pub fn views(names: &[&str], size: [u32; 2]) -> Vec<ViewSpec> {
 }
 
 /// A stage with default options, under a strategy that the registry parses.
-pub fn stage(scene: &GpuScene, strategy: &str, views: Vec<ViewSpec>) -> Stage {
+pub fn stage(scene: &dyn StageScene, strategy: &str, views: Vec<ViewSpec>) -> Stage {
     let strategy = registry().parse(strategy).unwrap();
     stage_with(scene, strategy, views, StageOptions::default())
 }
 
 /// A stage under any strategy, with options.
 pub fn stage_with(
-    scene: &GpuScene,
+    scene: &dyn StageScene,
     strategy: Box<dyn Strategy>,
     views: Vec<ViewSpec>,
     options: StageOptions,
@@ -32,7 +33,7 @@ pub fn stage_with(
 }
 
 /// Plays a frame, one camera a view, and waits, so that late answers are there for the next frame. The verdicts of each view.
-pub fn frame(stage: &mut Stage, scene: &GpuScene, cameras: &[Camera]) -> Vec<Verdicts> {
+pub fn frame(stage: &mut Stage, scene: &dyn StageScene, cameras: &[Camera]) -> Vec<Verdicts> {
     let inputs: Vec<ViewInput<'_>> = cameras.iter().copied().map(ViewInput::new).collect();
     stage.frame(scene, &inputs).unwrap();
     scene.gpu().wait().unwrap();
@@ -51,7 +52,7 @@ pub struct Settled {
 
 /// Plays `frames` frames of one view to a strategy, from a camera that stands still.
 pub fn settled(
-    scene: &GpuScene,
+    scene: &dyn StageScene,
     strategy: &str,
     camera: Camera,
     size: [u32; 2],
@@ -71,7 +72,7 @@ pub fn settled(
 /// The share of pixels, in percent of the image, that are wrong when only what the verdicts draw is drawn.
 pub fn wrong_pixels_percent(
     oracle: &mut Oracle,
-    scene: &GpuScene,
+    scene: &dyn StageScene,
     camera: &Camera,
     verdicts: &Verdicts,
 ) -> f64 {

@@ -33,8 +33,7 @@ pub use settings::Kit;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use antumbra_cull::{Strategy, Verdicts};
-use antumbra_draw::Gpu;
+use antumbra_cull::{Gpu, Strategy, Verdicts};
 use antumbra_scene::{Camera, Scene};
 
 use run::CaseContext;

@@ -4,12 +4,12 @@
 //! buffer and that the strategy did not draw is a false cull:
 //!
 //! ```no_run
-//! use antumbra_cull::{GpuScene, Stage, StageError, ViewInput};
+//! use antumbra_cull::{Stage, StageError, StageScene, ViewInput};
 //! use antumbra_scene::Camera;
 //! use antumbra_verify::{EntitySet, Oracle};
 //!
 //! /// Slots of the entities that the strategy of a stage with one view of 640 x 480 pixels culls wrongly.
-//! fn false_culls(scene: &GpuScene, stage: &mut Stage, camera: Camera) -> Result<Vec<u32>, StageError> {
+//! fn false_culls(scene: &dyn StageScene, stage: &mut Stage, camera: Camera) -> Result<Vec<u32>, StageError> {
 //!     stage.frame(scene, &[ViewInput::new(camera)])?;
 //!     let verdicts = stage.verdicts(0, scene)?;
 //!     let mut oracle = Oracle::new(scene, [640, 480]);

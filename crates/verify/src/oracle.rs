@@ -11,17 +11,17 @@ pub use id_buffer::{IdBuffer, TransparentSums};
 
 use std::sync::Arc;
 
-use antumbra_draw::passes::{self, IdTargets, ListDraws, PassSpec, Signatures, ViewInputs};
-use antumbra_draw::{
-    Alpha, DEPTH_FORMAT, DrawList, Gpu, GpuLights, GpuScene, GpuView, IDENTITY_FORMAT,
-    PassPipelines, PipelineKind, SceneFrame, SceneLayout, SceneTable, ViewFrame,
+use antumbra_cull::{
+    Alpha, Candidates, DEPTH_FORMAT, DrawList, Gpu, GpuView, IDENTITY_FORMAT, IdTargets, ListDraws,
+    SceneFrame, SceneLayout, SceneTable, StageError, StageScene, Verdicts, ViewFrame, ViewInputs,
 };
+use antumbra_draw::passes::{self, PassSpec, Signatures};
+use antumbra_draw::{PassPipelines, PipelineKind};
 use antumbra_graph::{
     Buffer, BufferDesc, Clear, CompileOptions, Graph, Host, Plan, Texture, TextureDesc,
 };
 use antumbra_scene::Camera;
 
-use antumbra_cull::{Candidates, StageError, Verdicts};
 use padded_rows::PaddedRows;
 
 /// Which entities the oracle draws.
@@ -86,7 +86,7 @@ impl std::fmt::Debug for Oracle {
 
 impl Oracle {
     /// An oracle on the scene's device, for images of `size` pixels (width, height; each at least 1).
-    pub fn new(scene: &GpuScene, size: [u32; 2]) -> Self {
+    pub fn new(scene: &dyn StageScene, size: [u32; 2]) -> Self {
         Self {
             gpu: scene.gpu().clone(),
             size,
@@ -100,14 +100,14 @@ impl Oracle {
     }
 
     /// Renders `entities` from `camera` and waits for the result. The scene must be on the oracle's device and
-    /// [synced](GpuScene::sync).
+    /// synced.
     ///
     /// # Errors
     /// [`StageError::Camera`] for an invalid camera, [`StageError::Compile`] for a size that the device cannot draw,
     /// [`StageError::Execute`] or [`StageError::Device`] when the device fails.
     pub fn render(
         &mut self,
-        scene: &GpuScene,
+        scene: &dyn StageScene,
         camera: &Camera,
         entities: EntitySet<'_>,
     ) -> Result<IdBuffer, StageError> {
@@ -193,7 +193,6 @@ fn submit(
     entities: Host<OwnedSet>,
 ) -> (ViewInputs, Lists) {
     let uniform = g.buffer("view", BufferDesc::new(size_of::<GpuView>() as u64));
-    let lights = g.buffer("lights", BufferDesc::new(size_of::<GpuLights>() as u64));
     let slots = u64::from(layout.slots.max(1)) * 4;
     let mut list = |name: &str| ListDraws {
         list: g.host::<DrawList>(name),
@@ -238,7 +237,6 @@ fn submit(
         scene,
         view,
         uniform,
-        lights,
     };
     (inputs, Lists { solid, transparent })
 }

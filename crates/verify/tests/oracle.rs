@@ -1,7 +1,8 @@
 //! The oracle on scenes with a known answer: which box is in front, which owns no pixel, what a transparent box adds.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_draw::{Gpu, GpuScene};
+use antumbra_cull::Gpu;
+use antumbra_draw::GpuScene;
 use antumbra_scene::{AlphaMode, Camera, EntityKey, Material, Scene};
 use antumbra_testing::{add, cuboid, drawable, gl, look_at, perspective, vulkan};
 use antumbra_verify::{EntitySet, Oracle};

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use antumbra::draw::AdapterChoice;
+use antumbra::cull::AdapterChoice;
 use clap::Args as ClapArgs;
 
 use super::value::{LensAt, PathArg, Size, SliceAt};

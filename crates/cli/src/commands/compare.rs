@@ -1,6 +1,6 @@
 //! `antumbra compare`: strategies along a path, their cost and their errors.
 
-use antumbra::draw::Gpu;
+use antumbra::cull::Gpu;
 use antumbra::measure::audit_summary::audit_summaries;
 use antumbra::measure::summary::recommendations;
 use antumbra::measure::table::{Table, facts, wants_colour};

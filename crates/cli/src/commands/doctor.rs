@@ -1,7 +1,6 @@
 //! `antumbra doctor`: the adapters, and what each of them supports of culling.
 
-use antumbra::cull::Counting;
-use antumbra::draw::{Gpu, WANTED_FEATURES, adapter_title, adapters};
+use antumbra::cull::{Counting, Gpu, WANTED_FEATURES, adapter_title, adapters};
 
 use crate::failure::Failure;
 use crate::print::print;
@@ -35,7 +34,7 @@ pub fn run() -> Result<(), Failure> {
             .iter()
             .map(|adapter| adapter_title(&adapter.get_info()))
             .collect();
-        return Err(antumbra::draw::DeviceError::NoAdapter {
+        return Err(antumbra::cull::DeviceError::NoAdapter {
             choice: Default::default(),
             found,
         }

@@ -1,7 +1,7 @@
 //! `antumbra graph`: a strategy's plan as a picture, with the time of each pass in one frame.
 
-use antumbra::cull::{Stage, StageOptions};
-use antumbra::draw::{Gpu, GpuScene};
+use antumbra::cull::{Gpu, Stage, StageOptions};
+use antumbra::draw::GpuScene;
 use antumbra::graph::PlanFormat;
 use antumbra::verify::Oracle;
 

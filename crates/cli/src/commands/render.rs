@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use antumbra::cull::{Stage, StageError, StageOptions, Strategy, Verdict};
-use antumbra::draw::{Gpu, GpuScene, read_back};
+use antumbra::cull::{Gpu, Stage, StageError, StageOptions, Strategy, Verdict, read_back};
+use antumbra::draw::GpuScene;
 use antumbra::measure::image_error::save_png;
 use antumbra::measure::stereo_picture::{StereoLayout, StereoPicture, combine_eyes};
 use antumbra::measure::traversal_picture::save_traversal;

@@ -1,6 +1,6 @@
 //! `antumbra sweep`: the trade that a strategy's settings offer, speed against error.
 
-use antumbra::draw::Gpu;
+use antumbra::cull::Gpu;
 use antumbra::measure::report::Report;
 use antumbra::measure::summary::recommendations;
 use antumbra::measure::table::{Table, facts, wants_colour};

@@ -2,11 +2,10 @@
 
 use std::sync::Arc;
 
-use antumbra_draw::patches::{MARK_BYTES, PATCH_BYTES, PATCH_SIDE};
-
 use super::sample_plan::SamplePlan;
 use super::strata::UNCERTAIN;
 use super::{Audit, Experience, FrameAudit, Hit};
+use crate::draw_source::patches::{MARK_BYTES, PATCH_BYTES, PATCH_SIDE};
 
 /// An audited frame; travels with its marks.
 #[derive(Debug, Clone, Default)]

@@ -1,7 +1,5 @@
 //! Chooses the patches of a frame, and lists the culled entities that may show through each of them.
 
-use antumbra_draw::patches::{PatchList, PatchMember};
-use antumbra_draw::{MeshDetail, SceneTable, ViewFrame};
 use antumbra_graph::{BodyError, Host, HostBuilder, HostContext, HostRef};
 use rand_pcg::Pcg64Mcg;
 
@@ -12,10 +10,13 @@ use super::strata::Patches;
 use super::uncertain::UncertainEntities;
 use super::{Audit, AuditOptions, Experience};
 use crate::candidates::{Candidates, Queried};
+use crate::draw_source::patches::{PatchList, PatchMember};
+use crate::entities::{MeshDetail, SceneTable};
 use crate::indirect::untested;
 use crate::strategy::VerdictSource;
 use crate::tree::Tree;
 use crate::verdict::{Verdict, Verdicts};
+use crate::view::ViewFrame;
 
 /// The triangles a view draws are added up again after this many frames.
 const RECOUNT_AFTER: u64 = 16;

@@ -1,8 +1,6 @@
 //! Drops entities of the patches that cannot show: a compute node tests the box of each against the finished depth of the pixels that it covers, and
 //! writes the draws of the rest.
 
-use antumbra_draw::INDIRECT_DRAW_BYTES;
-use antumbra_draw::patches::{GpuPatchEntry, PatchDraws, PatchList};
 use antumbra_graph::{Bind, Buffer, BufferDesc, Host, Texture};
 use antumbra_shaders::{assert_layout, jobs};
 use bytemuck::{Pod, Zeroable};
@@ -10,6 +8,8 @@ use bytemuck::{Pod, Zeroable};
 use super::AUDIT;
 use super::audited_frame::AuditedFrame;
 use crate::adaptive_threshold::AdaptiveThreshold;
+use crate::draw_source::INDIRECT_DRAW_BYTES;
+use crate::draw_source::patches::{GpuPatchEntry, PatchDraws, PatchList};
 use crate::frame_graph::FrameGraph;
 use crate::view_nodes::ViewNodes;
 

@@ -2,8 +2,6 @@
 
 use std::sync::Arc;
 
-use antumbra_draw::PipelineKind;
-use antumbra_draw::patches::{PATCH_BYTES, PATCH_SIDE, PatchList, patch_pass};
 use antumbra_graph::{Buffer, BufferDesc, Host};
 use antumbra_scene::hierarchy::HierarchyShape;
 use rand::SeedableRng;
@@ -17,6 +15,7 @@ use super::screen_box::ScreenProjector;
 use super::strata::STRATA;
 use super::{AUDIT, Audit, AuditOptions, Lessons};
 use crate::counting::Counting;
+use crate::draw_source::patches::{PATCH_BYTES, PATCH_SIDE, PatchList};
 use crate::frame_graph::FrameGraph;
 use crate::strategy::{VerdictSource, VisibleSet};
 use crate::tree::Tree;
@@ -67,21 +66,9 @@ impl FrameGraph<'_> {
         let depth = view.targets.depth;
         let left = self.depth_cull(view, buffers, depth, shown, entries);
         let way = Counting::by_fragments(self.gpu());
-        let kind = match way {
-            Counting::Atomics => PipelineKind::PatchEarly,
-            _ => PipelineKind::PatchCompare,
-        };
-        let spec = self.pass(view.named("audit"), AUDIT, kind);
         let scratch = view.named("audit: scratch depth");
         let test = self.depth_test(way, depth, scratch, view.size());
-        patch_pass(
-            self.graph(),
-            &spec,
-            view.inputs(),
-            left.draws,
-            test,
-            left.shown,
-        );
+        self.mark_patches(view, "audit", left.draws, test, left.shown);
         self.graph().output(buffers.frame);
         audit
     }

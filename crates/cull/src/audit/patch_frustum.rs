@@ -1,11 +1,11 @@
 //! The entities that may be seen through a patch: the tree's leaves in the part of the frustum behind it.
 
-use antumbra_draw::ViewFrame;
-use antumbra_draw::patches::PATCH_SIDE;
 use antumbra_scene::Frustum;
 use glam::{DVec2, UVec2};
 
+use crate::draw_source::patches::PATCH_SIDE;
 use crate::tree::Tree;
+use crate::view::ViewFrame;
 
 /// The margin of the patch's frustum in pixels: snapping and the width of lines bring in entities from outside.
 const MARGIN: f64 = 2.0;

@@ -1,10 +1,12 @@
 //! The part of the image that an entity may cover, and its nearest depth: the projection of its box, widened as the boxes of queries are.
 
-use antumbra_draw::boxes::{BoxContents, Widening};
-use antumbra_draw::patches::{Cover, PATCH_SIDE};
-use antumbra_draw::{SceneTable, ViewFrame};
 use antumbra_scene::Topology;
 use glam::{DMat4, DVec2, DVec3};
+
+use crate::boxes::{BoxContents, Widening};
+use crate::draw_source::patches::{Cover, PATCH_SIDE};
+use crate::entities::SceneTable;
+use crate::view::ViewFrame;
 
 /// Projects boxes into a view's image.
 #[derive(Debug)]

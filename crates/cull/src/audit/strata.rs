@@ -2,10 +2,9 @@
 //! of the wrong pixels of an aggressive setting, so they are sampled more densely, by Neyman's optimal allocation (*On the Two Different Aspects of the Representative
 //! Method*, 1934).
 
-use antumbra_draw::SceneTable;
-use antumbra_draw::patches::PATCH_SIDE;
-
 use super::screen_box::ScreenProjector;
+use crate::draw_source::patches::PATCH_SIDE;
+use crate::entities::SceneTable;
 
 /// Kinds of patches.
 pub(super) const STRATA: usize = 2;

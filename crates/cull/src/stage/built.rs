@@ -3,10 +3,6 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use antumbra_draw::passes::{Targets, ViewInputs};
-use antumbra_draw::{
-    DEPTH_FORMAT, GpuLights, GpuScene, GpuView, SceneFrame, SceneLayout, ViewFrame,
-};
 use antumbra_graph::{BufferDesc, Clear, CompileOptions, Graph, Host, Mode, Plan, TextureDesc};
 
 use super::{StageError, StageOptions, ViewSpec};
@@ -14,7 +10,10 @@ use crate::audit::{Audit, Lessons};
 use crate::frame_graph::{CULL, FrameGraph, Shared, Shown};
 use crate::narrowing::Narrowing;
 use crate::pipelines::Pipelines;
+use crate::renderer::{DEPTH_FORMAT, Renderer, Targets, ViewInputs};
+use crate::stage_scene::{SceneFrame, SceneLayout, StageScene};
 use crate::strategy::{Strategy, VerdictSource};
+use crate::view::{GpuView, ViewFrame};
 use crate::view_nodes::ViewNodes;
 
 /// What a stage runs: the plan, and handles into it.
@@ -91,15 +90,16 @@ pub(super) struct Inherited<'a> {
     pub frames: u64,
     /// The budget's step that the strategy is on; 0 without a budget.
     pub step: usize,
+    pub renderer: &'a mut dyn Renderer,
 }
 
 /// Declares a strategy's nodes on a new graph and compiles it.
 pub(super) fn build(
-    scene: &GpuScene,
+    scene: &dyn StageScene,
     strategy: &mut dyn Strategy,
     specs: &[ViewSpec],
     options: &StageOptions,
-    inherited: Inherited<'_>,
+    mut inherited: Inherited<'_>,
 ) -> Result<Built, StageError> {
     let gpu = scene.gpu();
     let layout = scene.layout();
@@ -120,7 +120,7 @@ pub(super) fn build(
         strategy,
         specs,
         options,
-        inherited.audits,
+        &mut inherited,
     );
     // Also on failure: what was compiled stays compiled.
     *inherited.pipelines = std::mem::take(&mut shared.pipelines);
@@ -161,7 +161,7 @@ fn declare(
     strategy: &mut dyn Strategy,
     specs: &[ViewSpec],
     options: &StageOptions,
-    audits: &[Audit],
+    inherited: &mut Inherited<'_>,
 ) -> Result<Vec<BuiltView>, StageError> {
     let mut views = Vec::with_capacity(specs.len());
     for (index, spec) in specs.iter().enumerate() {
@@ -172,6 +172,7 @@ fn declare(
         let (targets, imported) = targets(graph, spec, options);
         let mut nodes = ViewNodes {
             name: spec.name.clone(),
+            prefix: prefix(spec, specs.len()),
             index,
             count: specs.len(),
             size: spec.size,
@@ -181,10 +182,11 @@ fn declare(
             in_frustum: None,
             narrowing: None,
         };
-        let mut declared = FrameGraph::new(graph, shared);
+        let mut declared = FrameGraph::new(graph, shared, inherited.renderer);
+        declared.begin_view(&nodes);
         let set = strategy.declare(&mut declared, &mut nodes)?;
         let lessons = Lessons::default();
-        if let Some(audit) = audits.get(index) {
+        if let Some(audit) = inherited.audits.get(index) {
             lessons.teach(audit.experience().clone());
         }
         let audit = options
@@ -278,32 +280,27 @@ fn inputs(
     scene: Host<SceneFrame>,
     view: Host<ViewFrame>,
 ) -> ViewInputs {
-    let named = |what: &str| {
-        if count > 1 {
-            format!("{}: {what}", spec.name)
-        } else {
-            what.to_owned()
-        }
-    };
+    let named = |what: &str| format!("{}{what}", prefix(spec, count));
     let uniform = graph.buffer(named("view"), BufferDesc::new(size_of::<GpuView>() as u64));
-    let lights = graph.buffer(
-        named("lights"),
-        BufferDesc::new(size_of::<GpuLights>() as u64),
-    );
     let mut node = graph.host_node(named("upload view"));
-    node.group(CULL).read(scene).read(view);
-    let (uniform, lights) = (node.upload(uniform), node.upload(lights));
+    node.group(CULL).read(view);
+    let uniform = node.upload(uniform);
     node.run(move |ctx| {
-        let (scene, view) = (ctx.get(scene)?, ctx.get(view)?);
+        let view = ctx.get(view)?;
         ctx.upload(uniform, 0, bytemuck::bytes_of(&view.uniform()))?;
-        let around_eye = scene.lights.relative_to(view.camera.position, view.axes());
-        ctx.upload(lights, 0, bytemuck::bytes_of(&around_eye))?;
         Ok(())
     });
     ViewInputs {
         scene,
         view,
         uniform,
-        lights,
+    }
+}
+
+/// What names of a view's nodes and resources begin with: empty for a single view.
+fn prefix(spec: &ViewSpec, count: usize) -> String {
+    match count > 1 {
+        true => format!("{}: ", spec.name),
+        false => String::new(),
     }
 }

@@ -7,11 +7,9 @@ use glam::DAffine3;
 use rayon::prelude::*;
 
 use super::{EntityChanges, GpuScene};
-use crate::class::{PipelineClass, PipelineTraits};
-use crate::detail::MeshDetail;
 use crate::error::DrawError;
 use crate::instance::Instance;
-use crate::table::{Batch, NewOccupant, SceneTable};
+use antumbra_cull::{Batch, MeshDetail, NewOccupant, PipelineClass, PipelineTraits, SceneTable};
 
 /// An added entity that is drawn.
 struct DrawnEntity {

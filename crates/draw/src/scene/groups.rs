@@ -4,7 +4,7 @@ use antumbra_scene::hierarchy::NONE;
 use antumbra_scene::{EntityKey, Scene};
 
 use super::{GpuScene, max_groups};
-use crate::table::SceneTable;
+use antumbra_cull::SceneTable;
 
 impl GpuScene {
     /// Applies changed parents.

@@ -6,8 +6,10 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use antumbra_cull::{FrustumOnly, Stage, StageOptions, Verdicts, ViewInput, ViewSpec};
-use antumbra_draw::{GpuScene, MeshDetail, read_back};
+use antumbra_cull::{
+    FrustumOnly, MeshDetail, Stage, StageOptions, Verdicts, ViewInput, ViewSpec, read_back,
+};
+use antumbra_draw::GpuScene;
 use antumbra_scene::Camera;
 use antumbra_verify::{EntitySet, IdBuffer, Oracle};
 use image::RgbaImage;

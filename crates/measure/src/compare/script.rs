@@ -1,6 +1,7 @@
 //! Scripts: changes of a scene between the poses of a comparison, such as moving entities or a slice that moves through a volume.
 
-use antumbra_draw::{Gpu, GpuScene};
+use antumbra_cull::Gpu;
+use antumbra_draw::GpuScene;
 use antumbra_scene::{Camera, Scene, Stereo};
 
 use crate::path::CameraPath;

@@ -4,8 +4,8 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Instant;
 
-use antumbra_cull::{Stage, ViewInput};
-use antumbra_draw::{Gpu, GpuScene};
+use antumbra_cull::{Gpu, Stage, ViewInput};
+use antumbra_draw::GpuScene;
 
 use super::accuracy::Owners;
 use super::script::{PosedScene, ScriptedScene};
@@ -173,7 +173,7 @@ fn wait_for(gpu: &Gpu, submission: Option<wgpu::SubmissionIndex>) -> Result<(), 
             submission_index: submission,
             timeout: None,
         })
-        .map_err(|error| antumbra_draw::DeviceError::Lost(error.to_string()))?;
+        .map_err(|error| antumbra_cull::DeviceError::Lost(error.to_string()))?;
     Ok(gpu.check()?)
 }
 

@@ -1,8 +1,6 @@
 //! The order and geometry of a list of visibility tests.
 
-use antumbra_draw::{DrawList, MeshDetail, SceneTable, ViewFrame};
-
-use antumbra_cull::query_detail;
+use antumbra_cull::{DrawList, MeshDetail, SceneTable, ViewFrame, query_detail};
 
 /// The test of one entity. Tests are sorted by these fields, in this order, so that entries drawn alike are neighbours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

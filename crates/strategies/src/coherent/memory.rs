@@ -3,13 +3,12 @@
 //! These are the lists of Mansa et al. 2007, section 3.1: the entities visible in the last frame are drawn first in the next one, and those
 //! occluded in the last frame are tested, a part of them a frame. A record belongs to an entity, not to its slot: the next entity in a slot starts without one.
 
-use antumbra_draw::{SceneTable, ViewFrame};
+use antumbra_cull::{Candidates, CountLayout, Queried, SceneTable, ViewFrame};
 use antumbra_scene::EntityKey;
 use glam::DVec3;
 
 use super::fraction::AdaptiveFraction;
 use antumbra_cull::order::by_nearest_corner;
-use antumbra_cull::{Candidates, CountLayout, Queried};
 
 /// What is known of an entity in a view.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

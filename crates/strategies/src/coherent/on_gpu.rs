@@ -7,8 +7,10 @@
 
 use std::sync::Arc;
 
-use antumbra_draw::passes::{self, DepthTest, IndirectDraws};
-use antumbra_draw::{IDENTITY_FORMAT, MeshDetail, PipelineKind};
+use antumbra_cull::{
+    CULL, Candidates, CountLayout, Counting, Counts, FrameGraph, IDENTITY_FORMAT, IndirectDraws,
+    MeshDetail, Queried, ViewNodes, VisibleSet,
+};
 use antumbra_graph::{Bind, Buffer, Clear, Host, TextureDesc};
 use antumbra_shaders::jobs;
 
@@ -17,9 +19,6 @@ use super::schedule::TestSchedule;
 use super::settings::CoherentSettings;
 use antumbra_cull::indirect::{IndirectLayout, LayoutSize, SampleBounds};
 use antumbra_cull::order::back_to_front;
-use antumbra_cull::{
-    CULL, Candidates, CountLayout, Counting, Counts, FrameGraph, Queried, ViewNodes, VisibleSet,
-};
 
 /// The first view of a stereo pair, or the only view.
 pub(super) struct FirstOnGpu {
@@ -188,16 +187,11 @@ fn test(
 
 /// Counts the visible samples of indirect draws, a u32 a slot.
 fn count(g: &mut FrameGraph<'_>, view: &ViewNodes, what: IndirectDraws) -> Buffer {
-    let (inputs, depth) = (view.inputs(), view.targets.depth);
+    let (size, depth) = (view.size(), view.targets.depth);
     let way = Counting::by_fragments(g.gpu());
-    let test = g.depth_test(way, depth, view.named("scratch depth"), view.size());
-    let kind = match test {
-        DepthTest::Early { .. } => PipelineKind::CountAtomic,
-        DepthTest::InShader { .. } => PipelineKind::CountCompare,
-    };
+    let test = g.depth_test(way, depth, view.named("scratch depth"), size);
     let counts = g.sample_counts(view);
-    let spec = g.pass(view.named("test last occluded"), CULL, kind);
-    passes::count_indirect_pass(g.graph(), &spec, inputs, what, test, counts)
+    g.count(view, "test last occluded", what.into(), test, counts)
 }
 
 /// Shades the transparent entities with samples in `found`, and those that no test may cull.

@@ -3,7 +3,7 @@
 //! The fraction is that of Mansa et al. 2007, section 3.1. Beyond the paper, the entities whose last answers are oldest go first and, among
 //! those, the entities nearest to something visible on the screen.
 
-use antumbra_draw::{SceneTable, ViewFrame};
+use antumbra_cull::{SceneTable, ViewFrame};
 
 use super::fraction::FractionRule;
 use super::memory::Memory;

@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
-use antumbra_draw::passes::{self, ListDraws};
-use antumbra_draw::{DrawList, MeshDetail, PipelineKind, SceneTable, ViewFrame};
+use antumbra_cull::{
+    DrawList, FrameGraph, ListDraws, MeshDetail, Queried, SceneTable, ShadeTargets, Stamp,
+    ViewFrame, ViewNodes,
+};
 use antumbra_graph::{BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext};
 
 use super::entity_test::{fill_with_tests, sorted_tests};
-use antumbra_cull::{CULL, DRAW, FrameGraph, Queried, Stamp, ViewNodes};
 
 /// A draw list with queries, and their answers.
 #[derive(Debug, Clone, Copy)]
@@ -123,23 +124,20 @@ impl QueriedList {
 
     /// Shades the list, with its queries. Returns the list with the answers of this pass.
     pub fn shade(self, g: &mut FrameGraph<'_>, view: &mut ViewNodes, name: &str) -> Self {
-        let kind = g.shaded_kind();
-        let spec = g.pass(view.named(name), DRAW, kind);
-        let (inputs, targets) = (view.inputs(), view.targets);
-        let shaded =
-            passes::shaded_query_pass(g.graph(), &spec, inputs, self.list, targets, self.answers);
-        view.targets = shaded.targets;
+        let into = ShadeTargets {
+            queries: Some(self.answers),
+            ..view.targets.into()
+        };
+        let out = g.shade_source(view, name, self.list.into(), into);
         Self {
-            answers: shaded.answers,
+            answers: out.queries.unwrap_or(self.answers),
             ..self
         }
     }
 
     /// Tests the list against the depth so far. Returns the list with the answers of this pass.
     pub fn test(self, g: &mut FrameGraph<'_>, view: &ViewNodes, name: &str) -> Self {
-        let spec = g.pass(view.named(name), CULL, PipelineKind::Query);
-        let (inputs, depth) = (view.inputs(), view.targets.depth);
-        let answers = passes::query_pass(g.graph(), &spec, inputs, self.list, depth, self.answers);
+        let answers = g.query(view, name, self.list, view.targets.depth, self.answers);
         Self { answers, ..self }
     }
 }

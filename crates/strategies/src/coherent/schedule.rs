@@ -1,10 +1,8 @@
 //! Which candidates are tested in a frame where the host does not know which of them are occluded. Each slot is tested once in 1/fraction
 //! frames, spread evenly over the frames. A slot without any earlier answer is tested at once.
 
-use antumbra_draw::SceneTable;
+use antumbra_cull::{Candidates, SceneTable};
 use antumbra_scene::EntityKey;
-
-use antumbra_cull::Candidates;
 
 /// The schedule of a view's tests.
 #[derive(Debug, Default)]

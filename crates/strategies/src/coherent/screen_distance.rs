@@ -1,7 +1,7 @@
 //! The distance on the screen from an entity to the nearest visible one, in cells of a coarse grid. An entity hidden beside a visible one
 //! appears sooner than one hidden behind the middle of a wall.
 
-use antumbra_draw::{SceneTable, ViewFrame};
+use antumbra_cull::{SceneTable, ViewFrame};
 use antumbra_scene::Aabb;
 use glam::DVec3;
 

@@ -5,7 +5,10 @@
 //! *Occlusion Culling for Stereoscopic Display of Complex Mechanical Sets*, 2007, section 3.1. The paper waits for the answers of the tests within
 //! the frame, as [`same_frame`] does. [`frame_late`] uses them in the next frame and never waits.
 
-use antumbra_draw::{MeshDetail, SceneTable, ViewFrame};
+use antumbra_cull::{
+    CULL, Candidates, FrameGraph, MeshDetail, Queried, SceneTable, Verdict, Verdicts, ViewFrame,
+    ViewNodes,
+};
 use antumbra_graph::{Host, HostBuilder, HostContext, ReadBack};
 
 use super::memory::{AfterCut, Answers, Memory, QuerySubject, Visibility};
@@ -14,7 +17,6 @@ use super::queried_list::{ListSource, QueriedList, Sharing};
 use super::settings::CoherentSettings;
 use crate::transparent::{submit_transparent, transparent_list};
 use antumbra_cull::order::by_nearest_corner;
-use antumbra_cull::{CULL, Candidates, FrameGraph, Queried, Verdict, Verdicts, ViewNodes};
 
 /// What a view hands to the views after it.
 #[derive(Debug, Clone, Copy)]

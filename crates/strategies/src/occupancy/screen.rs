@@ -1,7 +1,7 @@
 //! Where a bounding box lies on the screen of a view: outside the frustum, too near to be queried, or over which pixels.
 
-use antumbra_draw::ViewFrame;
-use antumbra_draw::boxes::{BoxContents, Widening};
+use antumbra_cull::ViewFrame;
+use antumbra_cull::boxes::{BoxContents, Widening};
 use antumbra_scene::Aabb;
 use glam::{DVec3, Mat4, Vec2, Vec4, Vec4Swizzles};
 

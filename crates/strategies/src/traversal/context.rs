@@ -1,13 +1,12 @@
 //! What a traversal reads in one frame: the scene's table, the tree over it, and the screen.
 
-use antumbra_draw::boxes::{BoxContents, GpuBox};
-use antumbra_draw::{SceneTable, ViewFrame};
+use antumbra_cull::boxes::{BoxContents, GpuBox};
+use antumbra_cull::{SceneTable, Tree, Verdict, Verdicts, ViewFrame};
 use antumbra_scene::hierarchy::HierarchyNode;
 
 use super::remaining::Remaining;
 use super::settings::TraversalSettings;
 use crate::occupancy::{BlockRect, BoxPlacement, Containment, PixelRect, Screen};
-use antumbra_cull::{Tree, Verdict, Verdicts};
 
 /// A node taken from the queue.
 #[derive(Debug, Clone, Copy)]

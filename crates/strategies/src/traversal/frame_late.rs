@@ -1,6 +1,6 @@
 //! The late traversal as nodes of the graph: one pass of queries a frame, whose answers a later frame reads without a wait.
 
-use antumbra_draw::boxes::{BoxPassSpec, box_query_pass};
+use antumbra_cull::boxes::{BoxPassSpec, box_query_pass};
 use antumbra_graph::BufferDesc;
 use antumbra_scene::hierarchy::HierarchyShape;
 

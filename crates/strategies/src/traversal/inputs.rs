@@ -1,8 +1,7 @@
 //! What every host node of a traversal reads, declared and opened in one place.
 
-use antumbra_draw::boxes::BoxContents;
-use antumbra_draw::passes::ViewInputs;
-use antumbra_draw::{PipelineClass, ViewFrame};
+use antumbra_cull::boxes::BoxContents;
+use antumbra_cull::{CULL, FrameGraph, PipelineClass, Tree, ViewFrame, ViewInputs, ViewNodes};
 use antumbra_graph::{BodyError, Host, HostBuilder, HostContext};
 use antumbra_scene::Topology;
 use antumbra_scene::hierarchy::HierarchyShape;
@@ -10,7 +9,6 @@ use antumbra_scene::hierarchy::HierarchyShape;
 use super::context::TraversalContext;
 use super::remaining::Remaining;
 use super::settings::TraversalSettings;
-use antumbra_cull::{CULL, FrameGraph, Tree, ViewNodes};
 
 /// The scene, the view, the tree and the settings of a traversal.
 #[derive(Clone, Copy)]

@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use antumbra_draw::boxes::BoxList;
+use antumbra_cull::boxes::BoxList;
 
 use super::context::{QueuedNode, TraversalContext, Visit, VisitedNode};
 use super::eye_path::EyePath;

@@ -1,11 +1,10 @@
 //! Query answers that stay valid for later frames while the camera is slow.
 
-use antumbra_draw::SceneTable;
+use antumbra_cull::{SceneTable, Tree};
 
 use super::eye_path::EyePath;
 use super::settings::AnswerLifetime;
 use crate::occupancy::Screen;
-use antumbra_cull::Tree;
 
 /// The last answer about a node.
 #[derive(Debug, Clone, Copy, Default)]

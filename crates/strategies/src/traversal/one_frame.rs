@@ -4,7 +4,7 @@
 //! paper and are off in [`TraversalSettings::PAPER`](super::TraversalSettings::PAPER): answers that stay valid for some frames, queries shared
 //! by neighbours in the tree, and nodes that are drawn because a wait for them cannot pay.
 
-use antumbra_draw::boxes::BoxList;
+use antumbra_cull::boxes::BoxList;
 
 use super::context::{QueuedNode, TraversalContext, Visit, VisitedNode};
 use super::frontier::Frontier;

@@ -1,9 +1,10 @@
 //! The traversal as nodes of the graph: a host loop. Each iteration visits nodes, draws what it found visible, queries a batch of the nodes that are
 //! left, and waits for the answers.
 
-use antumbra_draw::boxes::{BoxPassSpec, box_query_pass};
-use antumbra_draw::passes;
-use antumbra_draw::{DrawList, MeshDetail, SceneTable};
+use antumbra_cull::boxes::{BoxPassSpec, box_query_pass};
+use antumbra_cull::{
+    CULL, DrawList, FrameGraph, MeshDetail, SceneTable, Verdicts, ViewNodes, VisibleSet,
+};
 use antumbra_graph::{BufferDesc, Host};
 use antumbra_scene::hierarchy::HierarchyShape;
 
@@ -13,7 +14,6 @@ use super::settings::{DrawOrder, QueryMode, TraversalSettings};
 use crate::query_results::query_results;
 use crate::sketch::Sketch;
 use crate::transparent::shade_transparent;
-use antumbra_cull::{CULL, DRAW, FrameGraph, Verdicts, ViewNodes, VisibleSet};
 
 /// What one iteration of the loop hands to the next.
 #[derive(Clone, Copy)]
@@ -104,9 +104,7 @@ fn iterate(
         ctx.upload(query_boxes.buffer, 0, bytemuck::cast_slice(boxes.boxes()))?;
         Ok(())
     });
-    let kind = g.shaded_kind();
-    let spec = g.pass(view.named("draw visible"), DRAW, kind);
-    view.targets = passes::shaded_pass(g.graph(), &spec, inputs.view, visible, view.targets);
+    g.shade_list(view, "draw visible", visible);
     let depth = view.targets.depth;
     let answers = g
         .graph()

@@ -1,7 +1,7 @@
 //! Several nodes in one query: neighbours in the tree that were hidden when they were last queried mostly stay hidden, so one query about all
 //! of their boxes mostly suffices.
 
-use antumbra_draw::boxes::{BoxList, GpuBox};
+use antumbra_cull::boxes::{BoxList, GpuBox};
 
 /// Fills a box list. Consecutive hidden nodes share a query.
 pub(super) struct SharedQueries<'a> {

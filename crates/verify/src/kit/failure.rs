@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use antumbra_cull::StageError;
-use antumbra_draw::{DeviceError, DrawError};
+use antumbra_cull::{DeviceError, StageError};
+use antumbra_draw::DrawError;
 use antumbra_scene::{CameraError, SceneError};
 use thiserror::Error;
 

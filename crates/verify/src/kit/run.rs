@@ -4,10 +4,10 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 use antumbra_cull::{
-    Candidates, Ideal, Latency, Stage, StageOptions, Strategy, Verdict, Verdicts, ViewInput,
-    ViewSpec,
+    Candidates, Gpu, Ideal, Latency, Stage, StageOptions, Strategy, Verdict, Verdicts, ViewFrame,
+    ViewInput, ViewSpec, read_back,
 };
-use antumbra_draw::{Gpu, GpuScene, ViewFrame, read_back};
+use antumbra_draw::GpuScene;
 use antumbra_scene::{Camera, EntityKey, Scene};
 use rand::SeedableRng;
 use rand_pcg::Pcg32;

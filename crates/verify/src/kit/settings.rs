@@ -1,6 +1,6 @@
 //! What the kit checks with: the cases, the adapter, the image size and the seed.
 
-use antumbra_draw::AdapterChoice;
+use antumbra_cull::AdapterChoice;
 
 use super::case::Case;
 

@@ -4,10 +4,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use antumbra_cull::{
-    CountLayout, Counting, DeclareError, FrameGraph, Latency, Queried, Samples, Stamp, Strategy,
-    Verdict, Verdicts, ViewNodes, VisibleSet,
+    CountLayout, Counting, DeclareError, FrameGraph, Latency, MeshDetail, Queried, Samples, Stamp,
+    Strategy, Verdict, Verdicts, ViewNodes, VisibleSet,
 };
-use antumbra_draw::MeshDetail;
 use antumbra_strategies::ThreePass;
 
 /// Culls every third entity, and claims to be conservative.

@@ -2,17 +2,13 @@
 //! is visible. Each pixel has one mark, whichever mesh sets it.
 
 use std::ops::Range;
-use std::sync::Arc;
 
-use antumbra_graph::{Bind, Buffer, Graph, Host};
+use antumbra_graph::{Buffer, Host};
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
 
-use crate::detail::MeshDetail;
-use crate::list::Run;
-use crate::passes::{DepthTest, PassSpec, ViewInputs, bind, group};
-use crate::record::Recorder;
-use crate::table::SceneTable;
+use super::list::Run;
+use crate::entities::{MeshDetail, SceneTable};
 
 /// Pixels along a side of a patch. The image is divided into patches from its upper left corner; those at the right and lower edges may
 /// extend beyond it.
@@ -71,10 +67,11 @@ assert_layout!(GpuDraw, "compact", "Draw", { index_count, instance_count, first_
 
 /// One patch and the runs that may be drawn into it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-struct Patch {
+pub struct Patch {
     /// Upper left pixel.
-    corner: [u32; 2],
-    runs: Range<usize>,
+    pub corner: [u32; 2],
+    /// Its runs: indices into [`PatchList::runs`] and [`PatchList::draws`].
+    pub runs: Range<usize>,
 }
 
 /// Patches, and the entities that may be drawn into each.
@@ -149,9 +146,14 @@ impl PatchList {
         draws
     }
 
-    /// Number of patches, empty ones included.
-    pub fn patches(&self) -> usize {
-        self.patches.len()
+    /// The patches, empty ones included.
+    pub fn patches(&self) -> &[Patch] {
+        &self.patches
+    }
+
+    /// The runs of all patches, one a draw.
+    pub fn runs(&self) -> &[Run] {
+        &self.runs
     }
 
     /// The entities of all patches.
@@ -179,57 +181,4 @@ pub struct PatchDraws {
     pub kept: Buffer,
     /// The list's draws, with their instance counts.
     pub draws: Buffer,
-}
-
-/// Draws kept entries into their patches and marks the pixels in which any of them is at or in front of a finished depth. `shown` has
-/// [`PATCH_BYTES`] for each patch; the marks must be zero before. The pipelines are [`PipelineKind::PatchEarly`] for [`DepthTest::Early`] and
-/// [`PipelineKind::PatchCompare`] for [`DepthTest::InShader`].
-///
-/// [`PipelineKind::PatchEarly`]: crate::PipelineKind::PatchEarly
-/// [`PipelineKind::PatchCompare`]: crate::PipelineKind::PatchCompare
-pub fn patch_pass(
-    g: &mut Graph,
-    spec: &PassSpec,
-    inputs: ViewInputs,
-    source: PatchDraws,
-    test: DepthTest,
-    shown: Buffer,
-) -> Buffer {
-    let mut node = g.raster(spec.name.clone());
-    node.group(spec.group)
-        .read(inputs.scene)
-        .read(inputs.view)
-        .read(source.list)
-        .vertex(source.kept)
-        .indirect(source.draws)
-        .uniform(inputs.uniform)
-        .requires(wgpu::Features::INDIRECT_FIRST_INSTANCE)
-        // The node's body reports a value that cannot be read.
-        .only_if(move |host| host.get(source.list).map_or(true, |list| !list.is_empty()));
-    test.declare(&mut node);
-    let marked = node.storage_write(shown);
-    let pipelines = Arc::clone(&spec.pipelines);
-    node.run(move |ctx| {
-        let list = ctx.get(source.list)?;
-        let [width, height] = ctx.get(inputs.view)?.size;
-        let draws = ctx.buffer(source.draws)?;
-        let scene = bind(ctx, inputs, &pipelines, source.kept)?;
-        let mut binds = vec![Bind::Buffer(0, marked)];
-        binds.extend(test.bind(1));
-        group(ctx, &pipelines, 3, &binds)?;
-        let mut recorder = Recorder::new(&scene, &pipelines);
-        for patch in &list.patches {
-            let [x, y] = patch.corner;
-            let side = |from: u32, end: u32| PATCH_SIDE.min(end.saturating_sub(from));
-            let (wide, high) = (side(x, width), side(y, height));
-            let runs = list.runs.get(patch.runs.clone()).unwrap_or_default();
-            if runs.is_empty() || wide == 0 || high == 0 {
-                continue;
-            }
-            ctx.pass().set_scissor_rect(x, y, wide, high);
-            recorder.indirect(ctx.pass(), runs, draws, patch.runs.start);
-        }
-        Ok(())
-    });
-    marked
 }

@@ -6,8 +6,7 @@
 
 use std::ops::Range;
 
-use crate::detail::MeshDetail;
-use crate::table::SceneTable;
+use crate::entities::{MeshDetail, SceneTable};
 
 /// Consecutive instances of one batch: one instanced draw.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use antumbra_scene::Aabb;
 
-use crate::detail::MeshDetail;
+use super::detail::MeshDetail;
 
 /// One geometry in the shared vertex and index arenas.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -9,9 +9,8 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 
 use crate::device::Gpu;
-use crate::oriented::OrientedBox;
-use crate::passes::ViewInputs;
-use crate::pipeline::DEPTH_FORMAT;
+use crate::entities::OrientedBox;
+use crate::renderer::{DEPTH_FORMAT, ViewInputs};
 use crate::view::ViewFrame;
 use antumbra_shaders::jobs::boxes::JOB;
 use std::sync::Arc;

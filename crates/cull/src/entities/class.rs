@@ -2,7 +2,7 @@
 
 use antumbra_scene::{AlphaMode, Topology};
 
-use crate::detail::MeshDetail;
+use super::detail::MeshDetail;
 
 /// What decides a pipeline ([`PipelineTraits`]), packed into an index below [`PipelineClass::COUNT`]. Sorts in drawing order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -5,7 +5,7 @@ use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Mat4};
 
-use crate::instance::SplitPoint;
+use crate::split_point::SplitPoint;
 
 /// The view's uniform. Mirrors `View` of `shared/view.wgsl`.
 #[repr(C)]

@@ -1,7 +1,7 @@
 //! The host's data of all drawable entities, laid out for culling: one slot for each entity, dense arrays by slot.
 //!
-//! A table is a snapshot. The graph's host nodes share it through an `Arc`; [`GpuScene`](crate::GpuScene) changes it between frames, when no
-//! node holds it.
+//! A table is a snapshot. The graph's host nodes share it through an `Arc`; its owner (the built-in renderer's scene, or a host's) changes it between
+//! frames, when no node holds it.
 
 use std::collections::HashMap;
 
@@ -9,12 +9,12 @@ use antumbra_scene::bounds::BoxArray;
 use antumbra_scene::{Aabb, EntityKey};
 use glam::{DAffine3, DVec3};
 
-use crate::class::{Alpha, PipelineClass};
-use crate::detail::MeshDetail;
-use crate::oriented::OrientedBox;
-use crate::ranges::{IndexRange, MeshRanges};
-use crate::scale::{greatest_scale, least_scale};
-use crate::slot_groups::SlotGroups;
+use super::class::{Alpha, PipelineClass};
+use super::detail::MeshDetail;
+use super::oriented::OrientedBox;
+use super::ranges::{IndexRange, MeshRanges};
+use super::scale::{greatest_scale, least_scale};
+use super::slot_groups::SlotGroups;
 
 /// What the instances of one instanced draw share: pipeline, texture, mesh. Sorts in drawing order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -37,12 +37,16 @@ pub struct Occupant {
 }
 
 /// An entity on its way into a slot.
-pub(crate) struct NewOccupant {
+/// [`SceneTable::occupy`] takes it.
+#[derive(Debug, Clone, Copy)]
+pub struct NewOccupant {
+    /// The entity.
     pub key: EntityKey,
     /// World bounds.
     pub bounds: Aabb,
     /// World transform.
     pub world: DAffine3,
+    /// What it is drawn with.
     pub batch: Batch,
     /// Whether visibility tests may cull it.
     pub tested: bool,
@@ -211,34 +215,30 @@ impl SceneTable {
             .is_none_or(|untested| !untested)
     }
 
-    pub(crate) fn groups_mut(&mut self) -> &mut SlotGroups {
+    /// The scene's hierarchy, to change it.
+    pub fn groups_mut(&mut self) -> &mut SlotGroups {
         &mut self.groups
     }
 
     /// Clears the list of changed slots.
-    pub(crate) fn clear_changes(&mut self) {
+    pub fn clear_changes(&mut self) {
         self.changed.clear();
         self.changed_since = self.epoch;
     }
 
     /// Begins a new epoch.
-    pub(crate) fn next_epoch(&mut self) {
+    pub fn next_epoch(&mut self) {
         self.epoch += 1;
     }
 
     /// Adds a mesh and returns its index.
-    pub(crate) fn add_mesh(&mut self, ranges: MeshRanges) -> u32 {
+    pub fn add_mesh(&mut self, ranges: MeshRanges) -> u32 {
         self.meshes.push(ranges);
         self.meshes.len() as u32 - 1
     }
 
     /// Puts an entity into a slot: the next new one, or a free one. Its batch index is provisional until [`Self::sort_batches`].
-    pub(crate) fn occupy(
-        &mut self,
-        slot: u32,
-        entity: NewOccupant,
-        index: &mut HashMap<Batch, u32>,
-    ) {
+    pub fn occupy(&mut self, slot: u32, entity: NewOccupant, index: &mut HashMap<Batch, u32>) {
         let NewOccupant {
             key,
             bounds,
@@ -280,7 +280,7 @@ impl SceneTable {
     }
 
     /// Frees a slot.
-    pub(crate) fn vacate(&mut self, slot: u32) {
+    pub fn vacate(&mut self, slot: u32) {
         let Some(place) = self.occupants.get_mut(slot as usize) else {
             return;
         };
@@ -295,7 +295,7 @@ impl SceneTable {
     }
 
     /// Moves the entity in a slot.
-    pub(crate) fn move_to(&mut self, slot: u32, bounds: Aabb, world: &DAffine3) {
+    pub fn move_to(&mut self, slot: u32, bounds: Aabb, world: &DAffine3) {
         self.boxes.set(slot as usize, bounds);
         self.changed.push(slot);
         let mesh = self.batches[self.batch_of(slot) as usize].mesh;
@@ -329,7 +329,7 @@ impl SceneTable {
     }
 
     /// Sorts the batches into drawing order and renumbers the slots' batches.
-    pub(crate) fn sort_batches(&mut self, index: &mut HashMap<Batch, u32>) {
+    pub fn sort_batches(&mut self, index: &mut HashMap<Batch, u32>) {
         if self.batches.is_sorted() {
             return;
         }

@@ -45,13 +45,13 @@ impl SlotGroups {
     }
 
     /// Adds a group below `parent` and returns its number.
-    pub(crate) fn add(&mut self, parent: u32) -> u32 {
+    pub fn add(&mut self, parent: u32) -> u32 {
         self.parents.push(parent);
         self.parents.len() as u32 - 1
     }
 
     /// Sets the group of a slot that has none yet.
-    pub(crate) fn place(&mut self, slot: u32, group: u32) {
+    pub fn place(&mut self, slot: u32, group: u32) {
         let at = slot as usize;
         if self.of_slot.len() <= at {
             self.of_slot.resize(at + 1, NONE);
@@ -60,7 +60,7 @@ impl SlotGroups {
     }
 
     /// Gives a group another parent.
-    pub(crate) fn move_group(&mut self, group: u32, parent: u32) {
+    pub fn move_group(&mut self, group: u32, parent: u32) {
         if let Some(place) = self.parents.get_mut(group as usize) {
             *place = parent;
         }
@@ -68,13 +68,13 @@ impl SlotGroups {
     }
 
     /// Moves a slot from its group to another.
-    pub(crate) fn move_slot(&mut self, slot: u32, group: u32) {
+    pub fn move_slot(&mut self, slot: u32, group: u32) {
         self.place(slot, group);
         self.version += 1;
     }
 
     /// Removes all groups, so that they can be numbered anew.
-    pub(crate) fn clear(&mut self) {
+    pub fn clear(&mut self) {
         self.parents.clear();
         self.of_slot.clear();
         self.version += 1;

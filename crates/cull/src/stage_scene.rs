@@ -1,0 +1,82 @@
+//! What a stage needs of a scene: a table of its entities, a layout that plans depend on, and a renderer that draws it.
+
+use std::any::Any;
+use std::fmt;
+use std::sync::Arc;
+
+use crate::device::Gpu;
+use crate::entities::{PipelineClass, SceneTable};
+use crate::renderer::Renderer;
+
+/// A scene that a [`Stage`](crate::Stage) can cull. The built-in renderer's `GpuScene` is one.
+pub trait StageScene {
+    /// The device that it is on.
+    fn gpu(&self) -> &Gpu;
+
+    /// An id, unique in this process. Slots and epochs are meaningful only together with it.
+    fn number(&self) -> u64;
+
+    /// The entities as they are now.
+    fn table(&self) -> &Arc<SceneTable>;
+
+    /// What plans for this scene depend on.
+    fn layout(&self) -> SceneLayout;
+
+    /// The entities as they are now, with what the renderer needs to draw them.
+    fn frame(&self) -> SceneFrame;
+
+    /// A new renderer that draws this scene's frames.
+    fn renderer(&self) -> Box<dyn Renderer>;
+}
+
+/// What the nodes of a frame need of a scene: shared handles, cheap to clone.
+#[derive(Clone)]
+pub struct SceneFrame {
+    /// All drawable entities, by slot.
+    pub table: Arc<SceneTable>,
+    data: Arc<dyn Any + Send + Sync>,
+}
+
+impl SceneFrame {
+    /// A frame of a scene, with the data that its renderer draws from.
+    pub fn new(table: Arc<SceneTable>, data: Arc<dyn Any + Send + Sync>) -> Self {
+        Self { table, data }
+    }
+
+    /// The renderer's data; `None` if it is of another type.
+    pub fn data<T: 'static>(&self) -> Option<&T> {
+        self.data.downcast_ref()
+    }
+}
+
+impl fmt::Debug for SceneFrame {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("SceneFrame")
+            .field("table", &self.table)
+            .finish_non_exhaustive()
+    }
+}
+
+/// What a compiled plan depends on. When it changes, plans must be compiled again.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SceneLayout {
+    /// Capacity in slots: the size of buffers of counts by slot.
+    pub slots: u32,
+    /// Capacity in batches: the number of indirect draws.
+    pub batches: u32,
+    /// Classes in use, as a bit mask by [`PipelineClass::index`].
+    pub classes: u128,
+    /// Whether any entity is blended.
+    pub transparent: bool,
+    /// Whether any light is a point or a spot light. Without one, lighting needs no distances.
+    pub positional_lights: bool,
+    /// Whether the scene has an environment to reflect.
+    pub environment: bool,
+}
+
+impl SceneLayout {
+    /// The classes in use, in drawing order.
+    pub fn classes(&self) -> impl Iterator<Item = PipelineClass> + '_ {
+        PipelineClass::all().filter(|class| self.classes >> class.index() & 1 != 0)
+    }
+}
