@@ -12,6 +12,10 @@ mod embed;
 #[allow(dead_code, reason = "its main is run by hand")]
 mod explore_subsurface;
 
+#[path = "../examples/own_renderer.rs"]
+#[allow(dead_code, reason = "its main is run by hand")]
+mod own_renderer;
+
 use antumbra::cull::MeshDetail;
 use antumbra::cull::{FrustumOnly, Strategy};
 use antumbra::measure::compare::{CompareOptions, Contender, compare};
@@ -109,4 +113,24 @@ fn a_flight_reads_only_what_is_seen_and_goes_on_while_surfaces_come_and_go() {
     assert!(first.drawn < first.entities * 2 / 3, "{first:?}");
     assert!(image.is_file());
     assert_eq!(first, explored(), "the same flight gave another result");
+}
+
+#[test]
+fn a_renderer_of_ones_own_draws_what_strategies_choose() {
+    let exact = "three-pass:latency=on-gpu:threshold=0:occluders=full:occludees=full:scale=1";
+    for gpu in [auto(), gl()] {
+        for strategy in [
+            "frustum",
+            exact,
+            "coherent:latency=same-frame",
+            "coherent:latency=on-gpu",
+            "occupancy-map:latency=same-frame",
+            "stop-and-wait:batch=64",
+        ] {
+            let outcome = own_renderer::run(gpu, strategy, 6).unwrap();
+            assert_eq!(outcome.different_pixels, 0, "{strategy}: {outcome:?}");
+            let culls = outcome.drawn * 4 < outcome.entities * 3;
+            assert_eq!(culls, strategy != "frustum", "{strategy}: {outcome:?}");
+        }
+    }
 }

@@ -174,37 +174,45 @@ impl Gpu {
                 adapter: adapter_title(&info),
                 reason: error.to_string(),
             })?;
-        Ok(Self::adopt(device, queue, info, downlevel))
+        let opened = Self::adopt(device, queue, info, downlevel);
+        opened.watch();
+        Ok(opened)
     }
 
-    /// Takes a device that the caller opened. Sets its error and loss callbacks; [`Gpu::check`] returns what they report.
+    /// Takes a device that the caller opened, and changes nothing of it: its error and loss callbacks stay the caller's. [`Gpu::check`] then has nothing to report,
+    /// unless the caller asks for it with [`Gpu::watch`].
     pub fn adopt(
         device: wgpu::Device,
         queue: wgpu::Queue,
         info: wgpu::AdapterInfo,
         downlevel: wgpu::DownlevelCapabilities,
     ) -> Self {
-        let failures = Arc::new(Mutex::new(Failures::default()));
-        let on_loss = Arc::clone(&failures);
-        device.set_device_lost_callback(move |reason, message| {
-            if reason != wgpu::DeviceLostReason::Destroyed {
-                note(&on_loss, |t| t.lost = Some(message));
-            }
-        });
-        let on_error = Arc::clone(&failures);
-        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
-            tracing::error!(%error, "wgpu");
-            note(&on_error, |t| {
-                t.refused.get_or_insert_with(|| error.to_string());
-            });
-        }));
         Self {
             device,
             queue,
             info,
             downlevel,
-            failures,
+            failures: Arc::default(),
         }
+    }
+
+    /// Replaces the device's error and loss callbacks, so that [`Gpu::check`] reports errors and a loss. A device that [`Gpu::open`] opened is watched.
+    pub fn watch(&self) {
+        let on_loss = Arc::clone(&self.failures);
+        self.device
+            .set_device_lost_callback(move |reason, message| {
+                if reason != wgpu::DeviceLostReason::Destroyed {
+                    note(&on_loss, |t| t.lost = Some(message));
+                }
+            });
+        let on_error = Arc::clone(&self.failures);
+        self.device
+            .on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+                tracing::error!(%error, "wgpu");
+                note(&on_error, |t| {
+                    t.refused.get_or_insert_with(|| error.to_string());
+                });
+            }));
     }
 
     /// The adapter as `name (backend)`.

@@ -78,7 +78,9 @@ pub use renderer::{
 pub use sample_rule::{Allowance, SampleRule};
 pub use samples::Samples;
 pub use split_point::SplitPoint;
-pub use stage::{ImportedTargets, Stage, StageError, StageOptions, ViewInput, ViewSpec};
+pub use stage::{
+    ImportedTargets, Rebuilt, Stage, StageError, StageOptions, StageReport, ViewInput, ViewSpec,
+};
 pub use stage_scene::{SceneFrame, SceneLayout, StageScene};
 pub use strategy::{DeclareError, Role, Strategy, VisibleSet};
 pub use tree::Tree;

@@ -4,13 +4,15 @@
 
 mod built;
 mod kept;
+mod report;
 
 use std::sync::Arc;
 
-use antumbra_graph::{CompileErrors, ExecuteError, FrameReport, Host, Mode, Plan};
+use antumbra_graph::{CompileErrors, ExecuteError, Host, Mode, Plan};
 use antumbra_scene::{Camera, CameraError};
 use built::{Built, Inherited, build};
 use kept::KeptPlans;
+pub use report::{Rebuilt, StageReport};
 use thiserror::Error;
 
 use crate::adaptive_threshold::GpuThreshold;
@@ -29,7 +31,7 @@ use crate::tuning::Step;
 use crate::verdict::Verdicts;
 use crate::view::ViewFrame;
 
-/// A view of a stage. Its name and size are fixed.
+/// A view of a stage.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ViewSpec {
     /// Its name: `main`, `left`, `right`.
@@ -161,6 +163,8 @@ pub struct Stage {
     kept: KeptPlans,
     pipelines: Pipelines,
     renderer: Box<dyn Renderer>,
+    /// Whether a view has another size than the plan.
+    resized: bool,
     cuts: Vec<u64>,
     /// Frames drawn so far, by all plans.
     frames: u64,
@@ -188,19 +192,11 @@ impl Stage {
         specs: Vec<ViewSpec>,
         options: StageOptions,
     ) -> Result<Self, StageError> {
-        let most = scene.gpu().device.limits().max_texture_dimension_2d;
         if specs.is_empty() {
             return Err(StageError::Input("no view".to_owned()));
         }
-        if let Some(spec) = specs
-            .iter()
-            .find(|spec| spec.size.iter().any(|side| *side == 0 || *side > most))
-        {
-            let [width, height] = spec.size;
-            return Err(StageError::Input(format!(
-                "view '{}' of {width} x {height} pixels: each side must be 1 to {most}",
-                spec.name
-            )));
+        for spec in &specs {
+            check_size(scene.gpu(), spec)?;
         }
         let mut strategy = strategy;
         let mut options = options;
@@ -234,11 +230,35 @@ impl Stage {
             kept: KeptPlans::default(),
             pipelines,
             renderer,
+            resized: false,
             cuts,
             frames: 0,
             audits,
             controller,
         })
+    }
+
+    /// Gives a view another size, from the next frame on. That frame compiles a new plan ([`Rebuilt::Size`]); what the strategy knows of entities stays, and is used.
+    ///
+    /// # Errors
+    /// [`StageError::Input`] for a view that does not exist, and for a size that [`Self::new`] refuses.
+    pub fn resize(&mut self, view: usize, size: [u32; 2]) -> Result<(), StageError> {
+        let views = self.specs.len();
+        let Some(spec) = self.specs.get_mut(view) else {
+            return Err(StageError::Input(format!(
+                "a size for view {view}, and it has {views}"
+            )));
+        };
+        if spec.size != size {
+            let resized = ViewSpec {
+                name: spec.name.clone(),
+                size,
+            };
+            check_size(&self.gpu, &resized)?;
+            *spec = resized;
+            self.resized = true;
+        }
+        Ok(())
     }
 
     /// The strategy.
@@ -265,12 +285,12 @@ impl Stage {
         &mut self,
         scene: &dyn StageScene,
         views: &[ViewInput<'_>],
-    ) -> Result<FrameReport, StageError> {
-        self.prepare(scene, views)?;
+    ) -> Result<StageReport, StageError> {
+        let rebuilt = self.prepare(scene, views)?;
         let report = self.built.plan.execute(&self.gpu.device, &self.gpu.queue)?;
         self.gpu.check()?;
         self.collect();
-        Ok(report)
+        Ok(StageReport::new(report, rebuilt))
     }
 
     /// Records a frame into a host's encoder; for a stage of [`Mode::Embedded`].
@@ -282,12 +302,12 @@ impl Stage {
         scene: &dyn StageScene,
         views: &[ViewInput<'_>],
         encoder: &mut wgpu::CommandEncoder,
-    ) -> Result<FrameReport, StageError> {
-        self.prepare(scene, views)?;
+    ) -> Result<StageReport, StageError> {
+        let rebuilt = self.prepare(scene, views)?;
         let plan = &mut self.built.plan;
         let report = plan.record(&self.gpu.device, &self.gpu.queue, encoder)?;
         self.collect();
-        Ok(report)
+        Ok(StageReport::new(report, rebuilt))
     }
 
     /// Tells the stage how long the last frame took, in milliseconds: a [`Budget::FrameTime`] goes by this. The caller decides what is timed, the frame itself or the
@@ -363,11 +383,45 @@ impl Stage {
         kept
     }
 
+    /// Makes the plan fit the scene, the sizes of the views, and the budget's step.
+    fn rebuild(
+        &mut self,
+        scene: &dyn StageScene,
+        step: usize,
+    ) -> Result<Option<Rebuilt>, StageError> {
+        let same_scene = scene.number() == self.built.number;
+        let same_layout = scene.layout() == self.built.layout;
+        if !same_scene || !same_layout || self.resized {
+            self.kept.clear();
+            let mut next = self.declare(scene)?;
+            if same_scene && self.built.step == step {
+                next.inherit(&mut self.built, self.frames);
+            }
+            self.built = next;
+            self.resized = false;
+            return Ok(Some(match (same_scene, same_layout) {
+                (false, _) => Rebuilt::Scene,
+                (true, false) => Rebuilt::Layout,
+                (true, true) => Rebuilt::Size,
+            }));
+        }
+        if self.built.step == step {
+            return Ok(None);
+        }
+        let (next, how) = match self.kept.take(step) {
+            Some(kept) => (self.resumed(kept), Rebuilt::Resumed),
+            None => (self.declare(scene)?, Rebuilt::Step),
+        };
+        self.kept.keep(std::mem::replace(&mut self.built, next));
+        Ok(Some(how))
+    }
+
+    /// Follows the budget, and sets everything that the frame's nodes read.
     fn prepare(
         &mut self,
         scene: &dyn StageScene,
         views: &[ViewInput<'_>],
-    ) -> Result<(), StageError> {
+    ) -> Result<Option<Rebuilt>, StageError> {
         if views.len() != self.specs.len() {
             return Err(StageError::Input(format!(
                 "{} views, and it has {}",
@@ -379,16 +433,7 @@ impl Stage {
             controller.follow(self.strategy.as_mut())?;
         }
         let step = step(self.controller.as_ref());
-        if scene.number() != self.built.number || scene.layout() != self.built.layout {
-            self.kept.clear();
-            self.built = self.declare(scene)?;
-        } else if self.built.step != step {
-            let next = match self.kept.take(step) {
-                Some(kept) => self.resumed(kept),
-                None => self.declare(scene)?,
-            };
-            self.kept.keep(std::mem::replace(&mut self.built, next));
-        }
+        let rebuilt = self.rebuild(scene, step)?;
         let Built {
             plan,
             scene: scene_handle,
@@ -433,7 +478,7 @@ impl Stage {
                 }
             }
         }
-        Ok(())
+        Ok(rebuilt)
     }
 
     /// A view's colour texture of the last frame; `None` for a view that does not exist, or whose targets are imported.
@@ -495,6 +540,19 @@ impl Stage {
             hide(inside?, left?, &mut verdicts);
         }
         Ok(verdicts)
+    }
+}
+
+/// Refuses a view without pixels, and one that is larger than the device's textures.
+fn check_size(gpu: &Gpu, spec: &ViewSpec) -> Result<(), StageError> {
+    let most = gpu.device.limits().max_texture_dimension_2d;
+    let [width, height] = spec.size;
+    match spec.size.iter().any(|side| *side == 0 || *side > most) {
+        true => Err(StageError::Input(format!(
+            "view '{}' of {width} x {height} pixels: each side must be 1 to {most}",
+            spec.name
+        ))),
+        false => Ok(()),
     }
 }
 

@@ -153,7 +153,7 @@ impl dyn Strategy + '_ {
     /// Sets the setting named `key` from text.
     ///
     /// # Errors
-    /// As [`Self::set`], and for text that is no value of its kind.
+    /// As [`Tunable::set_text`]; [`SettingError::Unknown`] for a strategy without settings.
     pub fn set_text(&mut self, key: &str, text: &str) -> Result<(), SettingError> {
         match self.tuning_mut() {
             Some(tuning) => tuning.set_text(key, text),

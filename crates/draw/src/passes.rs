@@ -67,7 +67,7 @@ pub fn identity_pass(
     out
 }
 
-/// Shades a source, lit by `lights`, which is uploaded [`GpuLights`](crate::GpuLights). Blended classes test the depth and do not write it. The pipelines are [identified](PipelineKind::identified) exactly where `into` has ids.
+/// Shades a source, lit by `lights`, which is uploaded [`GpuLights`](crate::GpuLights). Blended classes test the depth and do not write it. The pipelines are [identified](crate::PipelineKind::identified) exactly where `into` has ids.
 pub fn shaded_pass(
     g: &mut Graph,
     spec: &PassSpec,
@@ -104,7 +104,7 @@ pub fn shaded_pass(
     }
 }
 
-/// Draws a list with one hardware query for each of its [queries](DrawList::query_count), in the list's order, against a depth
+/// Draws a list with one hardware query for each of its [queries](antumbra_cull::DrawList::query_count), in the list's order, against a depth
 /// that it does not write. The results are u64: zero, or something else.
 pub fn query_pass(
     g: &mut Graph,
@@ -119,8 +119,8 @@ pub fn query_pass(
     draw_queried(&mut node, spec, inputs, None, source, answers)
 }
 
-/// Counts the samples of a source that pass against a finished depth, by slot. The pipelines are [`PipelineKind::CountAtomic`] for
-/// [`DepthTest::Early`] and [`PipelineKind::CountCompare`] for [`DepthTest::InShader`]. Ties pass.
+/// Counts the samples of a source that pass against a finished depth, by slot. The pipelines are [`PipelineKind::CountAtomic`](crate::PipelineKind::CountAtomic) for
+/// [`DepthTest::Early`] and [`PipelineKind::CountCompare`](crate::PipelineKind::CountCompare) for [`DepthTest::InShader`]. Ties pass.
 pub fn count_pass(
     g: &mut Graph,
     spec: &PassSpec,
@@ -188,8 +188,8 @@ pub fn signature_pass(
 }
 
 /// Draws kept entries into their patches and marks the pixels in which any of them is at or in front of a finished depth. `shown` has
-/// [`PATCH_BYTES`](antumbra_cull::patches::PATCH_BYTES) for each patch; the marks must be zero before. The pipelines are [`PipelineKind::PatchEarly`] for [`DepthTest::Early`] and
-/// [`PipelineKind::PatchCompare`] for [`DepthTest::InShader`].
+/// [`PATCH_BYTES`](antumbra_cull::patches::PATCH_BYTES) for each patch; the marks must be zero before. The pipelines are [`PipelineKind::PatchEarly`](crate::PipelineKind::PatchEarly) for [`DepthTest::Early`] and
+/// [`PipelineKind::PatchCompare`](crate::PipelineKind::PatchCompare) for [`DepthTest::InShader`].
 pub fn patch_pass(
     g: &mut Graph,
     spec: &PassSpec,

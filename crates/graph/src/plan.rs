@@ -244,6 +244,38 @@ impl Plan {
         Some(&self.physical.texture(self.output_slot(texture.0)?)?.texture)
     }
 
+    /// Goes on from another plan, between frames: takes over the host values that outlive a frame (those that a node updates or reads of the last frame), where name and
+    /// type are the same, and the number of the next frame. For a graph that was declared anew because a size has changed: what its nodes know on the host stays
+    /// true. Last frame's textures and buffers, and read-backs under way, are not taken over. `from` is left with what this plan had.
+    pub fn inherit(&mut self, from: &mut Self) {
+        for placed in &self.layout.placed {
+            let own = &placed.resource;
+            if !placed.history || own.import || !matches!(own.kind, Kind::Host(_)) {
+                continue;
+            }
+            let theirs = from.layout.placed.iter().find(|theirs| {
+                let other = &theirs.resource;
+                theirs.history && !other.import && other.name == own.name
+            });
+            let Some(theirs) =
+                theirs.filter(|theirs| matches!(theirs.resource.kind, Kind::Host(_)))
+            else {
+                continue;
+            };
+            let double = |slots: [u32; 2]| slots[0] != slots[1];
+            if double(placed.slots) != double(theirs.slots) {
+                continue;
+            }
+            self.store
+                .swap(placed.slots[0], &mut from.store, theirs.slots[0]);
+            if double(placed.slots) {
+                self.store
+                    .swap(placed.slots[1], &mut from.store, theirs.slots[1]);
+            }
+        }
+        self.frame = from.frame;
+    }
+
     /// Drops the results of all frame-late read-backs, pending or arrived: after a camera cut they describe another view.
     pub fn discard_read_backs(&mut self) {
         for ring in &mut self.rings {

@@ -107,6 +107,19 @@ impl Store {
         }
     }
 
+    /// Between frames: exchanges a value with one of another store, where both are of one type.
+    pub fn swap(&mut self, slot: u32, other: &mut Self, theirs: u32) {
+        let (Some(Some(ours)), Some(Some(theirs))) = (
+            self.at_rest.get_mut(slot as usize),
+            other.at_rest.get_mut(theirs as usize),
+        ) else {
+            return;
+        };
+        if ours.as_ref().type_id() == theirs.as_ref().type_id() {
+            std::mem::swap(ours, theirs);
+        }
+    }
+
     /// Between frames: sets a value to its initial one.
     pub fn reset(&mut self, slot: u32) {
         if let (Some(host), Some(rest)) = (

@@ -2,10 +2,10 @@
 //! wait. It works on trees of any depth, and on scenes whose tree changes between frames.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{Stage, StageOptions, Verdict, Verdicts, ViewInput};
+use antumbra_cull::{Stage, StageOptions, StageReport, Verdict, Verdicts, ViewInput};
 use antumbra_demo_scenes::layer;
 use antumbra_draw::GpuScene;
-use antumbra_graph::{FrameReport, Mode};
+use antumbra_graph::Mode;
 use antumbra_scene::{Camera, Drawable, EntityKey, Material, Scene, icosphere};
 use antumbra_strategies::NodeOutcome;
 use antumbra_strategies::{Sketch, registry};
@@ -26,7 +26,7 @@ fn stage(scene: &GpuScene, text: &str) -> Stage {
     antumbra_testing::stage(scene, text, views(&["main"], SIZE))
 }
 
-fn frame(stage: &mut Stage, scene: &GpuScene, camera: Camera) -> (Verdicts, FrameReport) {
+fn frame(stage: &mut Stage, scene: &GpuScene, camera: Camera) -> (Verdicts, StageReport) {
     let report = stage.frame(scene, &[ViewInput::new(camera)]).unwrap();
     scene.gpu().wait().unwrap();
     (stage.verdicts(0, scene).unwrap(), report)

@@ -22,6 +22,7 @@
 
 mod case;
 mod failure;
+mod replay;
 mod run;
 mod settings;
 mod stories;
@@ -29,6 +30,7 @@ mod test_scene;
 
 pub use case::Case;
 pub use failure::{KitFailure, Violation, ViolationKind};
+pub use replay::{Replay, ReplayFrame};
 pub use settings::Kit;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -127,6 +129,34 @@ impl Kit {
             .map_err(|violation| self.failure(gpu, make().as_ref(), vec![violation]))
     }
 
+    /// Plays one case again, with the kit's seed and size, and keeps what there is to see: to look at a failure. The names of cases in messages are those of
+    /// [`Case::named`].
+    ///
+    /// ```no_run
+    /// use antumbra_cull::{FrustumOnly, Gpu};
+    /// use antumbra_verify::kit::{Case, Kit};
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let gpu = Gpu::open(&Default::default())?;
+    /// let case = Case::named("slot reuse").ok_or("no such case")?;
+    /// let replay = Kit { seed: 7, ..Kit::default() }.replay(&gpu, || Box::new(FrustumOnly), case);
+    /// if let (Some(violation), Some(last)) = (&replay.violation, replay.frames.last()) {
+    ///     println!("frame {}: {violation:?}", last.frame);
+    ///     // `last.rgba()` is an image of `last.size` with the wrong pixels in red.
+    /// }
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn replay(&self, gpu: &Gpu, make: impl Fn() -> Box<dyn Strategy>, case: Case) -> Replay {
+        let mut frames = Some(Vec::new());
+        let story = |context: &mut CaseContext<'_>| stories::play(case, context);
+        let outcome = self.attempt_keeping(gpu, &make, case, &mut frames, story);
+        Replay {
+            frames: frames.unwrap_or_default(),
+            violation: outcome.err(),
+        }
+    }
+
     /// Plays a story. A panic in it becomes a violation.
     fn attempt<'k, T>(
         &'k self,
@@ -135,14 +165,29 @@ impl Kit {
         case: Case,
         story: impl FnOnce(&mut CaseContext<'k>) -> Result<T, ViolationKind>,
     ) -> Result<T, Violation> {
+        self.attempt_keeping(gpu, make, case, &mut None, story)
+    }
+
+    /// The same; what is seen is added to `replay` if there is one, also in a story that panics.
+    fn attempt_keeping<'k, T>(
+        &'k self,
+        gpu: &'k Gpu,
+        make: &'k dyn Fn() -> Box<dyn Strategy>,
+        case: Case,
+        replay: &mut Option<Vec<ReplayFrame>>,
+        story: impl FnOnce(&mut CaseContext<'k>) -> Result<T, ViolationKind>,
+    ) -> Result<T, Violation> {
         let mut context = CaseContext {
             kit: self,
             gpu,
             make,
             frame: 0,
             compared_frames: 0,
+            replay: replay.take(),
         };
-        let kind = match catch_unwind(AssertUnwindSafe(|| story(&mut context))) {
+        let played = catch_unwind(AssertUnwindSafe(|| story(&mut context)));
+        *replay = context.replay.take();
+        let kind = match played {
             Ok(Ok(result)) => return Ok(result),
             Ok(Err(kind)) => kind,
             Err(payload) => ViolationKind::Panicked(panic_message(payload.as_ref())),

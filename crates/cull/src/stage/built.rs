@@ -57,6 +57,18 @@ impl Built {
         }
     }
 
+    /// Goes on from the plan that this one replaces, for the same scene and settings: what its nodes know on the host stays true.
+    pub fn inherit(&mut self, old: &mut Self, stage_frame: u64) {
+        self.plan.inherit(&mut old.plan);
+        self.frames = old.frames;
+        self.resumed = old.resumed;
+        self.earlier = old.earlier;
+        self.resume(stage_frame);
+        for (view, old) in self.views.iter_mut().zip(&old.views) {
+            view.audits_taken = old.audits_taken;
+        }
+    }
+
     /// Goes on at a frame of the stage, after other plans have run.
     pub fn resume(&mut self, stage_frame: u64) {
         self.earlier = std::mem::replace(

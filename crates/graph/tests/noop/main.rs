@@ -7,6 +7,7 @@ mod declare;
 mod device_errors;
 mod errors;
 mod imports;
+mod inherit;
 mod loops;
 mod order;
 mod pictures;

@@ -36,6 +36,8 @@ pub enum Case {
     Still,
     /// Two views of one scene, left and right.
     Stereo,
+    /// A view that gets larger, then smaller, while the camera moves.
+    Resize,
     /// Worlds of a millimetre and of a million kilometres, and one far from the origin.
     Worlds,
     /// Fields of view of a hundredth of a degree and of 179 degrees, near planes at a tenth of a millimetre and at a kilometre, orthographic views.
@@ -48,7 +50,7 @@ pub enum Case {
 
 impl Case {
     /// All cases that bring their own scene, in the order in which the default kit plays them.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 19] = [
         Self::RandomScenes,
         Self::Cut,
         Self::InsideBox,
@@ -64,10 +66,16 @@ impl Case {
         Self::Repeat,
         Self::Still,
         Self::Stereo,
+        Self::Resize,
         Self::Worlds,
         Self::Lenses,
         Self::Gaps,
     ];
+
+    /// The case with this name, as messages write it; `None` for another text.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|case| case.name() == name)
+    }
 
     /// The name in messages.
     pub fn name(self) -> &'static str {
@@ -87,6 +95,7 @@ impl Case {
             Self::Repeat => "the same input twice",
             Self::Still => "still scene",
             Self::Stereo => "two views",
+            Self::Resize => "resized view",
             Self::Worlds => "tiny and huge worlds",
             Self::Lenses => "narrow, wide and parallel views",
             Self::Gaps => "exact covers and small gaps",

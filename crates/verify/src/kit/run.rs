@@ -13,6 +13,7 @@ use rand::SeedableRng;
 use rand_pcg::Pcg32;
 
 use super::failure::ViolationKind;
+use super::replay::ReplayFrame;
 use super::settings::Kit;
 use crate::oracle::{EntitySet, IdBuffer, Oracle};
 
@@ -25,6 +26,8 @@ pub(super) struct CaseContext<'k> {
     pub frame: u32,
     /// Number of frames compared with the oracle, in all runs of the case.
     pub compared_frames: u32,
+    /// What was seen so far, for a replay.
+    pub replay: Option<Vec<ReplayFrame>>,
 }
 
 impl CaseContext<'_> {
@@ -61,6 +64,8 @@ pub(super) struct Run<'b, 'k> {
     /// Stories change it between frames.
     pub scene: Scene,
     gpu_scene: GpuScene,
+    /// Width and height of the views in pixels.
+    size: [u32; 2],
     /// Draws what the strategy chooses.
     stage: Stage,
     /// Draws the slots that it is given: the image to compare with.
@@ -138,11 +143,23 @@ impl<'b, 'k> Run<'b, 'k> {
             still_frames: 0,
             last: Vec::new(),
             history: Vec::new(),
+            size: context.kit.size,
             context,
             scene,
             gpu_scene,
             claims,
         })
+    }
+
+    /// Gives all views another size, from the next frame on.
+    pub fn resize(&mut self, size: [u32; 2]) -> Result<(), ViolationKind> {
+        for view in 0..self.seen.len() {
+            self.stage.resize(view, size)?;
+            self.expected.resize(view, size)?;
+        }
+        self.oracle = Oracle::new(&self.gpu_scene, size);
+        self.size = size;
+        Ok(())
     }
 
     /// Runs a frame of one view.
@@ -213,10 +230,41 @@ impl<'b, 'k> Run<'b, 'k> {
             {
                 seen.clear();
             }
+            self.keep(index, &view.camera, reference)?;
             self.check_view(index, &view.camera, reference)?;
         }
         self.compare_images(views, &references)?;
         self.context.compared_frames += 1;
+        Ok(())
+    }
+
+    /// Keeps what there is to see of a view, where a replay asks for it.
+    fn keep(
+        &mut self,
+        view: usize,
+        camera: &Camera,
+        reference: &Reference,
+    ) -> Result<(), ViolationKind> {
+        let Some(verdicts) = self
+            .last
+            .get(view)
+            .filter(|_| self.context.replay.is_some())
+        else {
+            return Ok(());
+        };
+        let drawn = EntitySet::Drawn(verdicts);
+        let drawn = self.oracle.render(&self.gpu_scene, camera, drawn)?;
+        let frame = ReplayFrame {
+            frame: self.context.frame,
+            view,
+            size: self.size,
+            verdicts: verdicts.clone(),
+            reference: reference.image.clone(),
+            drawn,
+        };
+        if let Some(replay) = &mut self.context.replay {
+            replay.push(frame);
+        }
         Ok(())
     }
 
@@ -225,7 +273,7 @@ impl<'b, 'k> Run<'b, 'k> {
             .oracle
             .render(&self.gpu_scene, camera, EntitySet::InFrustum)?;
         let mut candidates = Candidates::default();
-        let frame = ViewFrame::new(*camera, self.context.kit.size, 0);
+        let frame = ViewFrame::new(*camera, self.size, 0);
         candidates.find(self.gpu_scene.table(), &frame);
         Ok(Reference {
             owners: Arc::new(image.owners()),
@@ -365,7 +413,7 @@ impl<'b, 'k> Run<'b, 'k> {
             let mut differing = pixels.enumerate().filter(|(_, (a, b))| a != b);
             if let Some((index, _)) = differing.next() {
                 let index = index as u32;
-                let width = self.context.kit.size[0].max(1);
+                let width = self.size[0].max(1);
                 let first = [index % width, index / width];
                 let pixels = 1 + differing.count();
                 return Err(if conservative {

@@ -29,6 +29,29 @@ pub(super) fn random_scenes(context: &mut CaseContext<'_>) -> Result<(), Violati
     Ok(())
 }
 
+pub(super) fn resize(context: &mut CaseContext<'_>) -> Result<(), ViolationKind> {
+    let mut test = TestScene::new()?;
+    test.scatter(&mut context.random(300), ENTITIES)?;
+    let [width, height] = context.kit.size;
+    let mut run = Run::new(context, test.scene)?;
+    let mut angle = 0.0;
+    // Larger, smaller, with other proportions, and back.
+    for size in [
+        [width, height],
+        [width + width / 2, height + height / 2],
+        [width.div_ceil(3), height.div_ceil(3)],
+        [height, width],
+        [width, height],
+    ] {
+        run.resize(size)?;
+        for _ in 0..2 {
+            run.frame(&orbit(angle)?)?;
+            angle += 0.07;
+        }
+    }
+    Ok(())
+}
+
 pub(super) fn repeat(context: &mut CaseContext<'_>) -> Result<(), ViolationKind> {
     let first = repeated(context)?;
     if first == repeated(context)? {

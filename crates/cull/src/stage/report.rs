@@ -1,0 +1,66 @@
+//! What a stage reports of a frame.
+
+use std::time::Duration;
+
+use antumbra_graph::FrameReport;
+
+/// The report of a finished frame.
+#[derive(Debug, Clone)]
+pub struct StageReport {
+    /// The frame's number in its plan.
+    pub frame: u64,
+    /// The frame's last submission; `None` for an embedded stage.
+    pub submission: Option<wgpu::SubmissionIndex>,
+    /// Sync points that were waited at, those of loop iterations included.
+    pub sync_points: u32,
+    /// Iterations of all host loops.
+    pub loop_iterations: u32,
+    /// Frame-late read-backs that found no free slot.
+    pub skipped_read_backs: u32,
+    /// Host time of the frame, waiting included.
+    pub cpu: Duration,
+    /// Of that, the time spent waiting at sync points.
+    pub waited: Duration,
+    /// Why this frame had another plan than the last one; `None`: it had the same. To compile a plan takes milliseconds.
+    pub rebuilt: Option<Rebuilt>,
+}
+
+/// Why a frame has another plan than the last one, and what is kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Rebuilt {
+    /// The stage was given another scene. Nothing is kept.
+    Scene,
+    /// The scene's [layout](crate::SceneLayout) has changed: it outgrew its buffers, or has other classes, lights or transparency. What the strategy knows on the host is kept.
+    Layout,
+    /// A view was [resized](crate::Stage::resize). What the strategy knows on the host is kept.
+    Size,
+    /// A budget went to a step that has no plan yet. Nothing is kept.
+    Step,
+    /// A budget came back to a step. Its plan and memory are used again, as after a camera cut; nothing was compiled.
+    Resumed,
+}
+
+impl StageReport {
+    pub(super) fn new(report: FrameReport, rebuilt: Option<Rebuilt>) -> Self {
+        let FrameReport {
+            frame,
+            submission,
+            sync_points,
+            loop_iterations,
+            skipped_read_backs,
+            cpu,
+            waited,
+        } = report;
+        Self {
+            frame,
+            submission,
+            sync_points,
+            loop_iterations,
+            skipped_read_backs,
+            cpu,
+            waited,
+            rebuilt,
+        }
+    }
+}
