@@ -106,7 +106,7 @@ pub fn run(size: [u32; 2], frames: u32, output: &Path) -> Result<String, Box<dyn
             4,
         );
         queue.submit([encoder.finish()]);
-        // A window would present here. The stage itself never waits; calling `check` instead is enough to notice a lost device.
+        // A window would present here. The stage itself never waits; the device's loss callback, or `Gpu::watch` and `check`, notice a lost device.
         gpu.wait()?;
         let verdicts = stage.verdicts(0, &scene)?;
         let drawn = verdicts.drawn().count();

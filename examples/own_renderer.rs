@@ -1,10 +1,13 @@
 //! A renderer of one's own: the stage decides what is drawn, and this program draws it, in one flat colour an entity. Every strategy works with it, also those that
 //! draw some, test, and draw the rest. The passes that test (depth, ids, counts, queries) are still the built-in renderer's.
 //!
+//! It is for opaque, closed triangle meshes. A renderer for other entities goes by each batch's `PipelineClass` (topology, winding, sides, alpha), as the tests do.
+//!
 //! ```text
 //! cargo run --release --example own_renderer --features demo-scenes
 //! ```
 
+use std::collections::HashMap;
 use std::error::Error;
 use std::ops::Range;
 use std::sync::Arc;
@@ -81,6 +84,7 @@ impl StageScene for FlatScene {
         Box::new(Flat {
             gpu: self.gpu().clone(),
             shader: Arc::clone(&self.shader),
+            pipelines: HashMap::new(),
             tests: BuiltinRenderer::new(self.gpu()),
         })
     }
@@ -90,17 +94,19 @@ impl StageScene for FlatScene {
 struct Flat {
     gpu: Gpu,
     shader: Arc<Job>,
+    /// By the colour target's format, and by whether there are ids: a plan that is declared anew compiles nothing that exists.
+    pipelines: HashMap<(wgpu::TextureFormat, bool), Arc<FlatPipeline>>,
     tests: BuiltinRenderer,
 }
 
 impl Renderer for Flat {
     fn shade(&mut self, pass: Pass<'_>, source: DrawSource, into: ShadeTargets) -> ShadeTargets {
-        let pipeline = FlatPipeline::new(
-            &self.gpu,
-            &self.shader,
-            pass.colour_format,
-            into.ids.is_some(),
-        );
+        let kind = (pass.colour_format, into.ids.is_some());
+        let made = self.pipelines.entry(kind);
+        let pipeline = made.or_insert_with(|| {
+            Arc::new(FlatPipeline::new(&self.gpu, &self.shader, kind.0, kind.1))
+        });
+        let pipeline = Arc::clone(pipeline);
         let inputs = pass.inputs;
         let list = source.as_list();
         let mut node = pass.graph.raster(pass.name);
@@ -110,7 +116,9 @@ impl Renderer for Flat {
             .vertex(list.slots)
             .uniform(inputs.uniform);
         if let DrawSource::Indirect(indirect) = source {
-            node.indirect(indirect.draws);
+            // Without the feature, a draw whose first instance is not 0 draws nothing.
+            node.indirect(indirect.draws)
+                .requires(wgpu::Features::INDIRECT_FIRST_INSTANCE);
         }
         let targets = Targets {
             colour: node.colour(into.targets.colour),

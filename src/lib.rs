@@ -7,10 +7,10 @@
 //! |---|---|---|
 //! | [`graph`] | passes and resources, compiled into a checked plan and run as wgpu commands; read-back; timing | |
 //! | [`scene`] | entities in arenas, transforms, bounds, cameras, meshes in memory; knows no GPU and no file | |
-//! | [`shaders`] | WGSL, checked and reflected | |
-//! | [`cull`] | the contract: strategy, visible set, stage, audit, budget | |
+//! | [`shaders`] | WGSL, checked and reflected ahead of time | |
+//! | [`cull`] | the contract: strategy, visible set, stage, renderer, entities, draw sources, audit, budget | |
 //! | `strategies` | the built-in strategies and their registry | `strategies`, on by default |
-//! | `draw` | the built-in renderer: meshes on the GPU, draw lists, pipelines | `draw`, on by default |
+//! | `draw` | the built-in renderer: meshes on the GPU, pipelines, passes | `draw`, on by default |
 //! | `formats` | scene files in and out: glTF, OBJ, PLY, STL, CityJSON, rasters | `formats` |
 //! | `verify` | the oracle and the conformance kit | `verify` |
 //! | `measure` | camera paths, comparisons, image errors, the report | `measure` |

@@ -13,13 +13,14 @@ use std::sync::{Arc, Mutex};
 
 use antumbra::cull::{
     DrawSource, Gpu, Pass, PipelineClass, Renderer, SceneFrame, SceneLayout, SceneTable,
-    ShadeTargets, Stage, StageOptions, StageScene, Strategy, TestRenderer,
+    ShadeTargets, Stage, StageOptions, StageScene, Strategy, TestRenderer, ViewInput,
 };
 use antumbra::draw::{BuiltinRenderer, GpuScene, PipelineKind};
 use antumbra::graph::PlanFormat;
 use antumbra::scene::Scene;
 use antumbra::strategies::registry;
-use antumbra_testing::{stage_with, views, vulkan};
+use antumbra_testing::{look_at, perspective, stage_with, views, vulkan};
+use glam::DVec3;
 use what_it_costs::Part;
 
 /// The strategies whose plans are tested.
@@ -151,6 +152,22 @@ fn shading(scene: &mut Scene) -> [bool; 2] {
     assert_eq!(watched.scene.buffers().environment.is_some(), *environment);
     assert_eq!(watched.layout().positional_lights, *positional_lights);
     [*positional_lights, *environment]
+}
+
+#[test]
+fn a_stage_draws_each_scene_with_that_scenes_renderer() {
+    let plainly = GpuScene::new(vulkan(), &mut plain()).unwrap();
+    let watched = Watched {
+        scene: GpuScene::new(vulkan(), &mut plain()).unwrap(),
+        kinds: Arc::default(),
+    };
+    let mut stage = stage(&plainly, registry().make("frustum").unwrap(), &["main"]);
+    let input = || ViewInput::new(look_at(DVec3::Z * 9.0, DVec3::ZERO, perspective(0.9, 0.1)));
+    stage.frame(&plainly, &[input()]).unwrap();
+    assert!(watched.kinds.lock().unwrap().is_empty());
+    stage.frame(&watched, &[input()]).unwrap();
+    assert!(!watched.kinds.lock().unwrap().is_empty());
+    stage.frame(&plainly, &[input()]).unwrap();
 }
 
 #[test]

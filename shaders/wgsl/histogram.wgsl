@@ -8,14 +8,16 @@
 const RUN: u32 = 16u;
 
 @compute @workgroup_size(64)
-fn count(@builtin(global_invocation_id) at: vec3<u32>) {
+fn count(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
     let size = textureDimensions(ids);
     let runs_a_row = (size.x + RUN - 1u) / RUN;
-    let y = at.x / runs_a_row;
+    // A large image has more workgroups than a dimension of a dispatch may have: they come in rows.
+    let number = at.y * groups.x * 64u + at.x;
+    let y = number / runs_a_row;
     if y >= size.y {
         return;
     }
-    let first = (at.x % runs_a_row) * RUN;
+    let first = (number % runs_a_row) * RUN;
     let last = min(first + RUN, size.x);
     var current = 0u;
     var length = 0u;

@@ -69,7 +69,7 @@ impl Default for AuditOptions {
 /// What the audit found in one frame of one view.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct FrameAudit {
-    /// The frame it is about, as the plan counts them.
+    /// The frame it is about, as the stage counts them ([`StageReport::frame`](crate::StageReport::frame)).
     pub frame: u64,
     /// The number of camera cuts of the view by then.
     pub cuts: u64,

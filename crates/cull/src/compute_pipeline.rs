@@ -58,3 +58,30 @@ impl ComputePipeline {
         Ok(())
     }
 }
+
+/// The most workgroups in a dimension of a dispatch: WebGPU's default limit.
+const MOST_WORKGROUPS: u32 = 65_535;
+
+/// Workgroups in rows, as [`ComputePipeline::dispatch`] takes them. The last row may have some too many: a shader goes by the number of workgroups in a row and returns where
+/// nothing is left.
+pub(crate) fn rows_of(groups: u32) -> [u32; 2] {
+    let wide = groups.clamp(1, MOST_WORKGROUPS);
+    [wide, groups.div_ceil(wide)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rows_of;
+
+    #[test]
+    fn rows_hold_all_workgroups_and_no_row_is_too_wide() {
+        for groups in [0, 1, 64, 65_535, 65_536, 1 << 20, u32::MAX] {
+            let [wide, rows] = rows_of(groups);
+            assert!(
+                wide <= 65_535 && rows <= 65_538,
+                "{groups}: {wide} x {rows}"
+            );
+            assert!(u64::from(wide) * u64::from(rows) >= u64::from(groups));
+        }
+    }
+}

@@ -13,6 +13,7 @@ use antumbra_graph::{Bind, Buffer, BufferDesc, Clear, Host, Texture, TextureDesc
 use antumbra_shaders::jobs;
 
 use crate::candidates::Queried;
+use crate::compute_pipeline::rows_of;
 use crate::count_layout::CountLayout;
 use crate::device::Gpu;
 use crate::draw_source::ListDraws;
@@ -234,7 +235,7 @@ impl FrameGraph<'_> {
         let groups = (width.div_ceil(16) * height).div_ceil(64);
         node.run(move |ctx| {
             let binds = [Bind::Texture(0, ids), Bind::Buffer(1, counts)];
-            pipeline.dispatch(ctx, &binds, [groups, 1])
+            pipeline.dispatch(ctx, &binds, rows_of(groups))
         });
         counts
     }

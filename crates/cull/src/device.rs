@@ -152,16 +152,7 @@ impl Gpu {
     pub async fn from_adapter(adapter: &wgpu::Adapter) -> Result<Self, DeviceError> {
         let info = adapter.get_info();
         let downlevel = adapter.get_downlevel_capabilities();
-        if !downlevel
-            .flags
-            .contains(wgpu::DownlevelFlags::VERTEX_STORAGE)
-        {
-            let what = "storage buffers in vertex shaders".to_owned();
-            return Err(DeviceError::Lacking {
-                adapter: adapter_title(&info),
-                what,
-            });
-        }
+        check_capabilities(&info, &downlevel)?;
         let (device, queue) = adapter
             .request_device(&wgpu::DeviceDescriptor {
                 label: Some("antumbra"),
@@ -215,6 +206,21 @@ impl Gpu {
             }));
     }
 
+    /// Refuses an adapter without storage buffers in vertex shaders, which all passes need. [`Gpu::from_adapter`] and [`Stage::new`](crate::Stage::new) check this, so that an
+    /// adopted device is checked as well.
+    ///
+    /// # Errors
+    /// [`DeviceError::Lacking`].
+    pub fn check_capabilities(&self) -> Result<(), DeviceError> {
+        check_capabilities(&self.info, &self.downlevel)
+    }
+
+    /// Whether this is the same device as another. wgpu compares devices of one instance alone; those of another backend or adapter are told apart by these.
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        let of = |gpu: &Self| (gpu.info.backend, gpu.title());
+        self.device == other.device && of(self) == of(other)
+    }
+
     /// The adapter as `name (backend)`.
     pub fn title(&self) -> String {
         adapter_title(&self.info)
@@ -252,6 +258,20 @@ impl Gpu {
             .poll(wgpu::PollType::wait_indefinitely())
             .map_err(|error| DeviceError::Lost(error.to_string()))?;
         self.check()
+    }
+}
+
+fn check_capabilities(
+    info: &wgpu::AdapterInfo,
+    downlevel: &wgpu::DownlevelCapabilities,
+) -> Result<(), DeviceError> {
+    let needed = wgpu::DownlevelFlags::VERTEX_STORAGE;
+    match downlevel.flags.contains(needed) {
+        true => Ok(()),
+        false => Err(DeviceError::Lacking {
+            adapter: adapter_title(info),
+            what: "storage buffers in vertex shaders".to_owned(),
+        }),
     }
 }
 

@@ -12,6 +12,7 @@ use bytemuck::{Pod, Zeroable};
 
 use crate::adaptive_threshold::AdaptiveThreshold;
 use crate::candidates::{Candidates, Queried};
+use crate::compute_pipeline::rows_of;
 use crate::draw_source::{DrawList, INDIRECT_DRAW_BYTES, IndirectDraws, Run};
 use crate::entities::{MeshDetail, SceneTable};
 use crate::frame_graph::{CULL, FrameGraph};
@@ -264,9 +265,8 @@ impl FrameGraph<'_> {
                 Bind::Buffer(5, draws),
                 Bind::Buffer(6, adapted),
             ];
-            // A workgroup a run, in rows of at most what a dimension may have.
-            let wide = runs.min(65_535);
-            pipeline.dispatch(ctx, &binds, [wide, runs.div_ceil(wide)])
+            // A workgroup a run.
+            pipeline.dispatch(ctx, &binds, rows_of(runs))
         });
         IndirectDraws {
             layout: layout.list,

@@ -22,6 +22,8 @@ pub trait Renderer: Send {
 
     /// Adds a node that shades a source into targets, in the source's order. Opaque and masked entities write depth; blended ones test it. A sample passes where its
     /// reversed depth is greater or equal, so equal depths are visible. Returns the next versions of everything it was given.
+    ///
+    /// A node with indirect draws must [require](RasterBuilder::requires) [`wgpu::Features::INDIRECT_FIRST_INSTANCE`]: without it such draws draw nothing, and no error is reported.
     fn shade(&mut self, pass: Pass<'_>, source: DrawSource, into: ShadeTargets) -> ShadeTargets;
 
     /// What draws the geometry of tests: depth, ids, counts and queries.
@@ -73,7 +75,7 @@ pub struct Pass<'a> {
     pub graph: &'a mut Graph,
     /// The node's name.
     pub name: String,
-    /// The label under which its time is summed: `cull` or `draw`.
+    /// The label under which its time is summed: `cull`, `draw` or `audit`.
     pub group: &'static str,
     /// The number of the view, from 0.
     pub view: usize,

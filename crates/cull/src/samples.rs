@@ -13,6 +13,8 @@ pub struct Samples {
     /// When they were queried; `None` before the first answer.
     stamp: Option<Stamp>,
     queries: u32,
+    /// The size of the view that they were counted for.
+    size: [u32; 2],
 }
 
 /// The count of a slot that was not tested.
@@ -34,6 +36,32 @@ impl Samples {
             let count = layout.count(bytes, slot, query.number);
             if let (Some(place), Some(count)) = (self.of.get_mut(slot as usize), count) {
                 *place = count.min(NOT_TESTED - 1);
+            }
+        }
+    }
+
+    /// Notes the size of the view that the counts are for.
+    pub(crate) fn counted_for(&mut self, size: [u32; 2]) {
+        self.size = size;
+    }
+
+    /// As [`Self::judge_within`], for a view of this size. Counts for another size say no more than whether anything was visible.
+    pub(crate) fn judge_at(
+        &self,
+        table: &SceneTable,
+        candidates: &Candidates,
+        selection: &Selection,
+        size: [u32; 2],
+        verdicts: &mut Verdicts,
+    ) {
+        match self.size == size {
+            true => self.judge_within(table, candidates, selection, verdicts),
+            false => {
+                let any = SampleRule {
+                    threshold: 0,
+                    coarser: 0,
+                };
+                self.judge(table, candidates, any, verdicts);
             }
         }
     }

@@ -8,7 +8,7 @@ mod report;
 
 use std::sync::Arc;
 
-use antumbra_graph::{CompileErrors, ExecuteError, Host, Mode, Plan};
+use antumbra_graph::{CompileErrors, ExecuteError, FrameReport, Host, Mode, Plan};
 use antumbra_scene::{Camera, CameraError};
 use built::{Built, Inherited, build};
 use kept::KeptPlans;
@@ -163,8 +163,8 @@ pub struct Stage {
     kept: KeptPlans,
     pipelines: Pipelines,
     renderer: Box<dyn Renderer>,
-    /// Whether a view has another size than the plan.
-    resized: bool,
+    /// Why there is another plan, until a frame has run with it.
+    rebuilt: Option<Rebuilt>,
     cuts: Vec<u64>,
     /// Frames drawn so far, by all plans.
     frames: u64,
@@ -198,6 +198,7 @@ impl Stage {
         for spec in &specs {
             check_size(scene.gpu(), spec)?;
         }
+        scene.gpu().check_capabilities()?;
         let mut strategy = strategy;
         let mut options = options;
         if let Some(Budget::WrongPixels(percent)) = options.budget
@@ -230,7 +231,7 @@ impl Stage {
             kept: KeptPlans::default(),
             pipelines,
             renderer,
-            resized: false,
+            rebuilt: None,
             cuts,
             frames: 0,
             audits,
@@ -238,7 +239,8 @@ impl Stage {
         })
     }
 
-    /// Gives a view another size, from the next frame on. That frame compiles a new plan ([`Rebuilt::Size`]); what the strategy knows of entities stays, and is used.
+    /// Gives a view another size, from the next frame on. That frame compiles a new plan ([`Rebuilt::Size`]); what the strategy knows on the
+    /// host stays, and is used.
     ///
     /// # Errors
     /// [`StageError::Input`] for a view that does not exist, and for a size that [`Self::new`] refuses.
@@ -256,7 +258,6 @@ impl Stage {
             };
             check_size(&self.gpu, &resized)?;
             *spec = resized;
-            self.resized = true;
         }
         Ok(())
     }
@@ -276,7 +277,7 @@ impl Stage {
         &mut self.built.plan
     }
 
-    /// Runs a frame and submits it. The scene must have been [synced](StageScene). With another scene than in the last frame the stage starts over: nothing
+    /// Runs a frame and submits it. The scene must have been synced (`GpuScene::sync`). With another scene than in the last frame the stage starts over: nothing
     /// that it knows of the last one is used.
     ///
     /// # Errors
@@ -286,11 +287,10 @@ impl Stage {
         scene: &dyn StageScene,
         views: &[ViewInput<'_>],
     ) -> Result<StageReport, StageError> {
-        let rebuilt = self.prepare(scene, views)?;
+        self.prepare(scene, views)?;
         let report = self.built.plan.execute(&self.gpu.device, &self.gpu.queue)?;
         self.gpu.check()?;
-        self.collect();
-        Ok(StageReport::new(report, rebuilt))
+        Ok(self.finish(report))
     }
 
     /// Records a frame into a host's encoder; for a stage of [`Mode::Embedded`].
@@ -303,11 +303,10 @@ impl Stage {
         views: &[ViewInput<'_>],
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<StageReport, StageError> {
-        let rebuilt = self.prepare(scene, views)?;
+        self.prepare(scene, views)?;
         let plan = &mut self.built.plan;
         let report = plan.record(&self.gpu.device, &self.gpu.queue, encoder)?;
-        self.collect();
-        Ok(StageReport::new(report, rebuilt))
+        Ok(self.finish(report))
     }
 
     /// Tells the stage how long the last frame took, in milliseconds: a [`Budget::FrameTime`] goes by this. The caller decides what is timed, the frame itself or the
@@ -323,6 +322,12 @@ impl Stage {
         self.controller.as_ref()?.state()
     }
 
+    fn finish(&mut self, report: FrameReport) -> StageReport {
+        let number = self.frames;
+        self.collect();
+        StageReport::new(number, report, self.rebuilt.take())
+    }
+
     /// Takes over the audits that have come in, and passes them to the budget's controller.
     fn collect(&mut self) {
         self.frames += 1;
@@ -335,7 +340,12 @@ impl Stage {
                 continue;
             };
             let audited = of_plan.audited();
-            let fresh = audited.saturating_sub(built.audits_taken) as usize;
+            // A frame that failed has reset the plan's audit.
+            let taken = match audited < built.audits_taken {
+                true => 0,
+                false => built.audits_taken,
+            };
+            let fresh = (audited - taken) as usize;
             let skipped = of_plan.frames().len().saturating_sub(fresh);
             for found in of_plan.frames().skip(skipped) {
                 let mut found = found.clone();
@@ -357,7 +367,7 @@ impl Stage {
     /// Declares the strategy's nodes again, for the scene and the settings as they are now.
     fn declare(&mut self, scene: &dyn StageScene) -> Result<Built, StageError> {
         if let Some(audit) = &mut self.options.audit {
-            // A new plan counts its frames from 0, and must not draw the same patches once more.
+            // A new plan may count its frames from 0, and must not draw the same patches once more.
             audit.seed = audit.seed.wrapping_add(1 << 32);
         }
         let inherited = Inherited {
@@ -374,9 +384,7 @@ impl Stage {
     /// A kept plan, ready to go on. Its nodes see a camera cut: answers from before the pause are not used.
     fn resumed(&mut self, mut kept: Built) -> Built {
         kept.resume(self.frames);
-        for cuts in &mut self.cuts {
-            *cuts += 1;
-        }
+        self.cut();
         for (built, audit) in kept.views.iter().zip(&self.audits) {
             built.lessons.teach(audit.experience().clone());
         }
@@ -389,20 +397,38 @@ impl Stage {
         scene: &dyn StageScene,
         step: usize,
     ) -> Result<Option<Rebuilt>, StageError> {
-        let same_scene = scene.number() == self.built.number;
+        if scene.number() != self.built.number {
+            if !scene.gpu().is(&self.gpu) {
+                let what = "a scene on another device than the one that it was made for";
+                return Err(StageError::Input(what.to_owned()));
+            }
+            self.kept.clear();
+            let before = std::mem::replace(&mut self.renderer, scene.renderer());
+            match self.declare(scene) {
+                Ok(built) => self.built = built,
+                Err(error) => {
+                    self.renderer = before;
+                    return Err(error);
+                }
+            }
+            return Ok(Some(Rebuilt::Scene));
+        }
         let same_layout = scene.layout() == self.built.layout;
-        if !same_scene || !same_layout || self.resized {
+        let sizes = self.specs.iter().map(|spec| &spec.size);
+        if !same_layout || !sizes.eq(&self.built.sizes) {
             self.kept.clear();
             let mut next = self.declare(scene)?;
-            if same_scene && self.built.step == step {
+            if self.built.step == step {
+                if self.built.age(self.frames) < ANSWERED {
+                    // Answers that were under way are lost again, so what is known would grow older and older: begin anew.
+                    self.cut();
+                }
                 next.inherit(&mut self.built, self.frames);
             }
             self.built = next;
-            self.resized = false;
-            return Ok(Some(match (same_scene, same_layout) {
-                (false, _) => Rebuilt::Scene,
-                (true, false) => Rebuilt::Layout,
-                (true, true) => Rebuilt::Size,
+            return Ok(Some(match same_layout {
+                false => Rebuilt::Layout,
+                true => Rebuilt::Size,
             }));
         }
         if self.built.step == step {
@@ -416,12 +442,19 @@ impl Stage {
         Ok(Some(how))
     }
 
+    /// Makes all views see a camera cut.
+    fn cut(&mut self) {
+        for cuts in &mut self.cuts {
+            *cuts += 1;
+        }
+    }
+
     /// Follows the budget, and sets everything that the frame's nodes read.
     fn prepare(
         &mut self,
         scene: &dyn StageScene,
         views: &[ViewInput<'_>],
-    ) -> Result<Option<Rebuilt>, StageError> {
+    ) -> Result<(), StageError> {
         if views.len() != self.specs.len() {
             return Err(StageError::Input(format!(
                 "{} views, and it has {}",
@@ -433,7 +466,12 @@ impl Stage {
             controller.follow(self.strategy.as_mut())?;
         }
         let step = step(self.controller.as_ref());
-        let rebuilt = self.rebuild(scene, step)?;
+        if let Some(rebuilt) = self.rebuild(scene, step)? {
+            if let Some(controller) = &mut self.controller {
+                controller.note_rebuilt(rebuilt);
+            }
+            self.rebuilt = Some(rebuilt);
+        }
         let Built {
             plan,
             scene: scene_handle,
@@ -478,7 +516,7 @@ impl Stage {
                 }
             }
         }
-        Ok(rebuilt)
+        Ok(())
     }
 
     /// A view's colour texture of the last frame; `None` for a view that does not exist, or whose targets are imported.
@@ -542,6 +580,9 @@ impl Stage {
         Ok(verdicts)
     }
 }
+
+/// Frames after which the answers to a frame's queries have arrived, also on a host that has two frames in flight.
+const ANSWERED: u64 = 4;
 
 /// Refuses a view without pixels, and one that is larger than the device's textures.
 fn check_size(gpu: &Gpu, spec: &ViewSpec) -> Result<(), StageError> {

@@ -3,6 +3,7 @@
 use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::device::Gpu;
 use crate::entities::{PipelineClass, SceneTable};
@@ -13,7 +14,8 @@ pub trait StageScene {
     /// The device that it is on.
     fn gpu(&self) -> &Gpu;
 
-    /// An id, unique in this process. Slots and epochs are meaningful only together with it.
+    /// An id, unique in this process ([`next_scene_number`]). Slots and epochs are meaningful only together with it, and a stage goes on using the renderer that it took for it: a wrapper with
+    /// another renderer needs a number of its own, unless it is the only one that stages are given.
     fn number(&self) -> u64;
 
     /// The entities as they are now.
@@ -27,6 +29,12 @@ pub trait StageScene {
 
     /// A new renderer that draws this scene's frames.
     fn renderer(&self) -> Box<dyn Renderer>;
+}
+
+/// A number for a new scene: no other scene of this process has it.
+pub fn next_scene_number() -> u64 {
+    static SCENES: AtomicU64 = AtomicU64::new(0);
+    SCENES.fetch_add(1, Ordering::Relaxed)
 }
 
 /// What the nodes of a frame need of a scene: shared handles, cheap to clone.

@@ -15,7 +15,7 @@ use crate::view_nodes::ViewNodes;
 /// A culling strategy: a plug-in that adds nodes to the graph and says what the shaded pass draws.
 ///
 /// A strategy [declares](Self::declare) its nodes once per view whenever a plan is compiled: at the start, for another scene, when the scene's layout changes (it outgrows its
-/// buffers, or its pipeline classes, transparency, positional lights or environment change), and when a budget goes to a step that has no plan yet. State between frames belongs in host values that
+/// buffers, or its pipeline classes, transparency, positional lights or environment change), when a view is resized, and when a budget goes to a step that has no plan yet. State between frames belongs in host values that
 /// its nodes update. A host value is a resource in host memory; `docs/architecture.md` defines node, slot and reference.
 ///
 /// ```no_run

@@ -55,6 +55,8 @@ impl FrameGraph<'_> {
         counts: Counts,
         selection: Selection,
     ) -> VisibleSet {
+        // After a resize the latest samples are still those of the size before.
+        let size = view.size();
         let samples = self.graph().host::<Samples>(view.named("latest samples"));
         let mut node = self.graph().host_node(view.named("read previous results"));
         node.group(CULL);
@@ -62,8 +64,9 @@ impl FrameGraph<'_> {
         let samples = node.updates(samples);
         node.run(move |ctx| {
             if let Some(late) = ctx.late(answers) {
-                ctx.get_mut(samples)?
-                    .take(late.tag, counts.layout, late.bytes);
+                let mut samples = ctx.get_mut(samples)?;
+                samples.take(late.tag, counts.layout, late.bytes);
+                samples.counted_for(size);
             }
             Ok(())
         });
@@ -75,7 +78,7 @@ impl FrameGraph<'_> {
             move |ctx, table, _, verdicts| {
                 let candidates = ctx.get(candidates)?;
                 ctx.get(samples)?
-                    .judge_within(table, &candidates, &selection, verdicts);
+                    .judge_at(table, &candidates, &selection, size, verdicts);
                 Ok(())
             },
         );

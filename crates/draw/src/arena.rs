@@ -102,6 +102,25 @@ impl<T: Pod> Arena<T> {
     }
 }
 
+impl<T: Pod> Arena<T> {
+    /// The same in an encoder: after its commands so far, and not before it is submitted. The size of `T` must be a multiple of four bytes.
+    pub fn write_in(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        belt: &mut wgpu::util::StagingBelt,
+        first: u64,
+        elements: &[T],
+    ) {
+        let size = size_of::<T>() as u64;
+        let bytes: &[u8] = bytemuck::cast_slice(elements);
+        if let Some(length) = wgpu::BufferSize::new(bytes.len() as u64) {
+            belt.write_buffer(encoder, &self.buffer, first * size, length)
+                .copy_from_slice(bytes);
+            self.len = self.len.max(first + elements.len() as u64);
+        }
+    }
+}
+
 /// Bytes of `len` elements, rounded up to the alignment of copies.
 fn bytes_of<T>(len: u64) -> u64 {
     (len * size_of::<T>() as u64).next_multiple_of(wgpu::COPY_BUFFER_ALIGNMENT)

@@ -30,7 +30,7 @@ pub struct Signatures {
 pub struct PassSpec {
     /// The node's name.
     pub name: String,
-    /// The label under which its time is summed: `cull` or `draw`.
+    /// The label under which its time is summed: `cull`, `draw` or `audit`.
     pub group: &'static str,
     /// Its pipelines.
     pub pipelines: Arc<PassPipelines>,

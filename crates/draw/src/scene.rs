@@ -9,9 +9,10 @@ mod groups;
 
 use std::collections::HashMap;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 
-use antumbra_cull::{Batch, Gpu, Renderer, SceneFrame, SceneLayout, SceneTable, StageScene};
+use antumbra_cull::{
+    Batch, Gpu, Renderer, SceneFrame, SceneLayout, SceneTable, StageScene, next_scene_number,
+};
 use antumbra_scene::{EntityKey, Environment, ImageKey, MaterialKey, MeshKey, Scene, SceneChanges};
 use slotmap::SecondaryMap;
 
@@ -70,7 +71,23 @@ pub struct GpuScene {
     max_groups: usize,
     free: Vec<u32>,
     classes: u128,
+    /// Staging memory of [`Self::sync_in`].
+    belt: Option<wgpu::util::StagingBelt>,
 }
+
+/// How changed instances reach the device.
+enum Upload<'a> {
+    /// Before everything that is submitted from now on.
+    AtOnce,
+    /// By an encoder.
+    Recorded {
+        encoder: &'a mut wgpu::CommandEncoder,
+        belt: &'a mut wgpu::util::StagingBelt,
+    },
+}
+
+/// Bytes of a chunk of the staging belt: 4,096 instances.
+const BELT_CHUNK: u64 = 256 * 1024;
 
 /// Entities whose drawable data has changed.
 #[derive(Clone, Copy)]
@@ -94,9 +111,8 @@ impl GpuScene {
                 entries: &antumbra_shaders::jobs::shaded::JOB.layout_entries(2),
             });
         let white = texture::upload(gpu, &layout, &texture::white(), 0)?;
-        static SCENES: AtomicU64 = AtomicU64::new(0);
         let mut this = Self {
-            number: SCENES.fetch_add(1, Ordering::Relaxed),
+            number: next_scene_number(),
             gpu: gpu.clone(),
             table: Arc::default(),
             arenas: MeshArenas::new(gpu)?,
@@ -116,12 +132,13 @@ impl GpuScene {
             max_groups: usize::MAX,
             free: Vec::new(),
             classes: 0,
+            belt: None,
         };
         let all = SceneChanges {
             added: scene.drawables().map(|(key, _)| key).collect(),
             ..SceneChanges::default()
         };
-        this.apply(scene, &all)?;
+        this.apply(scene, &all, Upload::AtOnce)?;
         this.max_groups = max_groups(&this.table);
         Ok(this)
     }
@@ -131,13 +148,43 @@ impl GpuScene {
     /// # Errors
     /// As for [`Self::new`].
     pub fn sync(&mut self, scene: &mut Scene) -> Result<(), DrawError> {
+        self.take_over(scene, Upload::AtOnce)
+    }
+
+    /// The same for a host that records several frames before it submits the first. The transforms are written by `encoder`, where the frame that
+    /// is about to be recorded finds them; frames in encoders that were recorded before keep theirs. Submit the encoders in the order in which they were recorded.
+    ///
+    /// # Errors
+    /// As for [`Self::new`].
+    pub fn sync_in(
+        &mut self,
+        scene: &mut Scene,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<(), DrawError> {
+        let device = &self.gpu.device;
+        let belt = self.belt.take();
+        let mut belt =
+            belt.unwrap_or_else(|| wgpu::util::StagingBelt::new(device.clone(), BELT_CHUNK));
+        let outcome = self.take_over(
+            scene,
+            Upload::Recorded {
+                encoder: &mut *encoder,
+                belt: &mut belt,
+            },
+        );
+        belt.finish_and_recall_on_submit(&*encoder);
+        self.belt = Some(belt);
+        outcome
+    }
+
+    fn take_over(&mut self, scene: &mut Scene, upload: Upload<'_>) -> Result<(), DrawError> {
         let changes = scene.update();
         self.repaint(scene, &changes.images)?;
         let repainted = |environment: Environment| changes.images.contains(&environment.image);
         if changes.environment || scene.environment().is_some_and(repainted) {
             self.environment = environment::bind_group(&self.gpu, scene);
         }
-        self.apply(scene, &changes)
+        self.apply(scene, &changes, upload)
     }
 
     /// What the built-in renderer's passes read.
@@ -170,7 +217,12 @@ impl GpuScene {
         self.slot_of.get(entity).copied()
     }
 
-    fn apply(&mut self, scene: &Scene, changes: &SceneChanges) -> Result<(), DrawError> {
+    fn apply(
+        &mut self,
+        scene: &Scene,
+        changes: &SceneChanges,
+        upload: Upload<'_>,
+    ) -> Result<(), DrawError> {
         // Lights are few, so they are gathered anew each time.
         self.lights = Arc::new(SceneLights::gather(scene));
         let SceneChanges {
@@ -199,7 +251,7 @@ impl GpuScene {
         self.clear_groups(table, scene);
         self.table = shared;
         let dirty = outcome?;
-        self.upload(dirty)
+        self.upload(dirty, upload)
     }
 }
 

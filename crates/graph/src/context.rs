@@ -31,7 +31,8 @@ macro_rules! common_context {
                 self.view.frame.number
             }
 
-            /// Whether previous values come from a finished frame. If not, they are zero or `Default`.
+            /// Whether previous values come from a finished frame of this plan. If not, textures and buffers are zero, and host values are `Default` or
+            /// [inherited](crate::Plan::inherit).
             #[must_use]
             pub fn has_previous(&self) -> bool {
                 self.view.frame.has_previous

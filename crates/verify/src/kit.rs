@@ -183,6 +183,7 @@ impl Kit {
             make,
             frame: 0,
             compared_frames: 0,
+            runs: 0,
             replay: replay.take(),
         };
         let played = catch_unwind(AssertUnwindSafe(|| story(&mut context)));

@@ -7,6 +7,7 @@ use super::time::TimeController;
 use super::{Budget, BudgetState};
 use crate::audit::FrameAudit;
 use crate::latency::Latency;
+use crate::stage::Rebuilt;
 use crate::strategy::{DeclareError, Strategy};
 use crate::tuning::{Step, Value};
 
@@ -98,6 +99,18 @@ impl BudgetController {
     pub fn note_time(&mut self, milliseconds: f64) {
         if let Goal::Time(goal) = &mut self.goal {
             goal.note(milliseconds);
+        }
+    }
+
+    /// Notes that there is another plan: the time of the frame that compiled it says nothing of the step, and times of another size of image nothing of any.
+    pub fn note_rebuilt(&mut self, rebuilt: Rebuilt) {
+        if let Goal::Time(goal) = &mut self.goal {
+            match rebuilt {
+                Rebuilt::Size | Rebuilt::Scene => goal.forget(),
+                Rebuilt::Layout => goal.settle(),
+                // The controller's own doing: it settles anyway.
+                Rebuilt::Step | Rebuilt::Resumed => {}
+            }
         }
     }
 

@@ -64,6 +64,19 @@ impl TimeController {
             .unwrap_or_default()
     }
 
+    /// Leaves the next frames out of the mean, as after a change of step.
+    pub fn settle(&mut self) {
+        (self.mean, self.frames) = (None, 0);
+    }
+
+    /// Forgets all times.
+    pub fn forget(&mut self) {
+        self.settle();
+        for (_, known) in &mut self.stands {
+            *known = None;
+        }
+    }
+
     /// Adds a frame's time in milliseconds. Returns the step and dial from now on.
     pub fn note(&mut self, time: f64) -> BudgetState {
         for (_, known) in &mut self.stands {
@@ -122,6 +135,38 @@ mod tests {
             controller.note(time);
         }
         time
+    }
+
+    #[test]
+    fn a_new_plan_moves_no_step() {
+        let steps = vec![Step::default(); 6];
+        let mut controller = TimeController::new(16.6, &steps);
+        for _ in 0..400 {
+            controller.note(14.0 * 0.8f64.powi(controller.state().step as i32));
+        }
+        let before = controller.state();
+        controller.settle();
+        controller.note(150.0);
+        for _ in 0..60 {
+            controller.note(14.0 * 0.8f64.powi(before.step as i32));
+        }
+        assert_eq!(controller.state(), before);
+    }
+
+    #[test]
+    fn times_of_a_large_image_are_forgotten_with_it() {
+        let steps = vec![Step::default(); 6];
+        let mut controller = TimeController::new(16.6, &steps);
+        for _ in 0..400 {
+            controller.note(60.0);
+        }
+        assert_eq!(controller.state().step, 5);
+        controller.forget();
+        // Every step of the small image is fast: it goes back to the most accurate at once.
+        for _ in 0..200 {
+            controller.note(1.0);
+        }
+        assert_eq!(controller.state().step, 0);
     }
 
     #[test]

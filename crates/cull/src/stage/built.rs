@@ -23,6 +23,8 @@ pub(super) struct Built {
     pub layout: SceneLayout,
     /// The budget's step that it was declared on; 0 without a budget.
     pub step: usize,
+    /// Width and height of each view.
+    pub sizes: Vec<[u32; 2]>,
     pub plan: Plan,
     /// Frames it has run.
     pub frames: u64,
@@ -57,12 +59,16 @@ impl Built {
         }
     }
 
+    /// The frames that the stage has run with it since it was made or resumed.
+    pub fn age(&self, stage_frame: u64) -> u64 {
+        stage_frame.saturating_sub(self.resumed.stage_frame)
+    }
+
     /// Goes on from the plan that this one replaces, for the same scene and settings: what its nodes know on the host stays true.
     pub fn inherit(&mut self, old: &mut Self, stage_frame: u64) {
         self.plan.inherit(&mut old.plan);
         self.frames = old.frames;
         self.resumed = old.resumed;
-        self.earlier = old.earlier;
         self.resume(stage_frame);
         for (view, old) in self.views.iter_mut().zip(&old.views) {
             view.audits_taken = old.audits_taken;
@@ -152,6 +158,7 @@ pub(super) fn build(
         number: scene.number(),
         layout,
         step: inherited.step,
+        sizes: specs.iter().map(|spec| spec.size).collect(),
         plan,
         frames: 0,
         resumed: Stretch {

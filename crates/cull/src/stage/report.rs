@@ -7,7 +7,7 @@ use antumbra_graph::FrameReport;
 /// The report of a finished frame.
 #[derive(Debug, Clone)]
 pub struct StageReport {
-    /// The frame's number in its plan.
+    /// The frame's number in the stage, from 0. Audits name frames by it.
     pub frame: u64,
     /// The frame's last submission; `None` for an embedded stage.
     pub submission: Option<wgpu::SubmissionIndex>,
@@ -25,11 +25,12 @@ pub struct StageReport {
     pub rebuilt: Option<Rebuilt>,
 }
 
-/// Why a frame has another plan than the last one, and what is kept.
+/// Why a frame has another plan than the last one, and what its nodes keep. `Layout` and `Size` drop the plans of other steps, and keep nothing if the budget goes to another
+/// step in the same frame, or if there was another new plan less than four frames ago: then everything in the frustum is drawn, as after a camera cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Rebuilt {
-    /// The stage was given another scene. Nothing is kept.
+    /// The stage was given another scene, and draws with that scene's renderer. Nothing is kept.
     Scene,
     /// The scene's [layout](crate::SceneLayout) has changed: it outgrew its buffers, or has other classes, lights or transparency. What the strategy knows on the host is kept.
     Layout,
@@ -42,9 +43,9 @@ pub enum Rebuilt {
 }
 
 impl StageReport {
-    pub(super) fn new(report: FrameReport, rebuilt: Option<Rebuilt>) -> Self {
+    pub(super) fn new(frame: u64, report: FrameReport, rebuilt: Option<Rebuilt>) -> Self {
         let FrameReport {
-            frame,
+            frame: _,
             submission,
             sync_points,
             loop_iterations,

@@ -6,7 +6,7 @@ use antumbra_scene::{EntityKey, MeshKey, Scene};
 use glam::DAffine3;
 use rayon::prelude::*;
 
-use super::{EntityChanges, GpuScene};
+use super::{EntityChanges, GpuScene, Upload};
 use crate::error::DrawError;
 use crate::instance::Instance;
 use antumbra_cull::{Batch, MeshDetail, NewOccupant, PipelineClass, PipelineTraits, SceneTable};
@@ -178,11 +178,20 @@ impl GpuScene {
     }
 
     /// Writes the changed instances, neighbours in one write.
-    pub(super) fn upload(&mut self, mut dirty: Vec<u32>) -> Result<(), DrawError> {
-        dirty.sort_unstable();
-        dirty.dedup();
+    pub(super) fn upload(
+        &mut self,
+        mut dirty: Vec<u32>,
+        mut upload: Upload<'_>,
+    ) -> Result<(), DrawError> {
+        let before = self.instances.capacity();
         self.instances
             .reserve(&self.gpu, self.host_instances.len() as u64)?;
+        if matches!(upload, Upload::Recorded { .. }) && self.instances.capacity() != before {
+            // What encoders that are not submitted yet will write into the old buffer is not in the copy.
+            dirty = (0..self.host_instances.len() as u32).collect();
+        }
+        dirty.sort_unstable();
+        dirty.dedup();
         let mut rest = dirty.as_slice();
         while let Some(first) = rest.first() {
             // Writing a few unchanged instances in a gap is cheaper than another write.
@@ -192,7 +201,13 @@ impl GpuScene {
                 .map_or(rest.len(), |at| at + 1);
             let last = rest.get(run - 1).copied().unwrap_or(*first);
             if let Some(changed) = self.host_instances.get(*first as usize..=last as usize) {
-                self.instances.write(&self.gpu, u64::from(*first), changed);
+                let first = u64::from(*first);
+                match &mut upload {
+                    Upload::AtOnce => self.instances.write(&self.gpu, first, changed),
+                    Upload::Recorded { encoder, belt } => {
+                        self.instances.write_in(encoder, belt, first, changed);
+                    }
+                }
             }
             rest = rest.get(run..).unwrap_or_default();
         }

@@ -10,13 +10,15 @@ use crate::oracle::IdBuffer;
 pub struct Replay {
     /// The frames of all runs of the case, each view after the other.
     pub frames: Vec<ReplayFrame>,
-    /// What ended the case; `None` where the strategy conforms. It is about the last of the frames.
+    /// What ended the case; `None` where the strategy conforms. Its frame is one of the last run's.
     pub violation: Option<Violation>,
 }
 
 /// One view of a frame.
 #[derive(Debug, Clone)]
 pub struct ReplayFrame {
+    /// The run, from 0: some cases play several scenes.
+    pub run: u32,
     /// The number of the frame in its run, from 0.
     pub frame: u32,
     /// The view.
@@ -32,7 +34,7 @@ pub struct ReplayFrame {
 }
 
 impl ReplayFrame {
-    /// The view as an image: RGBA, four bytes a pixel, row by row. Each entity has a grey of its own, nothing is black, and a wrong pixel is red.
+    /// The view as an image: RGBA, four bytes a pixel, row by row. Entities have one of 128 greys, nothing is black, and a wrong pixel is red.
     pub fn rgba(&self) -> Vec<u8> {
         let wrong = self.reference.wrong_pixel_mask(&self.drawn);
         let pixels = self.reference.ids.iter().zip(wrong);

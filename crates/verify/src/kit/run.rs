@@ -26,6 +26,8 @@ pub(super) struct CaseContext<'k> {
     pub frame: u32,
     /// Number of frames compared with the oracle, in all runs of the case.
     pub compared_frames: u32,
+    /// Number of runs that were started.
+    pub runs: u32,
     /// What was seen so far, for a replay.
     pub replay: Option<Vec<ReplayFrame>>,
 }
@@ -134,6 +136,7 @@ impl<'b, 'k> Run<'b, 'k> {
         };
         let options = StageOptions::default();
         context.frame = 0;
+        context.runs += 1;
         Ok(Self {
             stage: Stage::new(&gpu_scene, strategy, specs.clone(), options.clone())?,
             expected: Stage::new(&gpu_scene, Box::new(Ideal), specs, options)?,
@@ -255,6 +258,7 @@ impl<'b, 'k> Run<'b, 'k> {
         let drawn = EntitySet::Drawn(verdicts);
         let drawn = self.oracle.render(&self.gpu_scene, camera, drawn)?;
         let frame = ReplayFrame {
+            run: self.context.runs.saturating_sub(1),
             frame: self.context.frame,
             view,
             size: self.size,

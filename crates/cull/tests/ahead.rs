@@ -1,0 +1,148 @@
+//! A host that records two frames before it submits the first: each frame is drawn with its own transforms and judged by its own verdicts.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use antumbra_cull::{
+    DEPTH_FORMAT, Gpu, ImportedTargets, Stage, StageOptions, StageScene, ViewInput, read_back,
+};
+use antumbra_draw::GpuScene;
+use antumbra_graph::Mode;
+use antumbra_scene::{Camera, EntityKey, Scene};
+use antumbra_strategies::registry;
+use antumbra_testing::{add, balls_with_proxies, gpus, look_at, perspective, stage_with, views};
+use glam::{DAffine3, DVec3};
+
+const SIZE: [u32; 2] = [96, 72];
+const COLOUR: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8UnormSrgb;
+
+fn camera() -> Camera {
+    look_at(
+        DVec3::new(3.0, 1.0, 7.0),
+        DVec3::ZERO,
+        perspective(0.9, 0.05),
+    )
+}
+
+fn texture(gpu: &Gpu, format: wgpu::TextureFormat) -> wgpu::Texture {
+    gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("the host's"),
+        size: wgpu::Extent3d {
+            width: SIZE[0],
+            height: SIZE[1],
+            depth_or_array_layers: 1,
+        },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT
+            | wgpu::TextureUsages::TEXTURE_BINDING
+            | wgpu::TextureUsages::COPY_SRC,
+        view_formats: &[],
+    })
+}
+
+/// The host's textures of a frame. A new texture is black and infinitely far.
+struct Images {
+    colour: wgpu::Texture,
+    depth: wgpu::Texture,
+}
+
+impl Images {
+    fn new(gpu: &Gpu) -> Self {
+        Self {
+            colour: texture(gpu, COLOUR),
+            depth: texture(gpu, DEPTH_FORMAT),
+        }
+    }
+}
+
+/// A frame of a host, recorded and not submitted.
+fn record(
+    stage: &mut Stage,
+    scene: &GpuScene,
+    mut encoder: wgpu::CommandEncoder,
+) -> (wgpu::CommandBuffer, Images) {
+    let images = Images::new(scene.gpu());
+    let input = ViewInput {
+        targets: Some(ImportedTargets {
+            colour: &images.colour,
+            depth: &images.depth,
+        }),
+        ..ViewInput::new(camera())
+    };
+    stage.record(scene, &[input], &mut encoder).unwrap();
+    (encoder.finish(), images)
+}
+
+fn embedded(scene: &GpuScene) -> Stage {
+    let options = StageOptions {
+        mode: Mode::Embedded,
+        colour_format: COLOUR,
+        ..StageOptions::default()
+    };
+    let strategy = registry()
+        .parse("three-pass:latency=on-gpu:threshold=0:occluders=full:occludees=full:scale=1");
+    stage_with(scene, strategy.unwrap(), views(&["main"], SIZE), options)
+}
+
+fn encoder(gpu: &Gpu) -> wgpu::CommandEncoder {
+    gpu.device.create_command_encoder(&Default::default())
+}
+
+fn pixels(gpu: &Gpu, images: &Images) -> Vec<u8> {
+    read_back::texture(gpu, &images.colour).unwrap()
+}
+
+/// A scene before and after a change, and what changes.
+fn changed(host: &mut Scene, movers: &[EntityKey], grown: bool) {
+    for key in movers {
+        let place = host.local(*key).unwrap();
+        let aside = DAffine3::from_translation(DVec3::new(0.3, 0.4, 0.2));
+        host.set_local(*key, aside * place).unwrap();
+    }
+    if grown {
+        let drawable = host.drawables().next().unwrap().1;
+        for number in 0..200 {
+            let place = DVec3::new(f64::from(number) * 0.02 - 2.0, 1.9, 1.0);
+            add(host, DAffine3::from_translation(place), drawable);
+        }
+    }
+}
+
+#[test]
+fn a_frame_that_is_recorded_ahead_leaves_the_one_before_as_it_was() {
+    for gpu in gpus() {
+        for grown in [false, true] {
+            let mut host = balls_with_proxies(4);
+            let movers: Vec<_> = host.drawables().map(|(key, _)| key).step_by(3).collect();
+            let mut after = host.clone();
+            changed(&mut after, &movers, grown);
+            // What each frame shows by itself.
+            let alone = |host: &mut Scene| {
+                let scene = GpuScene::new(gpu, host).unwrap();
+                let (commands, images) = record(&mut embedded(&scene), &scene, encoder(gpu));
+                gpu.queue.submit([commands]);
+                pixels(gpu, &images)
+            };
+            let expected = [alone(&mut host.clone()), alone(&mut after)];
+            assert!(expected[0] != expected[1]);
+
+            let mut scene = GpuScene::new(gpu, &mut host).unwrap();
+            let mut stage = embedded(&scene);
+            let before = scene.layout();
+            let mut first = encoder(gpu);
+            scene.sync_in(&mut host, &mut first).unwrap();
+            let (first, first_images) = record(&mut stage, &scene, first);
+            changed(&mut host, &movers, grown);
+            let mut second = encoder(gpu);
+            scene.sync_in(&mut host, &mut second).unwrap();
+            assert_eq!(scene.layout() != before, grown, "the buffers are outgrown");
+            let (second, second_images) = record(&mut stage, &scene, second);
+            gpu.queue.submit([first, second]);
+            let found = [&first_images, &second_images].map(|images| pixels(gpu, images));
+            assert!(found[0] == expected[0], "the first frame, grown: {grown}");
+            assert!(found[1] == expected[1], "the second frame, grown: {grown}");
+            gpu.check().unwrap();
+        }
+    }
+}
