@@ -34,7 +34,7 @@ fmt: ## format all code
 	$(CARGO) fmt --all
 
 shaders: ## check the shaders and write shaders/src/generated.rs, after a change of WGSL
-	UPDATE_SHADERS=1 $(CARGO) test -p antumbra-shaders --locked --test generated
+	UPDATE_SHADERS=1 $(CARGO) test --workspace --locked --test generated
 
 bench: ## run the benches; loading is measured on data/2CylinderEngine.glb where it is there (make data)
 	scripts/vulkan.sh

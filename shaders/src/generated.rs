@@ -359,7 +359,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/histogram.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("histogram"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/histogram.wgsl"), first_line: 1, lines: 36 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/histogram.wgsl"), first_line: 1, lines: 38 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("count"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("ids"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Uint, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("count"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
