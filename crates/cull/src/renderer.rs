@@ -94,15 +94,6 @@ impl Pass<'_> {
     pub fn named(&self, what: &str) -> String {
         format!("{}{what}", self.prefix)
     }
-
-    /// The same pass, borrowed, for another node.
-    pub fn again(&mut self) -> Pass<'_> {
-        Pass {
-            graph: &mut *self.graph,
-            name: self.name.clone(),
-            ..*self
-        }
-    }
 }
 
 /// What every drawing node of a view reads.

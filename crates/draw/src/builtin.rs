@@ -57,10 +57,10 @@ impl BuiltinRenderer {
 }
 
 impl Renderer for BuiltinRenderer {
-    fn begin_view(&mut self, pass: Pass<'_>) {
+    fn begin_view(&mut self, mut pass: Pass<'_>) {
         // Handles of an earlier plan mean nothing in this one.
         self.lights.truncate(pass.view);
-        self.lights.push(upload_lights(pass));
+        self.lights.push(upload_lights(&mut pass));
     }
 
     fn shade(
@@ -72,7 +72,7 @@ impl Renderer for BuiltinRenderer {
         let lights = match self.lights.get(pass.view) {
             Some(lights) => *lights,
             // A caller that left `begin_view` out.
-            None => upload_lights(pass.again()),
+            None => upload_lights(&mut pass),
         };
         let kind = PipelineKind::Shaded {
             format: pass.colour_format,
@@ -143,7 +143,7 @@ impl TestRenderer for BuiltinRenderer {
 }
 
 /// Adds a node that uploads the lights, relative to the eye. Without a shading pass nothing reads them, and the plan has no such node.
-fn upload_lights(pass: Pass<'_>) -> Buffer {
+fn upload_lights(pass: &mut Pass<'_>) -> Buffer {
     let inputs = pass.inputs;
     let lights = BufferDesc::new(size_of::<GpuLights>() as u64);
     let lights = pass.graph.buffer(pass.named("lights"), lights);

@@ -5,8 +5,7 @@ use std::sync::Arc;
 
 use antumbra_cull::patches::{PATCH_SIDE, PatchDraws};
 use antumbra_cull::{
-    DepthTest, DrawSource, IdTargets, IndirectDraws, ListDraws, SceneFrame, ShadeTargets, Targets,
-    ViewInputs,
+    DepthTest, DrawSource, IdTargets, ListDraws, SceneFrame, ShadeTargets, Targets, ViewInputs,
 };
 use antumbra_graph::{
     AccessError, Bind, BodyError, Buffer, Graph, HostRef, RasterBuilder, RasterContext, Texture,
@@ -44,9 +43,9 @@ pub fn depth_pass(
     source: ListDraws,
     depth: Texture,
 ) -> Texture {
-    let mut node = node(g, spec, inputs, source);
+    let mut node = node(g, spec, inputs, source.into());
     let depth = node.depth(depth);
-    draw(&mut node, spec, inputs, None, source);
+    draw(&mut node, spec, inputs, None, source.into());
     depth
 }
 
@@ -58,12 +57,12 @@ pub fn identity_pass(
     source: ListDraws,
     targets: IdTargets,
 ) -> IdTargets {
-    let mut node = node(g, spec, inputs, source);
+    let mut node = node(g, spec, inputs, source.into());
     let out = IdTargets {
         ids: node.colour(targets.ids),
         depth: node.depth(targets.depth),
     };
-    draw(&mut node, spec, inputs, None, source);
+    draw(&mut node, spec, inputs, None, source.into());
     out
 }
 
@@ -76,25 +75,19 @@ pub fn shaded_pass(
     source: DrawSource,
     into: ShadeTargets,
 ) -> ShadeTargets {
-    let list = source.as_list();
-    let mut node = node(g, spec, inputs, list);
+    let mut node = node(g, spec, inputs, source);
     node.storage_read(lights);
     let lights = Some(lights);
     let colour = node.colour(into.targets.colour);
     let ids = into.ids.map(|ids| node.colour(ids));
     let depth = node.depth(into.targets.depth);
-    let queries = match source {
-        DrawSource::List(list) => match into.queries {
-            Some(results) => Some(draw_queried(&mut node, spec, inputs, lights, list, results)),
-            None => {
-                draw(&mut node, spec, inputs, lights, list);
-                None
-            }
-        },
-        DrawSource::Indirect(draws) => {
-            draw_indirect(&mut node, spec, inputs, lights, draws);
-            // No indirect draw is a query: the results stay unwritten, and the plan says so.
-            into.queries
+    let queries = match (source, into.queries) {
+        (DrawSource::List(list), Some(results)) => {
+            Some(draw_queried(&mut node, spec, inputs, lights, list, results))
+        }
+        (_, queries) => {
+            draw(&mut node, spec, inputs, lights, source);
+            queries
         }
     };
     ShadeTargets {
@@ -114,7 +107,7 @@ pub fn query_pass(
     depth: Texture,
     answers: Buffer,
 ) -> Buffer {
-    let mut node = node(g, spec, inputs, source);
+    let mut node = node(g, spec, inputs, source.into());
     node.depth_read(depth);
     draw_queried(&mut node, spec, inputs, None, source, answers)
 }
@@ -129,27 +122,14 @@ pub fn count_pass(
     test: DepthTest,
     counts: Buffer,
 ) -> Buffer {
-    let mut node = node(g, spec, inputs, source.as_list());
-    if let DrawSource::Indirect(draws) = source {
-        reads_indirect(&mut node, draws.draws);
-    }
+    let mut node = node(g, spec, inputs, source);
     test.declare(&mut node);
     let counted = node.storage_write(counts);
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
-        let list = source.as_list();
-        let scene = bind(ctx, inputs, &pipelines, list.slots, None)?;
+        let scene = bind(ctx, inputs, &pipelines, source.as_list().slots, None)?;
         bind_counts(ctx, &pipelines, test, counted)?;
-        let mut recorder = Recorder::new(&scene, buffers_of(&scene)?, &pipelines);
-        let runs = ctx.get(list.list)?;
-        match source {
-            DrawSource::List(_) => recorder.list(ctx.pass(), &runs),
-            DrawSource::Indirect(indirect) => {
-                let draws = ctx.buffer(indirect.draws)?;
-                recorder.indirect(ctx.pass(), runs.runs(), draws, 0);
-            }
-        }
-        Ok(())
+        record(ctx, &scene, &pipelines, source)
     });
     counted
 }
@@ -165,7 +145,7 @@ pub fn signature_pass(
     scratch: Texture,
     sums: Signatures,
 ) -> Signatures {
-    let mut node = node(g, spec, inputs, source);
+    let mut node = node(g, spec, inputs, source.into());
     node.sample(depth).depth(scratch);
     let sums = Signatures {
         by_pixel: node.storage_write(sums.by_pixel),
@@ -173,7 +153,6 @@ pub fn signature_pass(
     };
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
-        let list = ctx.get(source.list)?;
         let scene = bind(ctx, inputs, &pipelines, source.slots, None)?;
         let binds = [
             Bind::Buffer(0, sums.by_pixel),
@@ -181,8 +160,7 @@ pub fn signature_pass(
             Bind::Texture(2, depth),
         ];
         group(ctx, &pipelines, 3, &binds)?;
-        Recorder::new(&scene, buffers_of(&scene)?, &pipelines).list(ctx.pass(), &list);
-        Ok(())
+        record(ctx, &scene, &pipelines, source.into())
     });
     sums
 }
@@ -237,20 +215,26 @@ pub fn patch_pass(
     marked
 }
 
+/// A node that reads a source. Without the feature, an indirect draw whose first instance is not 0 draws nothing, and no error is reported.
 fn node<'g>(
     g: &'g mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
-    source: ListDraws,
+    source: DrawSource,
 ) -> RasterBuilder<'g> {
+    let list = source.as_list();
     let mut node = g.raster(spec.name.clone());
     node.group(spec.group)
         .read(inputs.scene)
-        .read(source.list)
-        .vertex(source.slots)
+        .read(list.list)
+        .vertex(list.slots)
         .uniform(inputs.uniform)
         // The node's body reports a value that cannot be read.
-        .only_if(move |host| host.get(source.list).map_or(true, |list| !list.is_empty()));
+        .only_if(move |host| host.get(list.list).map_or(true, |list| !list.is_empty()));
+    if let DrawSource::Indirect(indirect) = source {
+        node.indirect(indirect.draws)
+            .requires(wgpu::Features::INDIRECT_FIRST_INSTANCE);
+    }
     node
 }
 
@@ -296,40 +280,32 @@ fn draw(
     spec: &PassSpec,
     inputs: ViewInputs,
     lights: Option<Buffer>,
-    source: ListDraws,
+    source: DrawSource,
 ) {
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
-        let list = ctx.get(source.list)?;
-        let scene = bind(ctx, inputs, &pipelines, source.slots, lights)?;
-        Recorder::new(&scene, buffers_of(&scene)?, &pipelines).list(ctx.pass(), &list);
-        Ok(())
+        let scene = bind(ctx, inputs, &pipelines, source.as_list().slots, lights)?;
+        record(ctx, &scene, &pipelines, source)
     });
 }
 
-fn draw_indirect(
-    node: &mut RasterBuilder<'_>,
-    spec: &PassSpec,
-    inputs: ViewInputs,
-    lights: Option<Buffer>,
-    source: IndirectDraws,
-) {
-    reads_indirect(node, source.draws);
-    let pipelines = Arc::clone(&spec.pipelines);
-    node.run(move |ctx| {
-        let layout = ctx.get(source.layout)?;
-        let draws = ctx.buffer(source.draws)?;
-        let scene = bind(ctx, inputs, &pipelines, source.slots, lights)?;
-        let mut recorder = Recorder::new(&scene, buffers_of(&scene)?, &pipelines);
-        recorder.indirect(ctx.pass(), layout.runs(), draws, 0);
-        Ok(())
-    });
-}
-
-/// Declares indirect draws. Without the feature, a draw whose first instance is not 0 draws nothing, and no error is reported.
-fn reads_indirect(node: &mut RasterBuilder<'_>, draws: Buffer) {
-    node.indirect(draws)
-        .requires(wgpu::Features::INDIRECT_FIRST_INSTANCE);
+/// Records a source into a pass that is bound.
+fn record(
+    ctx: &mut RasterContext<'_>,
+    scene: &SceneFrame,
+    pipelines: &PassPipelines,
+    source: DrawSource,
+) -> Result<(), BodyError> {
+    let mut recorder = Recorder::new(scene, buffers_of(scene)?, pipelines);
+    let list = ctx.get(source.as_list().list)?;
+    match source {
+        DrawSource::List(_) => recorder.list(ctx.pass(), &list),
+        DrawSource::Indirect(indirect) => {
+            let draws = ctx.buffer(indirect.draws)?;
+            recorder.indirect(ctx.pass(), list.runs(), draws, 0);
+        }
+    }
+    Ok(())
 }
 
 /// Binds the counting pipelines' own group: the counts and, where the shader compares, the depth.
