@@ -1,14 +1,14 @@
 //! A host that records two frames before it submits the first: each frame is drawn with its own transforms and judged by its own verdicts.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::{
-    DEPTH_FORMAT, Gpu, ImportedTargets, Stage, StageOptions, StageScene, ViewInput, read_back,
-};
+use antumbra_cull::{Gpu, Stage, StageOptions, StageScene, ViewInput, read_back};
 use antumbra_draw::GpuScene;
 use antumbra_graph::Mode;
 use antumbra_scene::{Camera, EntityKey, Scene};
 use antumbra_strategies::registry;
-use antumbra_testing::{add, balls_with_proxies, gpus, look_at, perspective, stage_with, views};
+use antumbra_testing::{
+    HostTargets, add, balls_with_proxies, gpus, look_at, perspective, stage_with, views,
+};
 use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [96, 72];
@@ -22,52 +22,15 @@ fn camera() -> Camera {
     )
 }
 
-fn texture(gpu: &Gpu, format: wgpu::TextureFormat) -> wgpu::Texture {
-    gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("the host's"),
-        size: wgpu::Extent3d {
-            width: SIZE[0],
-            height: SIZE[1],
-            depth_or_array_layers: 1,
-        },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage: wgpu::TextureUsages::RENDER_ATTACHMENT
-            | wgpu::TextureUsages::TEXTURE_BINDING
-            | wgpu::TextureUsages::COPY_SRC,
-        view_formats: &[],
-    })
-}
-
-/// The host's textures of a frame. A new texture is black and infinitely far.
-struct Images {
-    colour: wgpu::Texture,
-    depth: wgpu::Texture,
-}
-
-impl Images {
-    fn new(gpu: &Gpu) -> Self {
-        Self {
-            colour: texture(gpu, COLOUR),
-            depth: texture(gpu, DEPTH_FORMAT),
-        }
-    }
-}
-
 /// A frame of a host, recorded and not submitted.
 fn record(
     stage: &mut Stage,
     scene: &GpuScene,
     mut encoder: wgpu::CommandEncoder,
-) -> (wgpu::CommandBuffer, Images) {
-    let images = Images::new(scene.gpu());
+) -> (wgpu::CommandBuffer, HostTargets) {
+    let images = HostTargets::new(scene.gpu(), SIZE, COLOUR, wgpu::TextureUsages::COPY_SRC);
     let input = ViewInput {
-        targets: Some(ImportedTargets {
-            colour: &images.colour,
-            depth: &images.depth,
-        }),
+        targets: Some(images.imported()),
         ..ViewInput::new(camera())
     };
     stage.record(scene, &[input], &mut encoder).unwrap();
@@ -89,7 +52,7 @@ fn encoder(gpu: &Gpu) -> wgpu::CommandEncoder {
     gpu.device.create_command_encoder(&Default::default())
 }
 
-fn pixels(gpu: &Gpu, images: &Images) -> Vec<u8> {
+fn pixels(gpu: &Gpu, images: &HostTargets) -> Vec<u8> {
     read_back::texture(gpu, &images.colour).unwrap()
 }
 

@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{
-    AUDIT, AuditOptions, DEPTH_FORMAT, DeclareError, Estimate, FrameAudit, FrameGraph, Gpu,
-    ImportedTargets, StageOptions, Strategy, Verdict, ViewInput, ViewNodes, VisibleSet, read_back,
+    AUDIT, AuditOptions, DeclareError, Estimate, FrameAudit, FrameGraph, Gpu, StageOptions,
+    Strategy, Verdict, ViewInput, ViewNodes, VisibleSet, read_back,
 };
 use antumbra_draw::GpuScene;
 use antumbra_graph::Mode;
@@ -13,8 +13,8 @@ use antumbra_scene::{
 };
 use antumbra_strategies::registry;
 use antumbra_testing::{
-    add, balls_with_proxies, glass, gpus, holes, look_at, perspective, stage_with, views, vulkan,
-    wrong_pixels_percent,
+    HostTargets, add, balls_with_proxies, glass, gpus, holes, look_at, perspective, stage_with,
+    views, vulkan, wrong_pixels_percent,
 };
 use antumbra_verify::Oracle;
 use glam::{DAffine3, DVec3};
@@ -328,25 +328,9 @@ fn the_same_seed_draws_the_same_lots() {
     assert_ne!(found(3), found(4));
 }
 
-/// Colour and depth textures of the host.
-fn theirs(gpu: &Gpu, format: wgpu::TextureFormat) -> (wgpu::Texture, wgpu::Texture) {
-    let texture = |format| {
-        gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("theirs"),
-            size: wgpu::Extent3d {
-                width: SIZE[0],
-                height: SIZE[1],
-                depth_or_array_layers: 1,
-            },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
-            view_formats: &[],
-        })
-    };
-    (texture(format), texture(DEPTH_FORMAT))
+/// The targets of a host. An audit samples the depth.
+fn theirs(gpu: &Gpu, format: wgpu::TextureFormat) -> HostTargets {
+    HostTargets::new(gpu, SIZE, format, wgpu::TextureUsages::TEXTURE_BINDING)
 }
 
 /// Fills the host's depth with one value.
@@ -374,7 +358,7 @@ fn a_frame_inside_somebody_elses_is_audited_against_their_depth() {
         audit: Some(CENSUS),
         ..StageOptions::default()
     };
-    let (colour, depth) = theirs(gpu, options.colour_format);
+    let targets = theirs(gpu, options.colour_format);
     let mut stage = stage_with(&scene, Box::new(Thirds), views(&["main"], SIZE), options);
     let mut oracle = Oracle::new(&scene, SIZE);
     let camera = camera(4, 9.0);
@@ -382,12 +366,9 @@ fn a_frame_inside_somebody_elses_is_audited_against_their_depth() {
     for (wall, hidden) in [(0.0, false), (1.0, true)] {
         for _ in 0..4 {
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
-            clear(&mut encoder, &depth, wall);
+            clear(&mut encoder, &targets.depth, wall);
             let input = ViewInput {
-                targets: Some(ImportedTargets {
-                    colour: &colour,
-                    depth: &depth,
-                }),
+                targets: Some(targets.imported()),
                 ..ViewInput::new(camera)
             };
             stage.record(&scene, &[input], &mut encoder).unwrap();
@@ -419,17 +400,13 @@ fn patches_a_frame(scene: &GpuScene, strategy: Box<dyn Strategy>, wall: f32) -> 
         }),
         ..StageOptions::default()
     };
-    let (colour, depth) = theirs(gpu, options.colour_format);
+    let targets = theirs(gpu, options.colour_format);
     let mut stage = stage_with(scene, strategy, views(&["main"], SIZE), options);
     for _ in 0..120 {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        clear(&mut encoder, &depth, wall);
-        let targets = ImportedTargets {
-            colour: &colour,
-            depth: &depth,
-        };
+        clear(&mut encoder, &targets.depth, wall);
         let input = ViewInput {
-            targets: Some(targets),
+            targets: Some(targets.imported()),
             ..ViewInput::new(camera(4, 9.0))
         };
         stage.record(scene, &[input], &mut encoder).unwrap();

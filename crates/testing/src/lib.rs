@@ -10,6 +10,7 @@ pub mod cameras;
 pub mod devices;
 pub mod frames;
 pub mod scenes;
+pub mod targets;
 
 pub use cameras::{look_at, over_pixels, perspective, perspective_degrees};
 pub use devices::{auto, gl, gpus, vulkan};
@@ -17,3 +18,4 @@ pub use frames::{Settled, frame, settled, stage, stage_with, views, wrong_pixels
 pub use scenes::{
     SceneBuilder, add, balls, balls_with_proxies, cuboid, drawable, glass, holes, placed,
 };
+pub use targets::HostTargets;
