@@ -14,8 +14,8 @@ use std::sync::Arc;
 
 use antumbra::cull::{
     AdapterChoice, DEPTH_FORMAT, DrawSource, Gpu, IDENTITY_FORMAT, Pass, Renderer, Run, SceneFrame,
-    SceneLayout, SceneTable, ShadeTargets, Stage, StageOptions, StageScene, Targets, TestRenderer,
-    ViewInput, ViewInputs, ViewSpec, read_back,
+    ShadeTargets, Stage, StageOptions, Targets, TestRenderer, ViewInput, ViewInputs, ViewSpec,
+    WithRenderer, read_back,
 };
 use antumbra::demo_scenes::{GridOptions, grid};
 use antumbra::draw::{BuiltinRenderer, GpuScene, SceneBuffers};
@@ -58,38 +58,6 @@ fn flat_with_id(in: Varying) -> Identified {
 }
 ";
 
-/// The built-in scene, drawn by [`Flat`].
-struct FlatScene {
-    scene: GpuScene,
-    shader: Arc<Job>,
-}
-
-impl StageScene for FlatScene {
-    fn gpu(&self) -> &Gpu {
-        self.scene.gpu()
-    }
-    fn number(&self) -> u64 {
-        self.scene.number()
-    }
-    fn table(&self) -> &Arc<SceneTable> {
-        self.scene.table()
-    }
-    fn layout(&self) -> SceneLayout {
-        self.scene.layout()
-    }
-    fn frame(&self) -> SceneFrame {
-        self.scene.frame()
-    }
-    fn renderer(&self) -> Box<dyn Renderer> {
-        Box::new(Flat {
-            gpu: self.gpu().clone(),
-            shader: Arc::clone(&self.shader),
-            pipelines: HashMap::new(),
-            tests: BuiltinRenderer::new(self.gpu()),
-        })
-    }
-}
-
 /// Draws triangles in one colour an entity.
 struct Flat {
     gpu: Gpu,
@@ -97,6 +65,17 @@ struct Flat {
     /// By the colour target's format, and by whether there are ids: a plan that is declared anew compiles nothing that exists.
     pipelines: HashMap<(wgpu::TextureFormat, bool), Arc<FlatPipeline>>,
     tests: BuiltinRenderer,
+}
+
+impl Flat {
+    fn new(gpu: &Gpu, shader: &Arc<Job>) -> Self {
+        Self {
+            gpu: gpu.clone(),
+            shader: Arc::clone(shader),
+            pipelines: HashMap::new(),
+            tests: BuiltinRenderer::new(gpu),
+        }
+    }
 }
 
 impl Renderer for Flat {
@@ -302,10 +281,10 @@ pub fn run(gpu: &Gpu, strategy: &str, frames: u32) -> Result<Outcome, Box<dyn Er
         ..GridOptions::default()
     })?;
     host.ensure_proxies(&Default::default());
-    let scene = FlatScene {
-        scene: GpuScene::new(gpu, &mut host)?,
-        shader: Arc::new(Job::from_wgsl("flat", SHADER)?),
-    };
+    let shader = Arc::new(Job::from_wgsl("flat", SHADER)?);
+    let scene = WithRenderer::new(GpuScene::new(gpu, &mut host)?, move |scene| {
+        Box::new(Flat::new(scene.gpu(), &shader))
+    });
     let stage = |strategy: &str| -> Result<Stage, Box<dyn Error>> {
         let views = vec![ViewSpec::main(320, 240)];
         let strategy = registry().parse(strategy)?;

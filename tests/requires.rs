@@ -12,8 +12,8 @@ use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex};
 
 use antumbra::cull::{
-    DrawSource, Gpu, Pass, PipelineClass, Renderer, SceneFrame, SceneLayout, SceneTable,
-    ShadeTargets, Stage, StageOptions, StageScene, Strategy, TestRenderer, ViewInput,
+    DrawSource, Pass, PipelineClass, Renderer, ShadeTargets, Stage, StageOptions, StageScene,
+    Strategy, TestRenderer, ViewInput, WithRenderer,
 };
 use antumbra::draw::{BuiltinRenderer, GpuScene, PipelineKind};
 use antumbra::graph::PlanFormat;
@@ -81,40 +81,24 @@ fn plan(scene: &mut Scene, text: &str, views: &[&str]) -> Plan {
     }
 }
 
-/// A scene whose renderer records the kinds of its pipelines.
-struct Watched {
-    scene: GpuScene,
-    kinds: Arc<Mutex<Vec<PipelineKind>>>,
-}
+/// The kinds of pipelines that a renderer has made.
+type Kinds = Arc<Mutex<Vec<PipelineKind>>>;
 
-impl StageScene for Watched {
-    fn gpu(&self) -> &Gpu {
-        self.scene.gpu()
-    }
-    fn number(&self) -> u64 {
-        self.scene.number()
-    }
-    fn table(&self) -> &Arc<SceneTable> {
-        self.scene.table()
-    }
-    fn layout(&self) -> SceneLayout {
-        self.scene.layout()
-    }
-    fn frame(&self) -> SceneFrame {
-        self.scene.frame()
-    }
-    fn renderer(&self) -> Box<dyn Renderer> {
+/// A scene whose renderer records the kinds of its pipelines.
+fn watched(scene: &mut Scene, kinds: &Kinds) -> WithRenderer<GpuScene> {
+    let kinds = Arc::clone(kinds);
+    WithRenderer::new(GpuScene::new(vulkan(), scene).unwrap(), move |scene| {
         Box::new(Watching {
-            inner: BuiltinRenderer::new(self.gpu()),
-            kinds: Arc::clone(&self.kinds),
+            inner: BuiltinRenderer::new(scene.gpu()),
+            kinds: Arc::clone(&kinds),
         })
-    }
+    })
 }
 
 /// The built-in renderer, watched.
 struct Watching {
     inner: BuiltinRenderer,
-    kinds: Arc<Mutex<Vec<PipelineKind>>>,
+    kinds: Kinds,
 }
 
 impl Renderer for Watching {
@@ -133,12 +117,10 @@ impl Renderer for Watching {
 
 /// Whether the shading pipelines have positional lights, and whether they have an environment.
 fn shading(scene: &mut Scene) -> [bool; 2] {
-    let watched = Watched {
-        scene: GpuScene::new(vulkan(), scene).unwrap(),
-        kinds: Arc::default(),
-    };
+    let kinds = Kinds::default();
+    let watched = watched(scene, &kinds);
     let _stage = stage(&watched, registry().make("frustum").unwrap(), &["main"]);
-    let kinds = watched.kinds.lock().unwrap();
+    let kinds = kinds.lock().unwrap();
     let [
         PipelineKind::Shaded {
             positional_lights,
@@ -149,7 +131,10 @@ fn shading(scene: &mut Scene) -> [bool; 2] {
     else {
         panic!("{kinds:?}");
     };
-    assert_eq!(watched.scene.buffers().environment.is_some(), *environment);
+    assert_eq!(
+        watched.scene().buffers().environment.is_some(),
+        *environment
+    );
     assert_eq!(watched.layout().positional_lights, *positional_lights);
     [*positional_lights, *environment]
 }
@@ -157,16 +142,14 @@ fn shading(scene: &mut Scene) -> [bool; 2] {
 #[test]
 fn a_stage_draws_each_scene_with_that_scenes_renderer() {
     let plainly = GpuScene::new(vulkan(), &mut plain()).unwrap();
-    let watched = Watched {
-        scene: GpuScene::new(vulkan(), &mut plain()).unwrap(),
-        kinds: Arc::default(),
-    };
+    let kinds = Kinds::default();
+    let watched = watched(&mut plain(), &kinds);
     let mut stage = stage(&plainly, registry().make("frustum").unwrap(), &["main"]);
     let input = || ViewInput::new(look_at(DVec3::Z * 9.0, DVec3::ZERO, perspective(0.9, 0.1)));
     stage.frame(&plainly, &[input()]).unwrap();
-    assert!(watched.kinds.lock().unwrap().is_empty());
+    assert!(kinds.lock().unwrap().is_empty());
     stage.frame(&watched, &[input()]).unwrap();
-    assert!(!watched.kinds.lock().unwrap().is_empty());
+    assert!(!kinds.lock().unwrap().is_empty());
     stage.frame(&plainly, &[input()]).unwrap();
 }
 

@@ -81,7 +81,7 @@ pub use split_point::SplitPoint;
 pub use stage::{
     ImportedTargets, Rebuilt, Stage, StageError, StageOptions, StageReport, ViewInput, ViewSpec,
 };
-pub use stage_scene::{SceneFrame, SceneLayout, StageScene, next_scene_number};
+pub use stage_scene::{SceneFrame, SceneLayout, StageScene, WithRenderer, next_scene_number};
 pub use strategy::{DeclareError, Role, Strategy, VisibleSet};
 pub use tree::Tree;
 pub use tuning::{

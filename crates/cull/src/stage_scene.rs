@@ -14,8 +14,7 @@ pub trait StageScene {
     /// The device that it is on.
     fn gpu(&self) -> &Gpu;
 
-    /// An id, unique in this process ([`next_scene_number`]). Slots and epochs are meaningful only together with it, and a stage goes on using the renderer that it took for it: a wrapper with
-    /// another renderer needs a number of its own, unless it is the only one that stages are given.
+    /// An id, unique in this process ([`next_scene_number`]). Slots and epochs are meaningful only together with it, and a stage keeps the renderer that it took for it.
     fn number(&self) -> u64;
 
     /// The entities as they are now.
@@ -35,6 +34,84 @@ pub trait StageScene {
 pub fn next_scene_number() -> u64 {
     static SCENES: AtomicU64 = AtomicU64::new(0);
     SCENES.fetch_add(1, Ordering::Relaxed)
+}
+
+/// Makes a renderer for a scene.
+type MakeRenderer<S> = dyn Fn(&S) -> Box<dyn Renderer> + Send + Sync;
+
+/// A scene that is drawn by another renderer than its own.
+///
+/// ```no_run
+/// # use antumbra_cull::*;
+/// # fn wrapped<S: StageScene>(scene: S, ours: fn(&S) -> Box<dyn Renderer>) -> WithRenderer<S> {
+/// let scene = WithRenderer::new(scene, ours);
+/// // Each frame: `scene.scene_mut().sync(..)`, then `stage.frame(&scene, ..)`.
+/// # scene
+/// # }
+/// ```
+pub struct WithRenderer<S> {
+    scene: S,
+    number: u64,
+    renderer: Box<MakeRenderer<S>>,
+}
+
+impl<S: StageScene> WithRenderer<S> {
+    /// The scene, with what makes a renderer for it. `renderer` is called once a stage.
+    pub fn new(
+        scene: S,
+        renderer: impl Fn(&S) -> Box<dyn Renderer> + Send + Sync + 'static,
+    ) -> Self {
+        Self {
+            scene,
+            // Its own: a stage that knows the scene by another renderer must not take this one for the same.
+            number: next_scene_number(),
+            renderer: Box::new(renderer),
+        }
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &S {
+        &self.scene
+    }
+
+    /// The scene, to change it between frames.
+    pub fn scene_mut(&mut self) -> &mut S {
+        &mut self.scene
+    }
+}
+
+impl<S: StageScene> StageScene for WithRenderer<S> {
+    fn gpu(&self) -> &Gpu {
+        self.scene.gpu()
+    }
+
+    fn number(&self) -> u64 {
+        self.number
+    }
+
+    fn table(&self) -> &Arc<SceneTable> {
+        self.scene.table()
+    }
+
+    fn layout(&self) -> SceneLayout {
+        self.scene.layout()
+    }
+
+    fn frame(&self) -> SceneFrame {
+        self.scene.frame()
+    }
+
+    fn renderer(&self) -> Box<dyn Renderer> {
+        (self.renderer)(&self.scene)
+    }
+}
+
+impl<S: fmt::Debug> fmt::Debug for WithRenderer<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("WithRenderer")
+            .field("scene", &self.scene)
+            .finish_non_exhaustive()
+    }
 }
 
 /// What the nodes of a frame need of a scene: shared handles, cheap to clone.
