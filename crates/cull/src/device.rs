@@ -206,19 +206,15 @@ impl Gpu {
             }));
     }
 
-    /// Refuses an adapter without storage buffers in vertex shaders, which all passes need. [`Gpu::from_adapter`] and [`Stage::new`](crate::Stage::new) check this, so that an
-    /// adopted device is checked as well.
-    ///
-    /// # Errors
-    /// [`DeviceError::Lacking`].
-    pub fn check_capabilities(&self) -> Result<(), DeviceError> {
+    /// Refuses an adapter without storage buffers in vertex shaders, which all passes need: an adopted device was not checked before.
+    pub(crate) fn check_capabilities(&self) -> Result<(), DeviceError> {
         check_capabilities(&self.info, &self.downlevel)
     }
 
     /// Whether this is the same device as another. wgpu compares devices of one instance alone; those of another backend or adapter are told apart by these.
     pub(crate) fn is(&self, other: &Self) -> bool {
-        let of = |gpu: &Self| (gpu.info.backend, gpu.title());
-        self.device == other.device && of(self) == of(other)
+        let adapter = |gpu: &Self| (gpu.info.backend, gpu.info.name.clone());
+        self.device == other.device && adapter(self) == adapter(other)
     }
 
     /// The adapter as `name (backend)`.

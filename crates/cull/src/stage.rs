@@ -3,155 +3,38 @@
 //! A stage runs on its own and submits, or it records into a host's encoder and draws into the host's textures.
 
 mod built;
+mod error;
+mod input;
 mod kept;
+mod options;
 mod report;
 
 use std::sync::Arc;
 
-use antumbra_graph::{CompileErrors, ExecuteError, FrameReport, Host, Mode, Plan};
-use antumbra_scene::{Camera, CameraError};
+use antumbra_graph::{FrameReport, Host, Plan};
 use built::{Built, Inherited, build};
 use kept::KeptPlans;
+
+pub use error::StageError;
+pub use input::{ImportedTargets, ViewInput};
+pub use options::{StageOptions, ViewSpec};
 pub use report::{Rebuilt, StageReport};
-use thiserror::Error;
 
 use crate::adaptive_threshold::GpuThreshold;
-use crate::audit::{Audit, AuditOptions};
+use crate::audit::Audit;
 use crate::budget::{Budget, BudgetController, BudgetState};
 use crate::candidates::Queried;
-use crate::device::{DeviceError, Gpu};
+use crate::device::Gpu;
 use crate::narrowing::{Narrowing, hide};
 use crate::pipelines::Pipelines;
 use crate::read_back;
 use crate::renderer::Renderer;
 use crate::samples::Samples;
 use crate::stage_scene::StageScene;
-use crate::strategy::{DeclareError, Strategy, VerdictSource};
+use crate::strategy::{Strategy, VerdictSource};
 use crate::tuning::Step;
 use crate::verdict::Verdicts;
 use crate::view::ViewFrame;
-
-/// A view of a stage.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ViewSpec {
-    /// Its name: `main`, `left`, `right`.
-    pub name: String,
-    /// Width and height of its image in pixels.
-    pub size: [u32; 2],
-}
-
-impl ViewSpec {
-    /// The view of a stage that has only one.
-    pub fn main(width: u32, height: u32) -> Self {
-        Self {
-            name: "main".to_owned(),
-            size: [width, height],
-        }
-    }
-}
-
-/// How a stage is built.
-#[derive(Debug, Clone)]
-pub struct StageOptions {
-    /// Whether it submits on its own, or records into a host's encoder.
-    pub mode: Mode,
-    /// The format of the colour targets.
-    pub colour_format: wgpu::TextureFormat,
-    /// The clear colour; unused where targets are imported.
-    pub background: wgpu::Color,
-    /// Whether GPU time is measured per pass, on devices with timestamps.
-    pub timing: bool,
-    /// How frames audit themselves; `None`: they do not, and the plan has no such nodes.
-    pub audit: Option<AuditOptions>,
-    /// The budget that replaces settings. A budget of wrong pixels turns the audit on, with [`AuditOptions::default`] unless `audit` says otherwise.
-    pub budget: Option<Budget>,
-}
-
-impl Default for StageOptions {
-    fn default() -> Self {
-        Self {
-            mode: Mode::Owned,
-            colour_format: wgpu::TextureFormat::Rgba8UnormSrgb,
-            background: wgpu::Color {
-                r: 0.02,
-                g: 0.025,
-                b: 0.035,
-                a: 1.0,
-            },
-            timing: false,
-            audit: None,
-            budget: None,
-        }
-    }
-}
-
-/// One view's part of a frame.
-#[derive(Debug, Clone)]
-pub struct ViewInput<'a> {
-    /// The camera.
-    pub camera: Camera,
-    /// Whether the camera jumped since the last frame: earlier answers are then not used.
-    pub cut: bool,
-    /// The slots that own a pixel of the reference, ascending, for a strategy that [needs them](Strategy::needs_reference).
-    pub reference: Option<Arc<Vec<u32>>>,
-    /// In [`Mode::Embedded`]: the targets. Their contents are kept and drawn over.
-    pub targets: Option<ImportedTargets<'a>>,
-}
-
-impl ViewInput<'_> {
-    /// A camera without a cut, reference or targets.
-    pub fn new(camera: Camera) -> Self {
-        Self {
-            camera,
-            cut: false,
-            reference: None,
-            targets: None,
-        }
-    }
-}
-
-/// The host's textures, of the view's size, usable as render attachments. Depth is [`DEPTH_FORMAT`](crate::DEPTH_FORMAT), reversed.
-#[derive(Debug, Clone, Copy)]
-pub struct ImportedTargets<'a> {
-    /// Colour, of the stage's format.
-    pub colour: &'a wgpu::Texture,
-    /// Depth.
-    pub depth: &'a wgpu::Texture,
-}
-
-/// Why a stage could not be built, or a frame not run.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum StageError {
-    /// The strategy's settings, or the device.
-    #[error(transparent)]
-    Declare(#[from] DeclareError),
-    /// The graph that the strategy declared does not compile.
-    #[error("the graph of strategy '{strategy}' does not compile:\n{errors}")]
-    Compile {
-        /// The strategy.
-        strategy: String,
-        /// All that is wrong.
-        errors: CompileErrors,
-    },
-    /// A frame failed.
-    #[error(transparent)]
-    Execute(#[from] ExecuteError),
-    /// The device.
-    #[error(transparent)]
-    Device(#[from] DeviceError),
-    /// An invalid camera.
-    #[error("view '{view}': {error}")]
-    Camera {
-        /// The view.
-        view: String,
-        /// What is wrong with it.
-        error: CameraError,
-    },
-    /// The caller's inputs do not fit the stage.
-    #[error("the stage was given {0}")]
-    Input(String),
-}
 
 /// A strategy at work on a scene.
 pub struct Stage {
@@ -196,7 +79,7 @@ impl Stage {
             return Err(StageError::Input("no view".to_owned()));
         }
         for spec in &specs {
-            check_size(scene.gpu(), spec)?;
+            spec.check(scene.gpu())?;
         }
         scene.gpu().check_capabilities()?;
         let mut strategy = strategy;
@@ -256,7 +139,7 @@ impl Stage {
                 name: spec.name.clone(),
                 size,
             };
-            check_size(&self.gpu, &resized)?;
+            resized.check(&self.gpu)?;
             *spec = resized;
         }
         Ok(())
@@ -293,7 +176,7 @@ impl Stage {
         Ok(self.finish(report))
     }
 
-    /// Records a frame into a host's encoder; for a stage of [`Mode::Embedded`].
+    /// Records a frame into a host's encoder; for a stage of [`Mode::Embedded`](antumbra_graph::Mode::Embedded).
     ///
     /// # Errors
     /// As for [`Self::frame`].
@@ -322,10 +205,14 @@ impl Stage {
         self.controller.as_ref()?.state()
     }
 
-    fn finish(&mut self, report: FrameReport) -> StageReport {
-        let number = self.frames;
+    fn finish(&mut self, plan: FrameReport) -> StageReport {
+        let frame = self.frames;
         self.collect();
-        StageReport::new(number, report, self.rebuilt.take())
+        StageReport {
+            frame,
+            plan,
+            rebuilt: self.rebuilt.take(),
+        }
     }
 
     /// Takes over the audits that have come in, and passes them to the budget's controller.
@@ -583,19 +470,6 @@ impl Stage {
 
 /// Frames after which the answers to a frame's queries have arrived, also on a host that has two frames in flight.
 const ANSWERED: u64 = 4;
-
-/// Refuses a view without pixels, and one that is larger than the device's textures.
-fn check_size(gpu: &Gpu, spec: &ViewSpec) -> Result<(), StageError> {
-    let most = gpu.device.limits().max_texture_dimension_2d;
-    let [width, height] = spec.size;
-    match spec.size.iter().any(|side| *side == 0 || *side > most) {
-        true => Err(StageError::Input(format!(
-            "view '{}' of {width} x {height} pixels: each side must be 1 to {most}",
-            spec.name
-        ))),
-        false => Ok(()),
-    }
-}
 
 /// The step that a budget is on; 0 without one.
 fn step(controller: Option<&BudgetController>) -> usize {

@@ -238,3 +238,25 @@ fn a_failed_frame_keeps_the_report_of_a_new_plan() {
     let error = stage.frame(&elsewhere, &[ViewInput::new(camera())]);
     assert!(error.unwrap_err().to_string().contains("another device"));
 }
+
+#[test]
+fn what_lies_on_the_gpu_is_lost_for_one_frame_and_no_pixel_with_it() {
+    for gpu in gpus() {
+        let mut host = balls_with_proxies(8);
+        let mut scene = GpuScene::new(gpu, &mut host).unwrap();
+        let mut stage = stage_of("coherent:latency=on-gpu", &scene, SIZE);
+        let all = frame(&mut stage, &scene).drawn.len();
+        let settled = settle(&mut stage, &scene).drawn.len();
+        assert!(settled < all);
+        outgrow(&mut host, &mut scene);
+        // Nothing was seen by the new buffers' account, so nothing hides anything.
+        let after = frame(&mut stage, &scene);
+        assert_eq!(
+            (after.rebuilt, after.drawn.len()),
+            (Some(Rebuilt::Layout), all)
+        );
+        let now = settle(&mut stage, &scene).drawn;
+        assert_eq!(now.len(), settled);
+        assert!(owners(&scene, SIZE).iter().all(|slot| now.contains(slot)));
+    }
+}

@@ -63,8 +63,8 @@ fn each_latency_waits_as_often_as_it_says() {
                     let inputs = vec![ViewInput::new(camera()); views.len()];
                     for _ in 0..2 {
                         let report = stage.frame(&scene, &inputs).unwrap();
-                        assert_eq!(report.sync_points as usize, waits, "{text} {views:?}");
-                        assert_eq!(report.skipped_read_backs, 0, "{text} {views:?}");
+                        assert_eq!(report.plan.sync_points as usize, waits, "{text} {views:?}");
+                        assert_eq!(report.plan.skipped_read_backs, 0, "{text} {views:?}");
                     }
                 }
             }
@@ -84,7 +84,7 @@ fn stop_and_wait_waits_for_every_batch_and_once_more_to_find_the_end() {
         assert_eq!((looped.name, looped.sync_points), ("stop and wait", 1));
         let report = stage.frame(&scene, &[ViewInput::new(camera())]).unwrap();
         assert_eq!(
-            (report.loop_iterations, report.sync_points),
+            (report.plan.loop_iterations, report.plan.sync_points),
             (turns, turns),
             "batch {batch}"
         );

@@ -97,7 +97,11 @@ fn a_hidden_sub_tree_takes_one_question() {
         let [_, occluded, _, visible, ..] = verdicts.tally();
         assert_eq!((occluded, visible), (64, 1), "{text}");
         assert!(verdicts.tested() <= 4, "{text}: {}", verdicts.tested());
-        assert!(report.sync_points <= 4, "{text}: {}", report.sync_points);
+        assert!(
+            report.plan.sync_points <= 4,
+            "{text}: {}",
+            report.plan.sync_points
+        );
     }
     // Without the map the wall is queried too, and every node above it.
     let (verdicts, _) = frame(&mut stage(&scene, "stop-and-wait:tree=groups"), &scene, eye);
@@ -110,7 +114,7 @@ fn a_hidden_sub_tree_takes_one_question() {
         frame(&mut stage, &scene, eye);
     }
     let (settled, report) = frame(&mut stage, &scene, eye);
-    assert_eq!((settled.tally()[1], report.sync_points), (64, 0));
+    assert_eq!((settled.tally()[1], report.plan.sync_points), (64, 0));
     assert!(
         settled.tested() <= 2,
         "{} queries for one group",
@@ -126,7 +130,7 @@ fn where_nothing_hides_hardly_anything_is_asked() {
     for _ in 0..3 {
         let (verdicts, report) = frame(&mut stage, &scene, camera(DVec3::Z * 17.0));
         assert_eq!(verdicts.tally()[3], 144);
-        assert_eq!((verdicts.tested(), report.sync_points), (0, 0));
+        assert_eq!((verdicts.tested(), report.plan.sync_points), (0, 0));
     }
 }
 
@@ -143,7 +147,11 @@ fn what_is_not_worth_a_wait_is_drawn() {
     let mut stage = stage(&scene, &format!("{text}20300"));
     let (drawn, report) = frame(&mut stage, &scene, eye);
     assert_eq!(
-        (drawn.tested(), drawn.drawn().count(), report.sync_points),
+        (
+            drawn.tested(),
+            drawn.drawn().count(),
+            report.plan.sync_points
+        ),
         (0, 65, 0)
     );
 }
@@ -167,6 +175,7 @@ fn later_frames_organise_fewer_batches() {
         waits.push(
             frame(&mut stage, &scene, camera(DVec3::Z * 9.0))
                 .1
+                .plan
                 .sync_points,
         );
     }

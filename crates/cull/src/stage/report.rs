@@ -1,7 +1,5 @@
 //! What a stage reports of a frame.
 
-use std::time::Duration;
-
 use antumbra_graph::FrameReport;
 
 /// The report of a finished frame.
@@ -9,18 +7,8 @@ use antumbra_graph::FrameReport;
 pub struct StageReport {
     /// The frame's number in the stage, from 0. Audits name frames by it.
     pub frame: u64,
-    /// The frame's last submission; `None` for an embedded stage.
-    pub submission: Option<wgpu::SubmissionIndex>,
-    /// Sync points that were waited at, those of loop iterations included.
-    pub sync_points: u32,
-    /// Iterations of all host loops.
-    pub loop_iterations: u32,
-    /// Frame-late read-backs that found no free slot.
-    pub skipped_read_backs: u32,
-    /// Host time of the frame, waiting included.
-    pub cpu: Duration,
-    /// Of that, the time spent waiting at sync points.
-    pub waited: Duration,
+    /// What its plan reports: the submission, waits and read-backs. The frame's number there is the plan's own.
+    pub plan: FrameReport,
     /// Why this frame had another plan than the last one; `None`: it had the same. To compile a plan takes milliseconds.
     pub rebuilt: Option<Rebuilt>,
 }
@@ -40,28 +28,4 @@ pub enum Rebuilt {
     Step,
     /// A budget came back to a step. Its plan and memory are used again, as after a camera cut; nothing was compiled.
     Resumed,
-}
-
-impl StageReport {
-    pub(super) fn new(frame: u64, report: FrameReport, rebuilt: Option<Rebuilt>) -> Self {
-        let FrameReport {
-            frame: _,
-            submission,
-            sync_points,
-            loop_iterations,
-            skipped_read_backs,
-            cpu,
-            waited,
-        } = report;
-        Self {
-            frame,
-            submission,
-            sync_points,
-            loop_iterations,
-            skipped_read_backs,
-            cpu,
-            waited,
-            rebuilt,
-        }
-    }
 }

@@ -140,7 +140,7 @@ pub fn measure(
             let report = stage.frame(scene, &inputs)?;
             scene.gpu().wait()?;
             stage.note_time(start.elapsed().as_secs_f64() * 1e3);
-            record.sync_points = record.sync_points.max(report.sync_points);
+            record.sync_points = record.sync_points.max(report.plan.sync_points);
             record
                 .views
                 .resize_with(references.len(), ViewRecord::default);
@@ -157,7 +157,7 @@ pub fn measure(
             record.poses.push(PoseCounts {
                 triangles: record.triangles - triangles,
                 queries: record.queries() - queries,
-                sync_points: report.sync_points,
+                sync_points: report.plan.sync_points,
             });
         }
         let of_views = references.into_iter().map(|reference| reference.owners);

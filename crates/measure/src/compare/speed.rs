@@ -149,7 +149,7 @@ fn free_running(
                 }
                 let StageInputs { scene, views } = inputs(scripted, frame, owners)?;
                 let report = stage.frame(scene, &views)?;
-                in_flight.extend(report.submission);
+                in_flight.extend(report.plan.submission);
             }
             scripted.scene().gpu().wait()?;
             means[at].push(start.elapsed().as_secs_f64() * 1e3 / range.len() as f64);

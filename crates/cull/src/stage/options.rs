@@ -1,0 +1,75 @@
+//! What a stage is built from: its views and its options.
+
+use antumbra_graph::Mode;
+
+use super::error::StageError;
+use crate::audit::AuditOptions;
+use crate::budget::Budget;
+use crate::device::Gpu;
+
+/// A view of a stage.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ViewSpec {
+    /// Its name: `main`, `left`, `right`.
+    pub name: String,
+    /// Width and height of its image in pixels.
+    pub size: [u32; 2],
+}
+
+impl ViewSpec {
+    /// The view of a stage that has only one.
+    pub fn main(width: u32, height: u32) -> Self {
+        Self {
+            name: "main".to_owned(),
+            size: [width, height],
+        }
+    }
+
+    /// Refuses a view without pixels, and one that is larger than the device's textures.
+    pub(super) fn check(&self, gpu: &Gpu) -> Result<(), StageError> {
+        let most = gpu.device.limits().max_texture_dimension_2d;
+        let [width, height] = self.size;
+        match self.size.iter().any(|side| *side == 0 || *side > most) {
+            true => Err(StageError::Input(format!(
+                "view '{}' of {width} x {height} pixels: each side must be 1 to {most}",
+                self.name
+            ))),
+            false => Ok(()),
+        }
+    }
+}
+
+/// How a stage is built.
+#[derive(Debug, Clone)]
+pub struct StageOptions {
+    /// Whether it submits on its own, or records into a host's encoder.
+    pub mode: Mode,
+    /// The format of the colour targets.
+    pub colour_format: wgpu::TextureFormat,
+    /// The clear colour; unused where targets are imported.
+    pub background: wgpu::Color,
+    /// Whether GPU time is measured per pass, on devices with timestamps.
+    pub timing: bool,
+    /// How frames audit themselves; `None`: they do not, and the plan has no such nodes.
+    pub audit: Option<AuditOptions>,
+    /// The budget that replaces settings. A budget of wrong pixels turns the audit on, with [`AuditOptions::default`] unless `audit` says otherwise.
+    pub budget: Option<Budget>,
+}
+
+impl Default for StageOptions {
+    fn default() -> Self {
+        Self {
+            mode: Mode::Owned,
+            colour_format: wgpu::TextureFormat::Rgba8UnormSrgb,
+            background: wgpu::Color {
+                r: 0.02,
+                g: 0.025,
+                b: 0.035,
+                a: 1.0,
+            },
+            timing: false,
+            audit: None,
+            budget: None,
+        }
+    }
+}
