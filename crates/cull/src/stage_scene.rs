@@ -43,7 +43,7 @@ type MakeRenderer<S> = dyn Fn(&S) -> Box<dyn Renderer> + Send + Sync;
 ///
 /// ```no_run
 /// # use antumbra_cull::*;
-/// # fn wrapped<S: StageScene>(scene: S, ours: fn(&S) -> Box<dyn Renderer>) -> WithRenderer<S> {
+/// # fn wrapped<S: StageScene + 'static>(scene: S, ours: fn(&S) -> Box<dyn Renderer>) -> WithRenderer<S> {
 /// let scene = WithRenderer::new(scene, ours);
 /// // Each frame: `scene.scene_mut().sync(..)`, then `stage.frame(&scene, ..)`.
 /// # scene
