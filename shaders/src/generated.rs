@@ -11,23 +11,37 @@ pub static ALL: &[&crate::Job] = &[
 &depth::JOB,
 &histogram::JOB,
 &identity::JOB,
+&judge_draws::JOB,
+&judge_first::JOB,
+&judge_many::JOB,
+&judge_one::JOB,
 &max_counts::JOB,
 &patch_compare::JOB,
 &patch_early::JOB,
+&pyramid_many::JOB,
+&pyramid_one::JOB,
+&pyramid_rest::JOB,
 &scatter::JOB,
+&scatter_records::JOB,
 &shaded::JOB,
 &signature::JOB,
 ];
 /// The shared texts for `//!import`, by name.
 pub static SHARED: &[crate::SharedSource<'static>] = &[
 crate::SharedSource { name: "clip", text: include_str!("../wgsl/shared/clip.wgsl") },
+crate::SharedSource { name: "depth_many", text: include_str!("../wgsl/shared/depth_many.wgsl") },
+crate::SharedSource { name: "depth_one", text: include_str!("../wgsl/shared/depth_one.wgsl") },
 crate::SharedSource { name: "environment", text: include_str!("../wgsl/shared/environment.wgsl") },
 crate::SharedSource { name: "instance", text: include_str!("../wgsl/shared/instance.wgsl") },
+crate::SharedSource { name: "judge", text: include_str!("../wgsl/shared/judge.wgsl") },
+crate::SharedSource { name: "judged", text: include_str!("../wgsl/shared/judged.wgsl") },
 crate::SharedSource { name: "light", text: include_str!("../wgsl/shared/light.wgsl") },
 crate::SharedSource { name: "marks", text: include_str!("../wgsl/shared/marks.wgsl") },
 crate::SharedSource { name: "material", text: include_str!("../wgsl/shared/material.wgsl") },
 crate::SharedSource { name: "patch", text: include_str!("../wgsl/shared/patch.wgsl") },
 crate::SharedSource { name: "position", text: include_str!("../wgsl/shared/position.wgsl") },
+crate::SharedSource { name: "pyramid", text: include_str!("../wgsl/shared/pyramid.wgsl") },
+crate::SharedSource { name: "reduce", text: include_str!("../wgsl/shared/reduce.wgsl") },
 crate::SharedSource { name: "threshold", text: include_str!("../wgsl/shared/threshold.wgsl") },
 crate::SharedSource { name: "view", text: include_str!("../wgsl/shared/view.wgsl") },
 ];
@@ -443,6 +457,223 @@ pub const BASE_COLOUR_SAMPLER: crate::BindingPlace = crate::BindingPlace { group
 pub mod workgroup {
 }
 }
+/// `wgsl/judge_draws.wgsl`.
+pub mod judge_draws {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_draws.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("judge_draws"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_draws.wgsl"), first_line: 1, lines: 108 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("few"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("many"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("settings"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("few"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("many"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("templates"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(20) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("few"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("many"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("members"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("few"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("many"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("chosen"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("few"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("many"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("draws"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("few"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("many"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("kept"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("few"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("many"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("DrawTemplate"), kind: crate::LayoutKind::Memory, size: 20, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("elements"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("first_element"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("base_vertex"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("first_member"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("members"), offset: 16, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Settings"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("words"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 12, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `few`.
+pub const FEW: &str = "few";
+/// `many`.
+pub const MANY: &str = "many";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `settings`.
+pub const SETTINGS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `templates`.
+pub const TEMPLATES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `members`.
+pub const MEMBERS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `chosen`.
+pub const CHOSEN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `draws`.
+pub const DRAWS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
+/// `kept`.
+pub const KEPT: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `few`.
+pub const FEW: [u32; 3] = [64, 1, 1];
+/// Of `many`.
+pub const MANY: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/judge_first.wgsl`.
+pub mod judge_first {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_first.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("judge_first"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_first.wgsl"), first_line: 1, lines: 25 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 26, lines: 151 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("choose"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("choose"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("choose"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("states"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("choose"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("first"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("choose"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("JudgedInstance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("centre_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("traits"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("JudgedView"), kind: crate::LayoutKind::Memory, size: 112, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 96, size: 4 }, crate::FieldLayout { name: Borrowed("depth_step"), offset: 100, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 104, size: 4 }, crate::FieldLayout { name: Borrowed("flags"), offset: 108, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `choose`.
+pub const CHOOSE: &str = "choose";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `states`.
+pub const STATES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `first`.
+pub const FIRST: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `choose`.
+pub const CHOOSE: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/judge_many.wgsl`.
+pub mod judge_many {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_many.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_many.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("judge_many"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 114 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 118, lines: 151 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 269, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 291, lines: 11 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("states"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("rest"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("hidden"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("depth"), entry: wgpu::BindGroupLayoutEntry { binding: 7, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: false }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: true }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("JudgedInstance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("centre_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("traits"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("JudgedView"), kind: crate::LayoutKind::Memory, size: 112, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 96, size: 4 }, crate::FieldLayout { name: Borrowed("depth_step"), offset: 100, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 104, size: 4 }, crate::FieldLayout { name: Borrowed("flags"), offset: 108, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `test`.
+pub const TEST: &str = "test";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `states`.
+pub const STATES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `rest`.
+pub const REST: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `hidden`.
+pub const HIDDEN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `depth`.
+pub const DEPTH: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 7 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `test`.
+pub const TEST: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/judge_one.wgsl`.
+pub mod judge_one {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_one.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_one.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("judge_one"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 114 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 118, lines: 151 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 269, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 291, lines: 7 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("states"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("rest"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("hidden"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("depth"), entry: wgpu::BindGroupLayoutEntry { binding: 7, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: false }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("JudgedInstance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("centre_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("traits"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("JudgedView"), kind: crate::LayoutKind::Memory, size: 112, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 96, size: 4 }, crate::FieldLayout { name: Borrowed("depth_step"), offset: 100, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 104, size: 4 }, crate::FieldLayout { name: Borrowed("flags"), offset: 108, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `test`.
+pub const TEST: &str = "test";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `states`.
+pub const STATES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `rest`.
+pub const REST: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `hidden`.
+pub const HIDDEN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `depth`.
+pub const DEPTH: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 7 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `test`.
+pub const TEST: [u32; 3] = [64, 1, 1];
+}
+}
 /// `wgsl/max_counts.wgsl`.
 pub mod max_counts {
 #[allow(unused_imports, reason = "which of them depends on the job")]
@@ -604,6 +835,126 @@ pub const SHOWN: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 
 pub mod workgroup {
 }
 }
+/// `wgsl/pyramid_many.wgsl`.
+pub mod pyramid_many {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/pyramid_many.wgsl"), include_str!("../wgsl/shared/reduce.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_many.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("pyramid_many"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/pyramid_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/reduce.wgsl"), first_line: 4, lines: 41 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 45, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 67, lines: 11 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("reduce"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [8, 8, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("reduce"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("reduce"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("depth"), entry: wgpu::BindGroupLayoutEntry { binding: 7, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: false }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: true }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("reduce"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `reduce`.
+pub const REDUCE: &str = "reduce";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `depth`.
+pub const DEPTH: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 7 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `reduce`.
+pub const REDUCE: [u32; 3] = [8, 8, 1];
+}
+}
+/// `wgsl/pyramid_one.wgsl`.
+pub mod pyramid_one {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/pyramid_one.wgsl"), include_str!("../wgsl/shared/reduce.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_one.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("pyramid_one"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/pyramid_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/reduce.wgsl"), first_line: 4, lines: 41 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 45, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 67, lines: 7 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("reduce"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [8, 8, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("reduce"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("reduce"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("depth"), entry: wgpu::BindGroupLayoutEntry { binding: 7, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: false }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("reduce"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `reduce`.
+pub const REDUCE: &str = "reduce";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `depth`.
+pub const DEPTH: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 7 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `reduce`.
+pub const REDUCE: [u32; 3] = [8, 8, 1];
+}
+}
+/// `wgsl/pyramid_rest.wgsl`.
+pub mod pyramid_rest {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/pyramid_rest.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("pyramid_rest"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/pyramid_rest.wgsl"), first_line: 1, lines: 21 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 22, lines: 22 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `rest`.
+pub const REST: &str = "rest";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `rest`.
+pub const REST: [u32; 3] = [64, 1, 1];
+}
+}
 /// `wgsl/scatter.wgsl`.
 pub mod scatter {
 #[allow(unused_imports, reason = "which of them depends on the job")]
@@ -646,6 +997,47 @@ pub const COUNTS: crate::BindingPlace = crate::BindingPlace { group: 0, binding:
 pub mod workgroup {
 /// Of `scatter`.
 pub const SCATTER: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/scatter_records.wgsl`.
+pub mod scatter_records {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/scatter_records.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("scatter_records"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/scatter_records.wgsl"), first_line: 1, lines: 22 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("scatter_records"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("places"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("scatter_records"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("moved"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("scatter_records"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("records"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("scatter_records"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Record"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("centre_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("traits"), offset: 60, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `scatter_records`.
+pub const SCATTER_RECORDS: &str = "scatter_records";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `places`.
+pub const PLACES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `moved`.
+pub const MOVED: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `records`.
+pub const RECORDS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `scatter_records`.
+pub const SCATTER_RECORDS: [u32; 3] = [64, 1, 1];
 }
 }
 /// `wgsl/shaded.wgsl`.

@@ -57,6 +57,35 @@ impl ComputePipeline {
         pass.dispatch_workgroups(wide, rows, 1);
         Ok(())
     }
+
+    /// The bind group of these buffers, numbered from 0, for a pass outside of the graph.
+    pub(crate) fn group(&self, gpu: &Gpu, buffers: &[&wgpu::Buffer]) -> wgpu::BindGroup {
+        let entries: Vec<_> = buffers
+            .iter()
+            .zip(0u32..)
+            .map(|(buffer, binding)| wgpu::BindGroupEntry {
+                binding,
+                resource: buffer.as_entire_binding(),
+            })
+            .collect();
+        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: None,
+            layout: &self.layout,
+            entries: &entries,
+        })
+    }
+
+    /// As [`Self::dispatch`], in a pass outside of the graph.
+    pub(crate) fn dispatch_in(
+        &self,
+        pass: &mut wgpu::ComputePass<'_>,
+        group: &wgpu::BindGroup,
+        [wide, rows]: [u32; 2],
+    ) {
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, group, &[]);
+        pass.dispatch_workgroups(wide, rows, 1);
+    }
 }
 
 /// The most workgroups in a dimension of a dispatch: WebGPU's default limit.

@@ -25,6 +25,7 @@ mod draw_source;
 mod entities;
 mod frame_graph;
 pub mod indirect;
+pub mod judge;
 mod latency;
 mod narrowing;
 pub mod order;

@@ -8,6 +8,7 @@
 
 pub mod cameras;
 pub mod devices;
+pub mod engine;
 pub mod frames;
 pub mod scenes;
 pub mod targets;

@@ -1,0 +1,76 @@
+//! Answers on the host, a frame late: which instances a test has found hidden.
+
+use super::depth::DepthRange;
+use super::eye::Eye;
+use super::instances::Instances;
+use super::record::Part;
+use crate::verdict::{Verdict, Verdicts};
+
+/// When a test was made: travels with its answers.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Asked {
+    pub epoch: u64,
+    pub cuts: u64,
+    /// Bytes of the mask.
+    pub bytes: u64,
+}
+
+/// The newest answers of a view that have arrived.
+#[derive(Debug, Default)]
+pub(super) struct Answers {
+    asked: Option<Asked>,
+    hidden: Vec<u32>,
+}
+
+impl Answers {
+    /// Takes over a mask that has arrived.
+    pub fn take(&mut self, asked: &Asked, bytes: &[u8]) {
+        self.asked = Some(*asked);
+        self.hidden.clear();
+        let words = bytes.chunks_exact(4);
+        self.hidden
+            .extend(words.map(|word| u32::from_le_bytes(word.try_into().unwrap_or_default())));
+    }
+
+    fn is_hidden(&self, index: u32) -> bool {
+        let word = self.hidden.get(index as usize / 32).copied().unwrap_or(0);
+        word >> (index % 32) & 1 != 0
+    }
+
+    /// Gives every instance a verdict for an eye of now. `inside` is memory for indices.
+    pub fn judge(
+        &self,
+        instances: &Instances,
+        eye: &Eye,
+        range: DepthRange,
+        cuts: u64,
+        inside: &mut Vec<u32>,
+        verdicts: &mut Verdicts,
+    ) {
+        verdicts.reset(instances.slots(), Verdict::Absent);
+        let Some(world) = instances.world() else {
+            return;
+        };
+        for index in (0..instances.slots()).filter(|index| instances.at(*index).is_some()) {
+            verdicts.set(index, Verdict::OutsideFrustum);
+        }
+        inside.clear();
+        eye.frustum().cull(world, inside);
+        let asked = self.asked.filter(|asked| asked.cuts == cuts);
+        for index in inside.iter().copied() {
+            let Some((part, added)) = instances.part(index) else {
+                continue;
+            };
+            let verdict = match (part, asked) {
+                (Part::Occluder | Part::Exempt, _) | (_, None) => Verdict::Untested,
+                (_, Some(asked)) if added > asked.epoch => Verdict::New,
+                _ if !self.is_hidden(index) => Verdict::Visible,
+                _ => match world.get(index as usize) {
+                    Some(bounds) if !eye.reaches_near(&bounds, range) => Verdict::Occluded,
+                    _ => Verdict::Untested,
+                },
+            };
+            verdicts.set(index, verdict);
+        }
+    }
+}

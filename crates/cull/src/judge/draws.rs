@@ -1,0 +1,208 @@
+//! A host's indirect draws, written by the GPU from masks.
+
+use antumbra_shaders::{assert_layout, jobs};
+use bytemuck::{Pod, Zeroable};
+
+use super::error::JudgeError;
+use crate::compute_pipeline::{ComputePipeline, rows_of};
+use crate::device::Gpu;
+
+/// What kind of draws a host makes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum DrawKind {
+    /// Indexed: five words each, as `draw_indexed_indirect` takes them.
+    Indexed,
+    /// Of vertices: four words each, as `draw_indirect` takes them.
+    Vertices,
+}
+
+impl DrawKind {
+    /// Bytes of a draw.
+    pub const fn bytes(self) -> u64 {
+        match self {
+            Self::Indexed => 20,
+            Self::Vertices => 16,
+        }
+    }
+}
+
+/// A draw of several instances of one mesh, before it is known which of them are drawn.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct DrawTemplate {
+    /// Indices, or vertices, of the mesh.
+    pub elements: u32,
+    /// The first index, or vertex.
+    pub first_element: u32,
+    /// Added to every index.
+    pub base_vertex: i32,
+    /// The [indices](super::InstanceId::index) of its instances.
+    pub members: Vec<u32>,
+}
+
+/// Where a host's draws are written.
+#[derive(Debug, Clone, Copy)]
+pub struct DrawBuffers<'a> {
+    /// The draws, one a template, in order. Usages `STORAGE` and `INDIRECT`.
+    pub draws: &'a wgpu::Buffer,
+    /// The indices of the instances that are drawn, a u32 each: those of a draw begin at its first instance. Usages `STORAGE` and what the host reads them as, mostly `VERTEX`.
+    pub kept: &'a wgpu::Buffer,
+}
+
+/// Draw templates on the device.
+#[derive(Debug)]
+pub struct JudgeDraws {
+    gpu: Gpu,
+    kind: DrawKind,
+    count: u32,
+    members: u32,
+    pipeline: ComputePipeline,
+    /// Draws that one workgroup writes.
+    draws_a_group: u32,
+    settings: wgpu::Buffer,
+    templates: wgpu::Buffer,
+    indices: wgpu::Buffer,
+}
+
+/// Mirrors `DrawTemplate` of `judge_draws.wgsl`.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+struct GpuTemplate {
+    elements: u32,
+    first_element: u32,
+    base_vertex: i32,
+    first_member: u32,
+    members: u32,
+}
+
+/// Mirrors `Settings` of `judge_draws.wgsl`.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+struct GpuDrawSettings {
+    count: u32,
+    words: u32,
+    padding_a: u32,
+    padding_b: u32,
+}
+
+assert_layout!(GpuTemplate, "judge_draws", "DrawTemplate", { elements, first_element, base_vertex, first_member, members });
+assert_layout!(GpuDrawSettings, "judge_draws", "Settings", { count, words, padding_a, padding_b });
+
+impl JudgeDraws {
+    /// Uploads templates. Make new ones when instances come or go.
+    pub fn new(gpu: &Gpu, kind: DrawKind, templates: &[DrawTemplate]) -> Self {
+        let mut indices = Vec::new();
+        let on_gpu: Vec<GpuTemplate> = templates
+            .iter()
+            .map(|template| {
+                let first_member = indices.len() as u32;
+                indices.extend_from_slice(&template.members);
+                GpuTemplate {
+                    elements: template.elements,
+                    first_element: template.first_element,
+                    base_vertex: template.base_vertex,
+                    first_member,
+                    members: template.members.len() as u32,
+                }
+            })
+            .collect();
+        let settings = GpuDrawSettings {
+            count: templates.len() as u32,
+            words: (kind.bytes() / 4) as u32,
+            padding_a: 0,
+            padding_b: 0,
+        };
+        let members = indices.len() as u32;
+        let (entry, draws_a_group) = match members / settings.count.max(1) {
+            0..16 => ("few", 64),
+            _ => ("many", 1),
+        };
+        Self {
+            gpu: gpu.clone(),
+            kind,
+            count: settings.count,
+            members,
+            pipeline: ComputePipeline::new(gpu, &jobs::judge_draws::JOB, entry),
+            draws_a_group,
+            settings: upload(gpu, "draw settings", bytemuck::bytes_of(&settings)),
+            templates: upload(gpu, "draw templates", bytemuck::cast_slice(&on_gpu)),
+            indices: upload(gpu, "members of draws", bytemuck::cast_slice(&indices)),
+        }
+    }
+
+    /// Number of draws.
+    pub fn count(&self) -> u32 {
+        self.count
+    }
+
+    /// Bytes that [`DrawBuffers::draws`] needs.
+    pub fn draw_bytes(&self) -> u64 {
+        u64::from(self.count.max(1)) * self.kind.bytes()
+    }
+
+    /// Bytes that [`DrawBuffers::kept`] needs.
+    pub fn kept_bytes(&self) -> u64 {
+        u64::from(self.members.max(1)) * 4
+    }
+
+    pub(super) fn write(
+        &self,
+        mask: &wgpu::Buffer,
+        into: DrawBuffers<'_>,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<(), JudgeError> {
+        check("draws", into.draws, self.draw_bytes())?;
+        check("kept", into.kept, self.kept_bytes())?;
+        if self.count == 0 {
+            return Ok(());
+        }
+        let group = self.pipeline.group(
+            &self.gpu,
+            &[
+                &self.settings,
+                &self.templates,
+                &self.indices,
+                mask,
+                into.draws,
+                into.kept,
+            ],
+        );
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+            label: Some("write draws"),
+            timestamp_writes: None,
+        });
+        let groups = rows_of(self.count.div_ceil(self.draws_a_group));
+        self.pipeline.dispatch_in(&mut pass, &group, groups);
+        Ok(())
+    }
+}
+
+/// Refuses a buffer of the host's that is too small, or that no compute pass may write.
+fn check(name: &'static str, buffer: &wgpu::Buffer, bytes: u64) -> Result<(), JudgeError> {
+    let fault = |why: String| Err(JudgeError::Buffer { buffer: name, why });
+    if buffer.size() < bytes {
+        return fault(format!(
+            "has {} bytes, and {bytes} are written: make it larger",
+            buffer.size()
+        ));
+    }
+    if !buffer.usage().contains(wgpu::BufferUsages::STORAGE) {
+        return fault("lacks the usage STORAGE: create it with it".to_owned());
+    }
+    Ok(())
+}
+
+/// A storage buffer with these contents; never empty, since empty buffers cannot be bound.
+fn upload(gpu: &Gpu, label: &'static str, contents: &[u8]) -> wgpu::Buffer {
+    use wgpu::util::DeviceExt as _;
+    let empty = [0; 32];
+    gpu.device
+        .create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: Some(label),
+            contents: if contents.is_empty() {
+                &empty
+            } else {
+                contents
+            },
+            usage: wgpu::BufferUsages::STORAGE,
+        })
+}

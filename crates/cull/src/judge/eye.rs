@@ -1,0 +1,154 @@
+//! The eye of a judged view: any matrix, and the point that positions are relative to.
+
+use antumbra_scene::{Aabb, Camera, Frustum, frustum::Plane};
+use antumbra_shaders::assert_layout;
+use bytemuck::{Pod, Zeroable};
+use glam::{DMat4, DVec3, DVec4, Mat4};
+
+use super::depth::{DepthRange, HostDepth};
+use crate::split_point::SplitPoint;
+
+/// The eye of a view in one frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Eye {
+    /// From world space relative to `position` to clip space, as wgpu has it: y upwards, depths of 0 to w. Perspective or parallel, on or off the axis, with any near plane and with a
+    /// far plane or without.
+    pub clip_from_relative: Mat4,
+    /// What positions are subtracted from in f64 before the matrix is applied: the camera's position, or any point not far from what it sees.
+    pub position: DVec3,
+    /// Whether the camera jumped since the last frame: nothing that was found before is used.
+    pub cut: bool,
+}
+
+impl Eye {
+    /// A matrix around a point, without a cut.
+    pub const fn new(clip_from_relative: Mat4, position: DVec3) -> Self {
+        Self {
+            clip_from_relative,
+            position,
+            cut: false,
+        }
+    }
+
+    /// The eye of a camera of ours, with an image of `size` pixels. Its depth is [`DepthRange::Reversed`].
+    pub fn of(camera: &Camera, size: [u32; 2]) -> Self {
+        let aspect = f64::from(size[0].max(1)) / f64::from(size[1].max(1));
+        Self::new(
+            camera.projection_matrix(aspect) * camera.view_rotation(),
+            camera.position,
+        )
+    }
+
+    /// Why it gives no image; `None` where it does.
+    pub(super) fn fault(&self) -> Option<String> {
+        if !self.position.is_finite() {
+            return Some(format!(
+                "its eye is at {}: give finite numbers",
+                self.position
+            ));
+        }
+        if !self.clip_from_relative.is_finite() {
+            return Some(
+                "its matrix holds numbers that are not finite: give finite ones".to_owned(),
+            );
+        }
+        let matrix = self.clip_from_relative.as_dmat4();
+        let rows = [0, 1, 2, 3].map(|row| matrix.row(row).normalize_or_zero());
+        let [x, y, z, w] = rows;
+        let volume = DMat4::from_cols(x, y, z, w).determinant().abs();
+        // The rows of a projection with a near plane of a micrometre have 1e-6.
+        (volume < 1e-12).then(|| {
+            "its matrix is singular, so that points at different places look the same: give one that can be inverted".to_owned()
+        })
+    }
+
+    /// The row of the matrix that is 0 on the near plane and positive in front of it.
+    fn near_row(&self, range: DepthRange) -> DVec4 {
+        let matrix = self.clip_from_relative.as_dmat4();
+        match range {
+            DepthRange::Reversed => matrix.row(3) - matrix.row(2),
+            DepthRange::Forward => matrix.row(2),
+        }
+    }
+
+    /// The view volume, opened a little: no rounding adds a pixel from outside.
+    pub(super) fn frustum(&self) -> Frustum {
+        let matrix = self.clip_from_relative.as_dmat4();
+        let [x, y, z, w] = [0, 1, 2, 3].map(|row| matrix.row(row));
+        let wider = w * (1.0 + OPENING);
+        let rows = [
+            wider + x,
+            wider - x,
+            wider + y,
+            wider - y,
+            z + w * OPENING,
+            wider - z,
+        ];
+        let planes = rows.into_iter().filter_map(|row| {
+            let length = row.truncate().length();
+            // Without a far plane there is nothing to be beyond of.
+            (length > 0.0).then(|| {
+                let normal = row.truncate() / length;
+                Plane {
+                    normal,
+                    offset: row.w / length - normal.dot(self.position),
+                }
+            })
+        });
+        Frustum::new(planes.collect())
+    }
+
+    /// Whether bounds reach the near plane, or what is beside the eye.
+    pub(super) fn reaches_near(&self, bounds: &Aabb, range: DepthRange) -> bool {
+        let centre = bounds.centre() - self.position;
+        let half = bounds.half_extents();
+        let reach = centre.abs() + half;
+        let w = self.clip_from_relative.as_dmat4().row(3);
+        [self.near_row(range), w].into_iter().any(|row| {
+            let normal = row.truncate();
+            let margin = OPENING * (normal.abs().dot(reach) + row.w.abs());
+            normal.dot(centre) + row.w - normal.abs().dot(half) <= margin
+        })
+    }
+}
+
+/// By how much the view volume is opened, as a part of w.
+const OPENING: f64 = 4e-6;
+
+/// Mirrors `JudgedView` of `shared/judged.wgsl`.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+pub(super) struct GpuJudgedView {
+    clip_from_relative: [f32; 16],
+    eye_high: [f32; 3],
+    pixels_wide: f32,
+    eye_low: [f32; 3],
+    pixels_high: f32,
+    towards: f32,
+    depth_step: f32,
+    pub count: u32,
+    flags: u32,
+}
+
+assert_layout!(GpuJudgedView, "judge_first", "JudgedView", { clip_from_relative, eye_high, pixels_wide, eye_low, pixels_high, towards, depth_step, count, flags });
+
+/// Bits of `GpuJudgedView::flags`.
+pub(super) const FORGET: u32 = 1;
+pub(super) const FRAME_LATE: u32 = 2;
+
+impl GpuJudgedView {
+    pub fn new(eye: &Eye, size: [u32; 2], depth: HostDepth, count: u32, flags: u32) -> Self {
+        let SplitPoint { high, low } = SplitPoint::new(eye.position);
+        Self {
+            clip_from_relative: eye.clip_from_relative.to_cols_array(),
+            eye_high: high,
+            pixels_wide: size[0] as f32,
+            eye_low: low,
+            pixels_high: size[1] as f32,
+            towards: depth.range.towards(),
+            depth_step: depth.step(),
+            count,
+            flags,
+        }
+    }
+}

@@ -1,0 +1,201 @@
+//! The judge's passes of one view: what is drawn first, and the test of the rest.
+
+use antumbra_graph::{Bind, Buffer, BufferDesc, Graph, Host, Texture, TextureDesc};
+use antumbra_shaders::jobs;
+
+use super::answers::{Answers, Asked};
+use super::depth::HostDepth;
+use super::eye::GpuJudgedView;
+use super::pyramid::{PyramidNodes, depth_pyramid};
+use super::record::JudgedInstance;
+use super::view::JudgeView;
+use crate::compute_pipeline::rows_of;
+use crate::device::Gpu;
+use crate::frame_graph::CULL;
+use crate::pipelines::Pipelines;
+
+/// A view's imports in either plan.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Imports {
+    pub view: Host<GpuJudgedView>,
+    pub instances: Buffer,
+    pub states: Buffer,
+}
+
+/// A view in the plan that says what is drawn first.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FirstNodes {
+    pub imports: Imports,
+    pub first: Buffer,
+}
+
+/// A view in the plan that tests.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TestNodes {
+    pub imports: Imports,
+    pub depth: Texture,
+    pub rest: Buffer,
+    pub hidden: Buffer,
+    /// Where the answers are read back.
+    pub list: Option<ListNodes>,
+}
+
+/// The read-back of a view's answers.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ListNodes {
+    pub asked: Host<Asked>,
+    pub answers: Host<Answers>,
+}
+
+/// What a node's name begins with: nothing for a single view.
+pub(super) fn prefix(view: &JudgeView, views: usize) -> String {
+    match views > 1 {
+        true => format!("{}: ", view.name),
+        false => String::new(),
+    }
+}
+
+fn imports(graph: &mut Graph, prefix: &str) -> (Imports, Buffer) {
+    let record = BufferDesc::new(size_of::<JudgedInstance>() as u64);
+    let view = graph.import_host::<GpuJudgedView>(format!("{prefix}eye"));
+    let imports = Imports {
+        view,
+        instances: graph.import_buffer(format!("{prefix}instances"), record),
+        states: graph.import_buffer(format!("{prefix}states"), BufferDesc::new(4)),
+    };
+    let uniform = BufferDesc::new(size_of::<GpuJudgedView>() as u64);
+    let uniform = graph.buffer(format!("{prefix}view"), uniform);
+    let mut node = graph.host_node(format!("{prefix}upload view"));
+    node.group(CULL).read(view);
+    let uniform = node.upload(uniform);
+    node.run(move |ctx| {
+        let view = ctx.get(view)?;
+        Ok(ctx.upload(uniform, 0, bytemuck::bytes_of(&*view))?)
+    });
+    (imports, uniform)
+}
+
+/// Declares what a view draws first.
+pub(super) fn first(
+    graph: &mut Graph,
+    gpu: &Gpu,
+    pipelines: &mut Pipelines,
+    prefix: &str,
+) -> FirstNodes {
+    let (imports, uniform) = imports(graph, prefix);
+    let first = graph.import_buffer(format!("{prefix}first"), BufferDesc::new(4));
+    let pipeline = pipelines.compute(gpu, &jobs::judge_first::JOB, "choose");
+    let mut node = graph.compute(format!("{prefix}choose first"));
+    node.group(CULL)
+        .read(imports.view)
+        .storage_read(uniform)
+        .storage_read(imports.instances)
+        .storage_read(imports.states);
+    let written = node.storage_write(first);
+    node.run(move |ctx| {
+        let groups = groups(&*ctx.get(imports.view)?);
+        let binds = [
+            Bind::Buffer(0, uniform),
+            Bind::Buffer(1, imports.instances),
+            Bind::Buffer(2, imports.states),
+            Bind::Buffer(3, written),
+        ];
+        pipeline.dispatch(ctx, &binds, groups)
+    });
+    FirstNodes { imports, first }
+}
+
+/// What the test of a view is declared with.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TestDesc {
+    pub depth: HostDepth,
+    pub size: [u32; 2],
+    /// Bytes of the masks, where they are read back.
+    pub list: Option<u64>,
+}
+
+/// Declares the test of a view.
+pub(super) fn test(
+    graph: &mut Graph,
+    gpu: &Gpu,
+    pipelines: &mut Pipelines,
+    prefix: &str,
+    TestDesc {
+        depth: host,
+        size,
+        list,
+    }: TestDesc,
+) -> TestNodes {
+    let (imports, uniform) = imports(graph, prefix);
+    let [width, height] = size;
+    let desc = TextureDesc::new(width, height, host.format).samples(host.samples);
+    let depth = graph.import_texture(format!("{prefix}depth"), desc);
+    let PyramidNodes { layout, texels } =
+        depth_pyramid(graph, gpu, pipelines, prefix, (depth, host), size);
+    let mask = BufferDesc::new(list.unwrap_or(4));
+    let rest = graph.import_buffer(format!("{prefix}rest"), BufferDesc::new(4));
+    let hidden = graph.import_buffer(format!("{prefix}hidden"), mask);
+    let job = match host.samples {
+        1 => &jobs::judge_one::JOB,
+        _ => &jobs::judge_many::JOB,
+    };
+    let pipeline = pipelines.compute(gpu, job, "test");
+    let mut node = graph.compute(format!("{prefix}test"));
+    node.group(CULL)
+        .read(imports.view)
+        .storage_read(uniform)
+        .storage_read(imports.instances)
+        .storage_read(layout)
+        .storage_read(texels)
+        .sample(depth);
+    let states = node.storage_write(imports.states);
+    let written = [rest, hidden].map(|mask| node.storage_write(mask));
+    node.run(move |ctx| {
+        let groups = groups(&*ctx.get(imports.view)?);
+        let [rest, hidden] = written;
+        let binds = [
+            Bind::Buffer(0, uniform),
+            Bind::Buffer(1, imports.instances),
+            Bind::Buffer(2, states),
+            Bind::Buffer(3, rest),
+            Bind::Buffer(4, hidden),
+            Bind::Buffer(5, layout),
+            Bind::Buffer(6, texels),
+            Bind::Texture(7, depth),
+        ];
+        pipeline.dispatch(ctx, &binds, groups)
+    });
+    let [_, hidden_now] = written;
+    TestNodes {
+        imports,
+        depth,
+        rest,
+        hidden,
+        list: list.map(|_| read_list(graph, prefix, hidden_now)),
+    }
+}
+
+/// Declares that a mask is read back, without waiting.
+fn read_list(graph: &mut Graph, prefix: &str, hidden: Buffer) -> ListNodes {
+    let asked = graph.import_host::<Asked>(format!("{prefix}asked"));
+    let answers = graph.host::<Answers>(format!("{prefix}answers"));
+    let mut node = graph.host_node(format!("{prefix}take answers"));
+    node.group(CULL);
+    let late = node.read_previous(hidden, asked);
+    node.bytes(move |host| host.get(asked).map_or(0, |asked| asked.bytes));
+    node.read(asked);
+    let answers = node.updates(answers);
+    node.run(move |ctx| {
+        if let Some(late) = ctx.late(late) {
+            ctx.get_mut(answers)?.take(late.tag, late.bytes);
+        }
+        Ok(())
+    });
+    graph.output(answers);
+    ListNodes { asked, answers }
+}
+
+/// The workgroups for all instances.
+fn groups(view: &GpuJudgedView) -> [u32; 2] {
+    rows_of(view.count.div_ceil(64))
+}

@@ -1,0 +1,157 @@
+//! The depth pyramid of a view: for each block of 2^level x 2^level pixels, the nearness of its farthest sample. Two dispatches make it, at any size.
+//!
+//! A texel stands for its block exactly. (Greene, Kass, Miller, *Hierarchical Z-Buffer Visibility*, 1993.)
+
+use antumbra_graph::{Bind, Buffer, BufferDesc, Graph, Texture};
+use antumbra_shaders::{Job, assert_layout, jobs};
+use bytemuck::{Pod, Zeroable};
+use std::sync::Arc;
+
+use super::depth::HostDepth;
+use crate::compute_pipeline::ComputePipeline;
+use crate::device::Gpu;
+use crate::frame_graph::CULL;
+use crate::pipelines::Pipelines;
+
+/// Mirrors `Pyramid` of `shared/pyramid.wgsl`.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+pub(super) struct GpuPyramid {
+    width: u32,
+    height: u32,
+    samples: u32,
+    towards: f32,
+    count: u32,
+    padding_a: u32,
+    padding_b: u32,
+    padding_c: u32,
+    levels: [[u32; 4]; MOST_LEVELS],
+}
+
+assert_layout!(GpuPyramid, "pyramid_one", "Pyramid", { width, height, samples, towards, count, padding_a, padding_b, padding_c, levels });
+
+/// Levels of the largest image, 32,768 pixels a side.
+const MOST_LEVELS: usize = 16;
+/// The levels below this are not kept.
+const FIRST_KEPT: u32 = 2;
+
+impl GpuPyramid {
+    /// Where the levels of an image of this size lie.
+    pub fn new([width, height]: [u32; 2], depth: HostDepth) -> Self {
+        let mut levels = [[0; 4]; MOST_LEVELS];
+        let mut count = 0;
+        let mut texels = 0;
+        for (place, level) in levels.iter_mut().zip(0u32..) {
+            let side = |pixels: u32| pixels.div_ceil(1 << level);
+            let (wide, high) = (side(width), side(height));
+            *place = [texels, wide, high, 0];
+            if level >= FIRST_KEPT {
+                texels += wide * high;
+            }
+            count = level + 1;
+            if wide * high <= 1 && level >= FIRST_KEPT {
+                break;
+            }
+        }
+        Self {
+            width,
+            height,
+            samples: depth.samples,
+            towards: depth.range.towards(),
+            count,
+            padding_a: 0,
+            padding_b: 0,
+            padding_c: 0,
+            levels,
+        }
+    }
+
+    /// Number of texels of all levels that are kept.
+    pub fn texels(&self) -> u64 {
+        let kept = self.levels.iter().skip(FIRST_KEPT as usize);
+        kept.map(|[_, wide, high, _]| u64::from(*wide) * u64::from(*high))
+            .sum()
+    }
+}
+
+/// A pyramid in the graph.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PyramidNodes {
+    /// [`GpuPyramid`], uploaded.
+    pub layout: Buffer,
+    /// The texels.
+    pub texels: Buffer,
+}
+
+/// Adds the nodes that make the pyramid of a depth.
+pub(super) fn depth_pyramid(
+    graph: &mut Graph,
+    gpu: &Gpu,
+    pipelines: &mut Pipelines,
+    prefix: &str,
+    depth: (Texture, HostDepth),
+    size: [u32; 2],
+) -> PyramidNodes {
+    let (texture, host) = depth;
+    let made = GpuPyramid::new(size, host);
+    let layout = BufferDesc::new(size_of::<GpuPyramid>() as u64);
+    let layout = graph.buffer(format!("{prefix}pyramid: levels"), layout);
+    let mut node = graph.host_node(format!("{prefix}lay out pyramid"));
+    node.group(CULL);
+    let layout = node.upload(layout);
+    node.run(move |ctx| Ok(ctx.upload(layout, 0, bytemuck::bytes_of(&made))?));
+
+    let texels = graph.buffer(
+        format!("{prefix}pyramid"),
+        BufferDesc::new(made.texels() * 4),
+    );
+    let reduce = pipelines.compute(gpu, first_levels(host), "reduce");
+    let mut node = graph.compute(format!("{prefix}first levels"));
+    node.group(CULL).storage_read(layout).sample(texture);
+    let texels = node.storage_write(texels);
+    let groups = size.map(|side| side.div_ceil(32));
+    node.run(move |ctx| {
+        let binds = [
+            Bind::Buffer(5, layout),
+            Bind::Buffer(6, texels),
+            Bind::Texture(7, texture),
+        ];
+        reduce.dispatch(ctx, &binds, groups)
+    });
+    if made.count <= 6 {
+        return PyramidNodes { layout, texels };
+    }
+    let texels = rest(
+        graph,
+        pipelines.compute(gpu, &jobs::pyramid_rest::JOB, "rest"),
+        prefix,
+        layout,
+        texels,
+    );
+    PyramidNodes { layout, texels }
+}
+
+/// Adds the node that makes the levels from 6 on.
+fn rest(
+    graph: &mut Graph,
+    pipeline: Arc<ComputePipeline>,
+    prefix: &str,
+    layout: Buffer,
+    texels: Buffer,
+) -> Buffer {
+    let mut node = graph.compute(format!("{prefix}last levels"));
+    node.group(CULL).storage_read(layout);
+    let texels = node.storage_write(texels);
+    node.run(move |ctx| {
+        let binds = [Bind::Buffer(5, layout), Bind::Buffer(6, texels)];
+        pipeline.dispatch(ctx, &binds, [1, 1])
+    });
+    texels
+}
+
+fn first_levels(depth: HostDepth) -> &'static Job {
+    match depth.samples {
+        1 => &jobs::pyramid_one::JOB,
+        _ => &jobs::pyramid_many::JOB,
+    }
+}

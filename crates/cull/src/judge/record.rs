@@ -1,0 +1,91 @@
+//! An instance as the GPU judges it: a box along axes of its own, 64 bytes.
+
+use antumbra_scene::Aabb;
+use antumbra_shaders::assert_layout;
+use bytemuck::{Pod, Zeroable};
+use glam::DAffine3;
+
+use crate::split_point::SplitPoint;
+
+/// What an instance is in visibility tests.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Part {
+    /// It hides others, and may be hidden: an opaque object.
+    #[default]
+    Both,
+    /// It may be hidden and hides nothing: a transparent object. In two phases it waits for the test.
+    Occludee,
+    /// It hides others and is drawn whenever it is in the view: a terrain, the walls of a level.
+    Occluder,
+    /// It hides nothing, and is drawn whenever it is in the view.
+    Exempt,
+}
+
+/// An instance as the GPU judges it. Mirrors `JudgedInstance` of `shared/judged.wgsl`, for hosts that keep such a buffer themselves.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Pod, Zeroable)]
+pub struct JudgedInstance {
+    /// The x coordinates of the three half edges, in metres, and the high part of the centre's x.
+    pub row_x: [f32; 4],
+    /// The y coordinates, likewise.
+    pub row_y: [f32; 4],
+    /// The z coordinates, likewise.
+    pub row_z: [f32; 4],
+    /// The low parts of the centre: what is left of each f64 coordinate after its high part, the nearest f32.
+    pub centre_low: [f32; 3],
+    /// [`Self::HIDES`], [`Self::TESTED`] and [`Self::LIVE`], and from bit 8 on a generation: another one says that the index has a new owner, of which nothing is known.
+    pub traits: u32,
+}
+
+assert_layout!(JudgedInstance, "judge_first", "JudgedInstance", { row_x, row_y, row_z, centre_low, traits });
+
+impl JudgedInstance {
+    /// It hides others.
+    pub const HIDES: u32 = 1;
+    /// It may be hidden.
+    pub const TESTED: u32 = 2;
+    /// It is there. Without this bit the record is skipped.
+    pub const LIVE: u32 = 4;
+    /// The generations there are: those above begin at 0 again.
+    pub const GENERATIONS: u32 = 1 << 24;
+
+    /// The record of an instance with these bounds in its own space.
+    pub fn new(bounds: &Aabb, at: &DAffine3, part: Part, generation: u32) -> Self {
+        let half = bounds.half_extents();
+        let SplitPoint { high, low } = SplitPoint::new(at.transform_point3(bounds.centre()));
+        let edges = [
+            at.matrix3.x_axis * half.x,
+            at.matrix3.y_axis * half.y,
+            at.matrix3.z_axis * half.z,
+        ]
+        .map(|edge| edge.as_vec3());
+        let row = |axis: usize| {
+            let [x, y, z] = edges;
+            [x[axis], y[axis], z[axis], high[axis]]
+        };
+        Self {
+            row_x: row(0),
+            row_y: row(1),
+            row_z: row(2),
+            centre_low: low,
+            traits: Self::traits(part, generation),
+        }
+    }
+
+    /// The traits of a live instance.
+    pub const fn traits(part: Part, generation: u32) -> u32 {
+        let part = match part {
+            Part::Both => Self::HIDES | Self::TESTED,
+            Part::Occludee => Self::TESTED,
+            Part::Occluder => Self::HIDES,
+            Part::Exempt => 0,
+        };
+        part | Self::LIVE | (generation % Self::GENERATIONS) << 8
+    }
+
+    /// Whether f32 can hold it.
+    pub(super) fn fits(&self) -> bool {
+        let rows = [self.row_x, self.row_y, self.row_z];
+        rows.iter().flatten().all(|number| number.is_finite())
+    }
+}

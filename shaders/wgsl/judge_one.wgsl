@@ -1,0 +1,3 @@
+//!import judge
+//!import depth_one
+// Judges instances by a depth of one sample a pixel.

@@ -1,0 +1,7 @@
+// A depth of one sample a pixel. It is bound as floats: GL cannot load from depth textures.
+@group(0) @binding(7) var depth: texture_2d<f32>;
+
+// The nearness of the farthest sample of a pixel; the pixel must be on the image.
+fn nearness(at: vec2<u32>) -> f32 {
+    return pyramid.towards * textureLoad(depth, at, 0).x;
+}

@@ -1,0 +1,151 @@
+// Instances that are judged by their boxes, and the view that they are judged for. The view's matrix is anybody's: nothing here knows a near
+// plane, a far plane or an eye but from the matrix.
+
+struct JudgedView {
+    // From world space relative to `eye` to clip space.
+    clip_from_relative: mat4x4<f32>,
+    eye_high: vec3<f32>,
+    pixels_wide: f32,
+    eye_low: vec3<f32>,
+    pixels_high: f32,
+    // 1: depth is reversed, greater is nearer. -1: forward. A depth times this is a nearness.
+    towards: f32,
+    // By how much a stored depth may differ from the depth that was drawn: a step of the format.
+    depth_step: f32,
+    // Number of instances.
+    count: u32,
+    // Bits of `FORGET` and `FRAME_LATE`.
+    flags: u32,
+}
+
+// What is remembered of the instances belongs to another camera.
+const FORGET: u32 = 1u;
+// There is no second phase: what is not known to be hidden is drawn at once.
+const FRAME_LATE: u32 = 2u;
+
+// An instance's box: half edges and centre. The centre is the sum of its high parts, in w of the rows, and its low parts.
+struct JudgedInstance {
+    row_x: vec4<f32>,
+    row_y: vec4<f32>,
+    row_z: vec4<f32>,
+    centre_low: vec3<f32>,
+    // Bits of `HIDES`, `TESTED` and `LIVE`, and from bit 8 on the generation of the index.
+    traits: u32,
+}
+
+// It is drawn before the test, and may hide others.
+const HIDES: u32 = 1u;
+// It may be culled for being hidden.
+const TESTED: u32 = 2u;
+const LIVE: u32 = 4u;
+
+// What is found about an instance. A state holds it, and from bit 8 on the generation that it is about.
+const ABSENT: u32 = 0u;
+const OUTSIDE: u32 = 1u;
+const HIDDEN: u32 = 2u;
+const VISIBLE: u32 = 3u;
+// It is drawn whatever a test says: it crosses the near plane, or is not tested.
+const EXEMPT: u32 = 4u;
+// Nothing is known.
+const NEW: u32 = 5u;
+
+@group(0) @binding(0) var<storage, read> view: JudgedView;
+@group(0) @binding(1) var<storage, read> instances: array<JudgedInstance>;
+
+// The error of the maths in f32, here and where the instances are drawn, as a fraction of the terms.
+const ROUNDING: f32 = 1e-6;
+
+// A box relative to the eye.
+struct RelativeBox {
+    centre: vec3<f32>,
+    x: vec3<f32>,
+    y: vec3<f32>,
+    z: vec3<f32>,
+    // The greatest absolute coordinates that occur on the way.
+    reach: vec3<f32>,
+}
+
+fn relative_box(instance: JudgedInstance) -> RelativeBox {
+    let high = vec3<f32>(instance.row_x.w, instance.row_y.w, instance.row_z.w) - view.eye_high;
+    let low = instance.centre_low - view.eye_low;
+    var made: RelativeBox;
+    made.centre = high + low;
+    made.x = vec3<f32>(instance.row_x.x, instance.row_y.x, instance.row_z.x);
+    made.y = vec3<f32>(instance.row_x.y, instance.row_y.y, instance.row_z.y);
+    made.z = vec3<f32>(instance.row_x.z, instance.row_y.z, instance.row_z.z);
+    made.reach = abs(made.centre) + abs(made.x) + abs(made.y) + abs(made.z);
+    return made;
+}
+
+// A row of the matrix: a clip coordinate as a function of the place.
+fn clip_row(number: u32) -> vec4<f32> {
+    let m = view.clip_from_relative;
+    return vec4<f32>(m[0][number], m[1][number], m[2][number], m[3][number]);
+}
+
+// The least and the greatest value of a linear function of the place over a box, with the rounding error.
+fn span(row: vec4<f32>, place: RelativeBox) -> vec2<f32> {
+    let middle = dot(row.xyz, place.centre) + row.w;
+    let half = abs(dot(row.xyz, place.x)) + abs(dot(row.xyz, place.y)) + abs(dot(row.xyz, place.z));
+    let error = ROUNDING * (dot(abs(row.xyz), place.reach) + abs(row.w));
+    return vec2<f32>(middle - half - error, middle + half + error);
+}
+
+// Where a box is: outside of the view's volume, across its near plane or beside the eye, or neither.
+const BEYOND: u32 = 0u;
+const ACROSS: u32 = 1u;
+const WITHIN: u32 = 2u;
+
+fn place_of(place: RelativeBox) -> u32 {
+    let x = clip_row(0u);
+    let y = clip_row(1u);
+    let z = clip_row(2u);
+    let w = clip_row(3u);
+    let from_left = span(w + x, place);
+    let from_right = span(w - x, place);
+    let from_bottom = span(w + y, place);
+    let from_top = span(w - y, place);
+    let upwards = span(z, place);
+    let downwards = span(w - z, place);
+    let most = min(min(min(from_left.y, from_right.y), min(from_bottom.y, from_top.y)), min(upwards.y, downwards.y));
+    // Written so that what is not a number counts as across.
+    if most < 0.0 {
+        return BEYOND;
+    }
+    let from_near = select(upwards.x, downwards.x, view.towards > 0.0);
+    let before_eye = span(w, place).x;
+    if from_near > 0.0 && before_eye > 0.0 {
+        return WITHIN;
+    }
+    return ACROSS;
+}
+
+// What is known about an instance before this frame's test.
+fn knowledge(instance: JudgedInstance, at: u32, state: u32) -> u32 {
+    if (instance.traits & LIVE) == 0u {
+        return ABSENT;
+    }
+    if at == BEYOND {
+        return OUTSIDE;
+    }
+    if at == ACROSS || (instance.traits & TESTED) == 0u {
+        return EXEMPT;
+    }
+    let before = state & 255u;
+    if (view.flags & FORGET) != 0u || (state >> 8u) != (instance.traits >> 8u) || before == ABSENT {
+        return NEW;
+    }
+    if before == OUTSIDE {
+        // Whoever comes in has not been tested. Where a test follows in this frame, it may wait for it.
+        return select(HIDDEN, NEW, (view.flags & FRAME_LATE) != 0u);
+    }
+    return min(before, VISIBLE);
+}
+
+// Whether an instance is drawn before this frame's test. What hides nothing can wait for the test.
+fn drawn_first(instance: JudgedInstance, known: u32) -> bool {
+    if (view.flags & FRAME_LATE) != 0u {
+        return known >= VISIBLE;
+    }
+    return known >= VISIBLE && (instance.traits & HIDES) != 0u;
+}
