@@ -8,7 +8,7 @@
 //! | [`graph`] | passes and resources, compiled into a checked plan and run as wgpu commands; read-back; timing | |
 //! | [`scene`] | entities in arenas, transforms, bounds, cameras, meshes in memory; knows no GPU and no file | |
 //! | [`shaders`] | WGSL, checked and reflected ahead of time | |
-//! | [`cull`] | the contract: strategy, visible set, stage, renderer, entities, draw sources, audit, budget | |
+//! | [`cull`] | the contract: strategy, visible set, stage, renderer, entities, draw sources, audit, budget; [`cull::judge`], for engines that draw by themselves | |
 //! | `strategies` | the built-in strategies and their registry | `strategies`, on by default |
 //! | `draw` | the built-in renderer: meshes on the GPU, pipelines, passes | `draw`, on by default |
 //! | `formats` | scene files in and out: glTF, OBJ, PLY, STL, CityJSON, rasters | `formats` |
@@ -22,7 +22,8 @@
 //!
 //! Drawing a scene under a strategy:
 //!
-//! ```no_run
+#![cfg_attr(feature = "draw", doc = "```no_run")]
+#![cfg_attr(not(feature = "draw"), doc = "```ignore")]
 //! use antumbra::prelude::*;
 //! use antumbra::glam::{DAffine3, DVec3};
 //! use antumbra::scene::{Drawable, Material, Mesh, icosphere};
@@ -81,6 +82,7 @@ pub mod prelude {
         AdapterChoice, FrustumOnly, Gpu, ImportedTargets, Latency, Registry, Stage, StageError,
         StageOptions, StageScene, Strategy, Verdict, ViewInput, ViewSpec,
     };
+    #[cfg(feature = "draw")]
     pub use antumbra_draw::GpuScene;
     pub use antumbra_graph::Mode;
     pub use antumbra_scene::{Camera, Projection, Scene};

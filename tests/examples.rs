@@ -12,6 +12,9 @@ mod embed;
 #[allow(dead_code, reason = "its main is run by hand")]
 mod explore_subsurface;
 
+#[path = "../examples/judge/main.rs"]
+#[allow(dead_code, reason = "its main is run by hand")]
+mod judge;
 #[path = "../examples/own_renderer.rs"]
 #[allow(dead_code, reason = "its main is run by hand")]
 mod own_renderer;
@@ -132,5 +135,24 @@ fn a_renderer_of_ones_own_draws_what_strategies_choose() {
             let culls = outcome.drawn * 4 < outcome.entities * 3;
             assert_eq!(culls, strategy != "frustum", "{strategy}: {outcome:?}");
         }
+    }
+}
+
+#[test]
+fn an_engine_that_asks_for_answers_draws_no_pixel_wrong() {
+    for (gpu, samples) in [(auto(), 4), (gl(), 1)] {
+        let play = judge::Play {
+            samples,
+            objects: 600,
+            frames: 9,
+            ..judge::Play::default()
+        };
+        let two = judge::run(gpu, play, None).unwrap();
+        assert_eq!(two.wrong_pixels, 0);
+        let [drawn, of] = two.drawn;
+        assert!(drawn < of, "{drawn} of {of} drawn");
+        let phases = antumbra::cull::judge::Phases::Late;
+        let late = judge::run(gpu, judge::Play { phases, ..play }, None).unwrap();
+        assert_eq!(late.wrong_at_rest, 0);
     }
 }

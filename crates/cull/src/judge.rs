@@ -370,7 +370,7 @@ impl Judge {
     pub fn verdicts(
         &mut self,
         view: usize,
-        instances: &Instances,
+        instances: &mut Instances,
         verdicts: &mut Verdicts,
     ) -> Result<(), JudgeError> {
         let missing = JudgeError::Order(

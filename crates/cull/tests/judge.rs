@@ -152,7 +152,7 @@ impl Play {
             .begin(&mut self.instances, &[eye], &mut encoder)
             .unwrap();
         let mut rebuilt = false;
-        let mut draw = |judge: &mut Judge, encoder: &mut wgpu::CommandEncoder, chosen| {
+        let draw = |judge: &mut Judge, encoder: &mut wgpu::CommandEncoder, chosen| {
             judge.write_draws(0, chosen, &draws, into, encoder).unwrap();
             let first = chosen == Chosen::First;
             self.culled
@@ -308,6 +308,29 @@ fn in_two_phases_no_pixel_is_wrong_whatever_the_host_draws_with() {
             }
             assert!(drawn < 570, "{depth:?}, number {number}: {drawn} drawn");
         }
+    }
+}
+
+#[test]
+fn little_is_drawn_that_is_not_seen() {
+    let (depth, projection) = hosts()[0];
+    for size in [[200, 160], [800, 640]] {
+        let mut play = Play::new(vulkan(), size, depth, Phases::Two, 4);
+        play.fill(2000);
+        let eye = orbit(projection, 2);
+        let frames = [0, 1, 2].map(|_| play.frame(eye, Phases::Two));
+        let pixels = play.full.pixels();
+        let mut seen: Vec<&[u8]> = pixels.chunks(4).collect();
+        seen.sort_unstable();
+        seen.dedup();
+        // A box's rectangle on the image is larger than the box, and its nearest corner nearer.
+        let most = seen.len() as u32 * 2;
+        assert!(
+            frames[2].drawn <= most,
+            "{size:?}: {} drawn, {} seen",
+            frames[2].drawn,
+            seen.len()
+        );
     }
 }
 
@@ -538,7 +561,7 @@ fn a_list_on_the_host_is_a_frame_late_and_forgets_nobody() {
         for step in 0..4 {
             play.frame(eye, Phases::Late);
             play.judge
-                .verdicts(0, &play.instances, &mut verdicts)
+                .verdicts(0, &mut play.instances, &mut verdicts)
                 .unwrap();
             let [_, occluded, _, _, untested, _] = verdicts.tally();
             // The answers of a frame are read by the next: those of the first by the second.
@@ -560,13 +583,13 @@ fn a_list_on_the_host_is_a_frame_late_and_forgets_nobody() {
         play.add(at, Part::Both);
         play.frame(eye, Phases::Late);
         play.judge
-            .verdicts(0, &play.instances, &mut verdicts)
+            .verdicts(0, &mut play.instances, &mut verdicts)
             .unwrap();
         assert_eq!(verdicts.get(300), Verdict::New);
         let cut = Eye { cut: true, ..eye };
         play.frame(cut, Phases::Late);
         play.judge
-            .verdicts(0, &play.instances, &mut verdicts)
+            .verdicts(0, &mut play.instances, &mut verdicts)
             .unwrap();
         assert_eq!(verdicts.of_kind(Verdict::Occluded).count(), 0);
     }
@@ -617,4 +640,43 @@ fn instances_on_the_gpu_alone_are_judged_the_same() {
         same.map(|frame| frame.drawn),
         frames.map(|frame| frame.drawn)
     );
+}
+
+#[test]
+fn moves_reach_the_device_wherever_they_lie() {
+    for gpu in gpus() {
+        let (depth, projection) = hosts()[0];
+        let eye = orbit(projection, 0);
+        let settled = |play: &mut Play| {
+            let mut verdicts = Verdicts::default();
+            for _ in 0..4 {
+                assert_eq!(play.frame(eye, Phases::Two).wrong_pixels, 0);
+            }
+            let Play {
+                judge, instances, ..
+            } = play;
+            judge.verdicts(0, instances, &mut verdicts).unwrap();
+            verdicts
+        };
+        let mut play = Play::new(gpu, [120, 96], depth, Phases::Two, 5);
+        play.fill(2500);
+        play.frame(eye, Phases::Two);
+        // In one block, in a few, and in so many that they are scattered on the device.
+        for step in [1, 100, 20] {
+            for index in (0..2500).step_by(step) {
+                let at = play.anywhere();
+                play.instances
+                    .move_to(play.ids[index].unwrap(), at)
+                    .unwrap();
+                play.places[index] = Some(at);
+            }
+            let found = settled(&mut play);
+            let mut fresh = Play::new(gpu, [120, 96], depth, Phases::Two, 5);
+            for at in play.places.iter().flatten() {
+                fresh.add(*at, Part::Both);
+            }
+            assert_eq!(found.tally(), settled(&mut fresh).tally(), "each {step}th");
+            assert!(found.agree(&settled(&mut fresh)), "each {step}th");
+        }
+    }
 }

@@ -94,8 +94,10 @@ impl Plan {
         target: Target<'_>,
     ) -> Result<FrameReport, ExecuteError> {
         let started = Instant::now();
-        // Runs the callbacks of finished maps. Each read-back then checks its own status.
-        let _ = device.poll(wgpu::PollType::Poll);
+        // Runs the callbacks of finished maps. Each read-back then checks its own status. A host's callbacks are not run inside of a recording: its own submits do that.
+        if self.mode == Mode::Owned {
+            let _ = device.poll(wgpu::PollType::Poll);
+        }
         self.check_imports()?;
         let mut lost = false;
         for ring in &mut self.rings {

@@ -53,28 +53,42 @@ fn shows(place: RelativeBox) -> bool {
     // The pixels that the box touches: wherever samples lie in a pixel, those that it covers are in these. A number that is no number ends as 0 or as the last pixel.
     let least = vec2<u32>(clamp(floor(middle + min(one, other) - SNAPPING), vec2<f32>(0.0), last));
     let greatest = vec2<u32>(clamp(floor(middle + max(one, other) + SNAPPING), vec2<f32>(0.0), last));
-    // Written so that what is not a number shows.
-    return !(nearest < farthest(least, greatest));
+    return any_behind(nearest, least, greatest);
 }
 
-// The nearness of the farthest sample in a rectangle of pixels, or of one that is farther and close to it: at most four texels a side are read.
-fn farthest(least: vec2<u32>, greatest: vec2<u32>) -> f32 {
+// Pixels a side up to which a rectangle that the pyramid lets through is looked at again, pixel by pixel.
+const LARGEST_SECOND_LOOK: u32 = 16u;
+
+// Whether any sample in a rectangle of pixels is at or behind a nearness; in a large rectangle, or close to it. Comparisons are written so that what is not a number is behind.
+fn any_behind(nearest: f32, least: vec2<u32>, greatest: vec2<u32>) -> bool {
     let extent = max(greatest.x - least.x, greatest.y - least.y);
-    var found = NEAREST;
-    if extent < 4u {
-        for (var y = least.y; y <= greatest.y; y++) {
-            for (var x = least.x; x <= greatest.x; x++) {
-                found = min(found, nearness(vec2<u32>(x, y)));
+    if extent >= 4u {
+        if nearest < farthest(least, greatest, extent) {
+            return false;
+        }
+        if extent >= LARGEST_SECOND_LOOK {
+            return true;
+        }
+    }
+    for (var y = least.y; y <= greatest.y; y++) {
+        for (var x = least.x; x <= greatest.x; x++) {
+            if !(nearest < nearness(vec2<u32>(x, y))) {
+                return true;
             }
         }
-        return found;
     }
+    return false;
+}
+
+// By the pyramid: the nearness of the farthest sample in a rectangle of pixels and close to it. At most four texels a side are read.
+fn farthest(least: vec2<u32>, greatest: vec2<u32>, extent: u32) -> f32 {
     var level = max(firstLeadingBit(extent) - 1u, 2u);
     let texels_wide = (greatest >> vec2<u32>(level)) - (least >> vec2<u32>(level));
     level += select(0u, 1u, max(texels_wide.x, texels_wide.y) > 3u);
     let first = least >> vec2<u32>(level);
     let last = greatest >> vec2<u32>(level);
     let row = pyramid.levels[level];
+    var found = NEAREST;
     for (var y = first.y; y <= last.y; y++) {
         for (var x = first.x; x <= last.x; x++) {
             found = min(found, texels[row.x + y * row.y + x]);

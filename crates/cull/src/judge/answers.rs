@@ -40,7 +40,7 @@ impl Answers {
     /// Gives every instance a verdict for an eye of now. `inside` is memory for indices.
     pub fn judge(
         &self,
-        instances: &Instances,
+        instances: &mut Instances,
         eye: &Eye,
         range: DepthRange,
         cuts: u64,
@@ -48,14 +48,13 @@ impl Answers {
         verdicts: &mut Verdicts,
     ) {
         verdicts.reset(instances.slots(), Verdict::Absent);
-        let Some(world) = instances.world() else {
-            return;
-        };
         for index in (0..instances.slots()).filter(|index| instances.at(*index).is_some()) {
             verdicts.set(index, Verdict::OutsideFrustum);
         }
         inside.clear();
-        eye.frustum().cull(world, inside);
+        if let Some(world) = instances.world() {
+            eye.frustum().cull(world, inside);
+        }
         let asked = self.asked.filter(|asked| asked.cuts == cuts);
         for index in inside.iter().copied() {
             let Some((part, added)) = instances.part(index) else {
@@ -65,7 +64,7 @@ impl Answers {
                 (Part::Occluder | Part::Exempt, _) | (_, None) => Verdict::Untested,
                 (_, Some(asked)) if added > asked.epoch => Verdict::New,
                 _ if !self.is_hidden(index) => Verdict::Visible,
-                _ => match world.get(index as usize) {
+                _ => match instances.bounds(index) {
                     Some(bounds) if !eye.reaches_near(&bounds, range) => Verdict::Occluded,
                     _ => Verdict::Untested,
                 },

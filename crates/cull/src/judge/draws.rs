@@ -55,9 +55,8 @@ pub struct JudgeDraws {
     kind: DrawKind,
     count: u32,
     members: u32,
-    pipeline: ComputePipeline,
-    /// Draws that one workgroup writes.
-    draws_a_group: u32,
+    few: ComputePipeline,
+    many: ComputePipeline,
     settings: wgpu::Buffer,
     templates: wgpu::Buffer,
     indices: wgpu::Buffer,
@@ -88,8 +87,27 @@ assert_layout!(GpuTemplate, "judge_draws", "DrawTemplate", { elements, first_ele
 assert_layout!(GpuDrawSettings, "judge_draws", "Settings", { count, words, padding_a, padding_b });
 
 impl JudgeDraws {
-    /// Uploads templates. Make new ones when instances come or go.
+    /// Uploads templates.
     pub fn new(gpu: &Gpu, kind: DrawKind, templates: &[DrawTemplate]) -> Self {
+        let job = &jobs::judge_draws::JOB;
+        let mut made = Self {
+            gpu: gpu.clone(),
+            kind,
+            count: 0,
+            members: 0,
+            few: ComputePipeline::new(gpu, job, "few"),
+            many: ComputePipeline::new(gpu, job, "many"),
+            settings: upload(gpu, "draw settings", &[]),
+            templates: upload(gpu, "draw templates", &[]),
+            indices: upload(gpu, "members of draws", &[]),
+        };
+        made.set(templates);
+        made
+    }
+
+    /// Takes other templates, when an index has got an instance of another mesh. What encoders have recorded so far keeps the ones before. A member that is removed need not be taken
+    /// out: its bit is not set.
+    pub fn set(&mut self, templates: &[DrawTemplate]) {
         let mut indices = Vec::new();
         let on_gpu: Vec<GpuTemplate> = templates
             .iter()
@@ -107,26 +125,15 @@ impl JudgeDraws {
             .collect();
         let settings = GpuDrawSettings {
             count: templates.len() as u32,
-            words: (kind.bytes() / 4) as u32,
+            words: (self.kind.bytes() / 4) as u32,
             padding_a: 0,
             padding_b: 0,
         };
-        let members = indices.len() as u32;
-        let (entry, draws_a_group) = match members / settings.count.max(1) {
-            0..16 => ("few", 64),
-            _ => ("many", 1),
-        };
-        Self {
-            gpu: gpu.clone(),
-            kind,
-            count: settings.count,
-            members,
-            pipeline: ComputePipeline::new(gpu, &jobs::judge_draws::JOB, entry),
-            draws_a_group,
-            settings: upload(gpu, "draw settings", bytemuck::bytes_of(&settings)),
-            templates: upload(gpu, "draw templates", bytemuck::cast_slice(&on_gpu)),
-            indices: upload(gpu, "members of draws", bytemuck::cast_slice(&indices)),
-        }
+        (self.count, self.members) = (settings.count, indices.len() as u32);
+        let gpu = &self.gpu;
+        self.settings = upload(gpu, "draw settings", bytemuck::bytes_of(&settings));
+        self.templates = upload(gpu, "draw templates", bytemuck::cast_slice(&on_gpu));
+        self.indices = upload(gpu, "members of draws", bytemuck::cast_slice(&indices));
     }
 
     /// Number of draws.
@@ -155,7 +162,12 @@ impl JudgeDraws {
         if self.count == 0 {
             return Ok(());
         }
-        let group = self.pipeline.group(
+        // A thread a draw, or a workgroup.
+        let (pipeline, groups) = match self.members / self.count {
+            0..16 => (&self.few, self.count.div_ceil(64)),
+            _ => (&self.many, self.count),
+        };
+        let group = pipeline.group(
             &self.gpu,
             &[
                 &self.settings,
@@ -170,8 +182,7 @@ impl JudgeDraws {
             label: Some("write draws"),
             timestamp_writes: None,
         });
-        let groups = rows_of(self.count.div_ceil(self.draws_a_group));
-        self.pipeline.dispatch_in(&mut pass, &group, groups);
+        pipeline.dispatch_in(&mut pass, &group, rows_of(groups));
         Ok(())
     }
 }

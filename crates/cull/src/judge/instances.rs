@@ -1,7 +1,7 @@
 //! The instances of a host: boxes by stable index, which come, move and go.
 
 use antumbra_scene::{Aabb, BoxArray};
-use glam::{DAffine3, DVec3};
+use glam::DAffine3;
 
 use super::error::JudgeError;
 use super::record::{JudgedInstance, Part};
@@ -61,18 +61,35 @@ enum Source {
 #[derive(Debug)]
 struct Kept {
     records: Vec<JudgedInstance>,
-    /// Bounds in the instances' own space.
-    local: Vec<Aabb>,
-    /// Bounds in the world.
-    world: BoxArray,
-    /// The epoch in which each instance came.
-    added: Vec<u64>,
-    parts: Vec<Part>,
+    owners: Vec<Owner>,
     free: Vec<u32>,
     /// Indices whose records have changed since the last upload, each once.
     changed: Vec<u32>,
-    is_changed: Vec<bool>,
     uploader: Uploader,
+    /// Memory for moves.
+    moved: Vec<JudgedInstance>,
+    /// Bounds in the world, once somebody has asked for them.
+    world: Option<World>,
+}
+
+/// What the device does not know of an instance. One cache line.
+#[derive(Debug)]
+struct Owner {
+    /// Bounds in its own space.
+    local: Aabb,
+    /// The epoch in which it came.
+    added: u64,
+    part: Part,
+    /// Whether it is among the changed.
+    is_changed: bool,
+}
+
+/// Bounds in the world.
+#[derive(Debug, Default)]
+struct World {
+    boxes: BoxArray,
+    /// Indices whose boxes are older than their records.
+    stale: Vec<u32>,
 }
 
 impl Instances {
@@ -82,14 +99,12 @@ impl Instances {
             gpu: gpu.clone(),
             source: Source::Ours(Box::new(Kept {
                 records: Vec::new(),
-                local: Vec::new(),
-                world: BoxArray::new(),
-                added: Vec::new(),
-                parts: Vec::new(),
+                owners: Vec::new(),
                 free: Vec::new(),
                 changed: Vec::new(),
-                is_changed: Vec::new(),
                 uploader: Uploader::new(gpu),
+                moved: Vec::new(),
+                world: None,
             })),
             epoch: 0,
         }
@@ -171,9 +186,6 @@ impl Instances {
         let epoch = self.epoch + 1;
         let most = most_instances(&self.gpu);
         let kept = self.kept_mut()?;
-        for (desc, number) in new.iter().zip(0u32..) {
-            check(number, desc)?;
-        }
         let fresh = new.len().saturating_sub(kept.free.len());
         let instances = (kept.records.len() + fresh) as u64;
         if instances > most.min(u64::from(u32::MAX)) {
@@ -183,7 +195,19 @@ impl Instances {
                 most: most * BYTES,
             });
         }
-        kept.reserve(fresh);
+        let fault = |index: u32, why: &str| JudgeError::Instance {
+            index,
+            why: why.to_owned(),
+        };
+        for (desc, number) in new.iter().zip(0u32..) {
+            if desc.bounds.is_empty() || !desc.bounds.is_finite() {
+                let why = "its bounds are empty or not finite: give two corners of a box";
+                return Err(fault(number, why));
+            }
+            record(&desc.bounds, &desc.at, desc.part, 0).map_err(|why| fault(number, why))?;
+        }
+        kept.records.reserve(fresh);
+        kept.owners.reserve(fresh);
         Ok(new.iter().map(|desc| kept.insert(desc, epoch)).collect())
     }
 
@@ -202,21 +226,16 @@ impl Instances {
     pub fn move_all(&mut self, moved: &[(InstanceId, DAffine3)]) -> Result<(), JudgeError> {
         let kept = self.kept_mut()?;
         kept.check_ids(moved.iter().map(|(id, _)| *id))?;
-        for (id, at) in moved {
-            let bounds = kept.local.get(id.index as usize).copied();
-            check(
-                id.index,
-                &InstanceDesc {
-                    bounds: bounds.unwrap_or(Aabb::EMPTY),
-                    at: *at,
-                    part: Part::Both,
-                },
-            )?;
+        let mut records = std::mem::take(&mut kept.moved);
+        records.clear();
+        let outcome = kept.place_all(moved, &mut records);
+        if outcome.is_ok() {
+            for ((id, _), record) in moved.iter().zip(&records) {
+                kept.put(*id, *record);
+            }
         }
-        for (id, at) in moved {
-            kept.place(*id, at);
-        }
-        Ok(())
+        kept.moved = records;
+        outcome
     }
 
     /// Gives an instance another part in tests.
@@ -227,9 +246,9 @@ impl Instances {
         let kept = self.kept_mut()?;
         kept.check_ids([id].into_iter())?;
         let index = id.index as usize;
-        if let (Some(own), Some(record)) = (kept.parts.get_mut(index), kept.records.get_mut(index))
-        {
-            *own = part;
+        let (owner, record) = (kept.owners.get_mut(index), kept.records.get_mut(index));
+        if let (Some(owner), Some(record)) = (owner, record) {
+            owner.part = part;
             record.traits = JudgedInstance::traits(part, id.generation);
         }
         kept.note(id.index);
@@ -266,8 +285,12 @@ impl Instances {
         &self.gpu
     }
 
-    /// Brings what has changed onto the device, by an encoder: after its commands so far. [`Judge::begin`](super::Judge::begin) does it. Returns the buffer of
-    /// the records.
+    /// Brings what has changed onto the device, by an encoder: after its commands so far. [`Judge::begin`](super::Judge::begin) does it too.
+    pub fn sync(&mut self, encoder: &mut wgpu::CommandEncoder) {
+        self.upload(encoder);
+    }
+
+    /// As [`Self::sync`]. Returns the buffer of the records.
     pub(super) fn upload(&mut self, encoder: &mut wgpu::CommandEncoder) -> wgpu::Buffer {
         match &mut self.source {
             Source::Theirs { buffer, .. } => buffer.clone(),
@@ -276,9 +299,13 @@ impl Instances {
                     self.epoch += 1;
                 }
                 let kept = &mut **kept;
+                for index in &kept.changed {
+                    if let Some(owner) = kept.owners.get_mut(*index as usize) {
+                        owner.is_changed = false;
+                    }
+                }
                 kept.uploader
                     .upload(&kept.records, &mut kept.changed, encoder);
-                kept.is_changed.fill(false);
                 kept.uploader.buffer().clone()
             }
         }
@@ -289,17 +316,36 @@ impl Instances {
         self.epoch
     }
 
-    /// World bounds by index; `None` where the host has none.
-    pub(super) fn world(&self) -> Option<&BoxArray> {
-        Some(&self.kept()?.world)
+    /// World bounds by index; `None` where the host has none. Free indices have stale ones.
+    pub(super) fn world(&mut self) -> Option<&BoxArray> {
+        let kept = self.kept_mut().ok()?;
+        let all = 0..kept.records.len() as u32;
+        let world = kept.world.get_or_insert_with(|| World {
+            boxes: BoxArray::new(),
+            stale: all.collect(),
+        });
+        for index in world.stale.drain(..) {
+            let Some(record) = kept.records.get(index as usize) else {
+                continue;
+            };
+            while world.boxes.len() <= index as usize {
+                world.boxes.push(Aabb::EMPTY);
+            }
+            world.boxes.set(index as usize, record.bounds());
+        }
+        Some(&world.boxes)
+    }
+
+    /// World bounds of an index.
+    pub(super) fn bounds(&self, index: u32) -> Option<Aabb> {
+        Some(self.kept()?.records.get(index as usize)?.bounds())
     }
 
     /// The part and the epoch of the arrival of the instance that has an index now.
     pub(super) fn part(&self, index: u32) -> Option<(Part, u64)> {
         self.at(index)?;
-        let kept = self.kept()?;
-        let at = index as usize;
-        Some((*kept.parts.get(at)?, *kept.added.get(at)?))
+        let owner = self.kept()?.owners.get(index as usize)?;
+        Some((owner.part, owner.added))
     }
 
     fn kept(&self) -> Option<&Kept> {
@@ -333,92 +379,99 @@ fn most_instances(gpu: &Gpu) -> u64 {
         / BYTES
 }
 
-/// Refuses what f32 cannot hold, and boxes without a place. `index` is for the error.
-fn check(index: u32, desc: &InstanceDesc) -> Result<(), JudgeError> {
-    let fault = |why: &str| {
-        Err(JudgeError::Instance {
-            index,
-            why: why.to_owned(),
-        })
-    };
-    if desc.bounds.is_empty() || !desc.bounds.is_finite() {
-        return fault("its bounds are empty or not finite: give two corners of a box");
+/// The record of a box after a transform; the error says why it has no place.
+fn record(
+    bounds: &Aabb,
+    at: &DAffine3,
+    part: Part,
+    generation: u32,
+) -> Result<JudgedInstance, &'static str> {
+    let record = JudgedInstance::new(bounds, at, part, generation);
+    if record.fits() {
+        return Ok(record);
     }
-    if !desc.at.is_finite() {
-        return fault("its transform holds numbers that are not finite: give finite ones");
-    }
-    if !JudgedInstance::new(&desc.bounds, &desc.at, desc.part, 0).fits() {
-        return fault("its box does not fit 32-bit floats: bring its size and place below 3e38");
-    }
-    Ok(())
-}
-
-/// The bounds in the world of a box after a transform.
-fn world_bounds(bounds: &Aabb, at: &DAffine3) -> Aabb {
-    let half = bounds.half_extents();
-    let axes = [
-        at.matrix3.x_axis * half.x,
-        at.matrix3.y_axis * half.y,
-        at.matrix3.z_axis * half.z,
-    ];
-    let reach = axes.iter().fold(DVec3::ZERO, |sum, axis| sum + axis.abs());
-    Aabb::from_centre(at.transform_point3(bounds.centre()), reach)
+    Err(match at.is_finite() {
+        false => "its transform holds numbers that are not finite: give finite ones",
+        true => "its box does not fit 32-bit floats: bring its size and place below 3e38",
+    })
 }
 
 impl Kept {
-    fn reserve(&mut self, more: usize) {
-        self.records.reserve(more);
-        self.local.reserve(more);
-        self.added.reserve(more);
-        self.parts.reserve(more);
-        self.is_changed.reserve(more);
-    }
-
     /// Puts a checked instance at a free index.
     fn insert(&mut self, desc: &InstanceDesc, epoch: u64) -> InstanceId {
-        let world = world_bounds(&desc.bounds, &desc.at);
+        let owner = Owner {
+            local: desc.bounds,
+            added: epoch,
+            part: desc.part,
+            is_changed: false,
+        };
         let index = match self.free.pop() {
-            Some(index) => index,
+            Some(index) => {
+                if let Some(place) = self.owners.get_mut(index as usize) {
+                    let is_changed = place.is_changed;
+                    *place = Owner {
+                        is_changed,
+                        ..owner
+                    };
+                }
+                index
+            }
             None => {
                 self.records.push(JudgedInstance::default());
-                self.local.push(desc.bounds);
-                self.world.push(world);
-                self.added.push(epoch);
-                self.parts.push(desc.part);
-                self.is_changed.push(false);
-                self.records.len() as u32 - 1
+                self.owners.push(owner);
+                self.owners.len() as u32 - 1
             }
         };
-        let at = index as usize;
-        let before = self.records.get(at).map_or(0, |record| record.traits >> 8);
+        let before = self.records.get(index as usize);
+        let before = before.map_or(0, |record| record.traits >> 8);
         // Not 0: what the device remembers of an index without an owner is 0.
         let generation = match before + 1 {
             JudgedInstance::GENERATIONS => 1,
             next => next,
         };
-        self.local[at] = desc.bounds;
-        self.added[at] = epoch;
-        self.parts[at] = desc.part;
         let id = InstanceId { index, generation };
-        self.place(id, &desc.at);
+        let record = JudgedInstance::new(&desc.bounds, &desc.at, desc.part, generation);
+        self.put(id, record);
         id
     }
 
-    /// Gives an instance that exists, or is about to, a record for its place.
-    fn place(&mut self, id: InstanceId, to: &DAffine3) {
-        let at = id.index as usize;
-        let bounds = self.local[at];
-        self.records[at] = JudgedInstance::new(&bounds, to, self.parts[at], id.generation);
-        self.world.set(at, world_bounds(&bounds, to));
+    /// The records of instances after transforms.
+    fn place_all(
+        &self,
+        moved: &[(InstanceId, DAffine3)],
+        records: &mut Vec<JudgedInstance>,
+    ) -> Result<(), JudgeError> {
+        records.reserve(moved.len());
+        for (InstanceId { index, generation }, at) in moved {
+            let Some(owner) = self.owners.get(*index as usize) else {
+                continue;
+            };
+            let found = record(&owner.local, at, owner.part, *generation);
+            records.push(found.map_err(|why| JudgeError::Instance {
+                index: *index,
+                why: why.to_owned(),
+            })?);
+        }
+        Ok(())
+    }
+
+    /// Gives an instance its record.
+    fn put(&mut self, id: InstanceId, record: JudgedInstance) {
+        if let Some(place) = self.records.get_mut(id.index as usize) {
+            *place = record;
+        }
         self.note(id.index);
     }
 
     /// Notes that a record has changed.
     fn note(&mut self, index: u32) {
-        if let Some(changed) = self.is_changed.get_mut(index as usize)
-            && !std::mem::replace(changed, true)
+        if let Some(owner) = self.owners.get_mut(index as usize)
+            && !std::mem::replace(&mut owner.is_changed, true)
         {
             self.changed.push(index);
+        }
+        if let Some(world) = &mut self.world {
+            world.stale.push(index);
         }
     }
 

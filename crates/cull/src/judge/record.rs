@@ -3,7 +3,7 @@
 use antumbra_scene::Aabb;
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
-use glam::DAffine3;
+use glam::{DAffine3, DVec3};
 
 use crate::split_point::SplitPoint;
 
@@ -81,6 +81,21 @@ impl JudgedInstance {
             Part::Exempt => 0,
         };
         part | Self::LIVE | (generation % Self::GENERATIONS) << 8
+    }
+
+    /// Bounds along the world's axes, with the rounding of the record.
+    pub fn bounds(&self) -> Aabb {
+        let rows = [self.row_x, self.row_y, self.row_z];
+        let half =
+            rows.map(|[x, y, z, _]| f64::from(x.abs()) + f64::from(y.abs()) + f64::from(z.abs()));
+        let high = DVec3::from_array(rows.map(|row| f64::from(row[3])));
+        let low = DVec3::from_array(self.centre_low.map(f64::from));
+        // A coordinate of two floats has about 48 bits.
+        let rounding = high.abs() * 1e-14;
+        Aabb::from_centre(
+            high + low,
+            DVec3::from_array(half) * (1.0 + 1e-6) + rounding,
+        )
     }
 
     /// Whether f32 can hold it.
