@@ -23,6 +23,7 @@ use crate::order::back_to_front;
 use crate::pipelines::Pipelines;
 use crate::renderer::DEPTH_FORMAT;
 use crate::renderer::{Renderer, ShadeTargets};
+use crate::stage::StageOutput;
 use crate::stage_scene::SceneLayout;
 use crate::strategy::VisibleSet;
 use crate::tree::Tree;
@@ -40,6 +41,8 @@ pub struct FrameGraph<'g> {
     pub(crate) graph: &'g mut Graph,
     pub(crate) shared: &'g mut Shared,
     pub(crate) renderer: &'g mut dyn Renderer,
+    /// Whether it is the graph of a host loop.
+    pub(crate) in_loop: bool,
 }
 
 /// The handle of a host value that [`Stage::shown`](crate::Stage::shown) finds by view and name.
@@ -54,6 +57,7 @@ pub(crate) struct Shared {
     pub gpu: Gpu,
     pub layout: SceneLayout,
     pub colour_format: wgpu::TextureFormat,
+    pub output: StageOutput,
     pub pipelines: Pipelines,
     /// The trees, one a shape, for all views.
     pub trees: HashMap<HierarchyShape, Host<Tree>>,
@@ -82,6 +86,7 @@ impl<'g> FrameGraph<'g> {
             graph,
             shared,
             renderer,
+            in_loop: false,
         }
     }
 
@@ -131,6 +136,7 @@ impl<'g> FrameGraph<'g> {
                 graph,
                 shared,
                 renderer,
+                in_loop: true,
             })
         });
     }

@@ -80,7 +80,8 @@ pub use sample_rule::{Allowance, SampleRule};
 pub use samples::Samples;
 pub use split_point::SplitPoint;
 pub use stage::{
-    ImportedTargets, Rebuilt, Stage, StageError, StageOptions, StageReport, ViewInput, ViewSpec,
+    Draws, ImportedTargets, Rebuilt, Stage, StageError, StageOptions, StageOutput, StageReport,
+    ViewInput, ViewSpec,
 };
 pub use stage_scene::{SceneFrame, SceneLayout, StageScene, WithRenderer, next_scene_number};
 pub use strategy::{DeclareError, Role, Strategy, VisibleSet};

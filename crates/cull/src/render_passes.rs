@@ -21,6 +21,8 @@ impl FrameGraph<'_> {
         let (renderer, pass) = self.pass(view, name, DRAW);
         let out = renderer.shade(pass, source, into);
         view.targets = out.targets;
+        view.shaded.push(source);
+        view.shades_in_loop |= self.in_loop;
         out
     }
 
@@ -108,6 +110,7 @@ impl FrameGraph<'_> {
             inputs: view.inputs,
             layout: &self.shared.layout,
             colour_format: self.shared.colour_format,
+            output: self.shared.output,
         };
         (&mut *self.renderer, pass)
     }

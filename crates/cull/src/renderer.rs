@@ -7,6 +7,7 @@ use antumbra_graph::{Bind, Buffer, Graph, Host, RasterBuilder, Texture};
 
 use crate::draw_source::patches::PatchDraws;
 use crate::draw_source::{DrawSource, ListDraws};
+use crate::stage::StageOutput;
 use crate::stage_scene::{SceneFrame, SceneLayout};
 use crate::view::ViewFrame;
 
@@ -87,6 +88,8 @@ pub struct Pass<'a> {
     pub layout: &'a SceneLayout,
     /// The format of the colour targets.
     pub colour_format: wgpu::TextureFormat,
+    /// Whether anybody looks at the image. With [`StageOutput::Answers`], shading passes leave the colour alone and write depth and ids of opaque entities only.
+    pub output: StageOutput,
 }
 
 impl Pass<'_> {

@@ -3,6 +3,7 @@
 //! A stage runs on its own and submits, or it records into a host's encoder and draws into the host's textures.
 
 mod built;
+mod draws;
 mod error;
 mod input;
 mod kept;
@@ -15,9 +16,10 @@ use antumbra_graph::{FrameReport, Host, Plan};
 use built::{Built, Inherited, build};
 use kept::KeptPlans;
 
+pub use draws::Draws;
 pub use error::StageError;
 pub use input::{ImportedTargets, ViewInput};
-pub use options::{StageOptions, ViewSpec};
+pub use options::{StageOptions, StageOutput, ViewSpec};
 pub use report::{Rebuilt, StageReport};
 
 use crate::adaptive_threshold::GpuThreshold;

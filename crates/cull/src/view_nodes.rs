@@ -5,6 +5,7 @@ use std::sync::Arc;
 use antumbra_graph::Host;
 
 use crate::candidates::Candidates;
+use crate::draw_source::DrawSource;
 use crate::narrowing::Narrowing;
 use crate::renderer::{Targets, ViewInputs};
 
@@ -24,6 +25,10 @@ pub struct ViewNodes {
     pub(crate) in_frustum: Option<Host<Candidates>>,
     /// What the strategy before has left, in a chain.
     pub(crate) narrowing: Option<Narrowing>,
+    /// What has been shaded so far, in order.
+    pub(crate) shaded: Vec<DrawSource>,
+    /// Whether something is shaded in a host loop, where a source has no one value a frame.
+    pub(crate) shades_in_loop: bool,
 }
 
 impl ViewNodes {
@@ -61,6 +66,11 @@ impl ViewNodes {
     /// [`FrameGraph::in_frustum`](crate::FrameGraph::in_frustum), for example one that traverses a tree, must keep to these.
     pub fn narrowed_to(&self) -> Option<Host<Candidates>> {
         self.narrowing.map(|narrowing| narrowing.left)
+    }
+
+    /// The draw sources that have been shaded so far, in order: what the view draws.
+    pub fn shaded(&self) -> &[DrawSource] {
+        &self.shaded
     }
 
     /// A node's or resource's name in this view.

@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use antumbra_cull::patches::PatchDraws;
 use antumbra_cull::{
-    DepthTest, DrawSource, Gpu, IdTargets, ListDraws, Pass, Renderer, ShadeTargets, TestRenderer,
+    DepthTest, DrawSource, Gpu, IdTargets, ListDraws, Pass, Renderer, ShadeTargets, StageOutput,
+    TestRenderer,
 };
 use antumbra_graph::{Buffer, BufferDesc, Texture};
 
@@ -69,6 +70,11 @@ impl Renderer for BuiltinRenderer {
         source: DrawSource,
         into: ShadeTargets,
     ) -> ShadeTargets {
+        if pass.output == StageOutput::Answers {
+            let identified = into.ids.is_some();
+            let spec = self.spec(&pass, PipelineKind::Hide { identified });
+            return passes::hide_pass(pass.graph, &spec, pass.inputs, source, into);
+        }
         let lights = match self.lights.get(pass.view) {
             Some(lights) => *lights,
             // A caller that left `begin_view` out.

@@ -97,6 +97,36 @@ pub fn shaded_pass(
     }
 }
 
+/// Draws what a shading pass would, for a stage whose image nobody looks at: the colour is left alone. The pipelines are [`PipelineKind::Hide`](crate::PipelineKind::Hide).
+pub fn hide_pass(
+    g: &mut Graph,
+    spec: &PassSpec,
+    inputs: ViewInputs,
+    source: DrawSource,
+    into: ShadeTargets,
+) -> ShadeTargets {
+    let mut node = node(g, spec, inputs, source);
+    let ids = into.ids.map(|ids| node.colour(ids));
+    let depth = node.depth(into.targets.depth);
+    let queries = match (source, into.queries) {
+        (DrawSource::List(list), Some(results)) => {
+            Some(draw_queried(&mut node, spec, inputs, None, list, results))
+        }
+        (_, queries) => {
+            draw(&mut node, spec, inputs, None, source);
+            queries
+        }
+    };
+    ShadeTargets {
+        targets: Targets {
+            colour: into.targets.colour,
+            depth,
+        },
+        ids,
+        queries,
+    }
+}
+
 /// Draws a list with one hardware query for each of its [queries](antumbra_cull::DrawList::query_count), in the list's order, against a depth
 /// that it does not write. The results are u64: zero, or something else.
 pub fn query_pass(

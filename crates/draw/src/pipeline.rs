@@ -36,6 +36,11 @@ pub enum PipelineKind {
         /// Whether a second target takes entity ids; blended classes do not write it.
         identified: bool,
     },
+    /// Writes the depth, and the ids where they are wanted, of opaque triangles; tests the depth of others and writes nothing. The shaded pass of a stage whose image nobody looks at.
+    Hide {
+        /// Whether there is a target for entity ids.
+        identified: bool,
+    },
     /// Adds up the hashed ids of visible transparent fragments, by pixel, and their number by slot.
     Signature,
     /// Marks the pixels of image patches in which anything passes a forced early depth test.
@@ -50,7 +55,8 @@ impl PipelineKind {
             Self::Depth | Self::Query => &depth::JOB,
             Self::CountAtomic => &count_atomic::JOB,
             Self::CountCompare => &count_compare::JOB,
-            Self::Identity => &identity::JOB,
+            Self::Hide { identified: false } => &depth::JOB,
+            Self::Identity | Self::Hide { identified: true } => &identity::JOB,
             Self::Shaded { .. } => &shaded::JOB,
             Self::Signature => &signature::JOB,
             Self::PatchEarly => &patch_early::JOB,
@@ -129,7 +135,14 @@ impl PipelineKind {
 
     /// Whether its bind groups hold materials and a texture.
     pub(crate) fn has_materials(self) -> bool {
-        matches!(self, Self::Shaded { .. } | Self::Identity | Self::Signature) || self.is_patch()
+        let by_kind = matches!(
+            self,
+            Self::Shaded { .. }
+                | Self::Identity
+                | Self::Signature
+                | Self::Hide { identified: true }
+        );
+        by_kind || self.is_patch()
     }
 }
 
@@ -252,6 +265,14 @@ fn create(
             write_mask: wgpu::ColorWrites::ALL,
         }),
         PipelineKind::Identity => Some(IDENTITY_FORMAT.into()),
+        PipelineKind::Hide { identified: true } => Some(wgpu::ColorTargetState {
+            format: IDENTITY_FORMAT,
+            blend: None,
+            write_mask: match class.occludes() {
+                true => wgpu::ColorWrites::ALL,
+                false => wgpu::ColorWrites::empty(),
+            },
+        }),
         _ => None,
     };
     let ids = kind.identifies().then_some(wgpu::ColorTargetState {
@@ -263,9 +284,16 @@ fn create(
         },
     });
     let targets: Vec<_> = [target, ids].into_iter().filter(Option::is_some).collect();
-    let has_fragment = !matches!(kind, PipelineKind::Depth | PipelineKind::Query);
-    let writes_depth = matches!(kind, PipelineKind::Depth | PipelineKind::Identity)
-        || matches!(kind, PipelineKind::Shaded { .. }) && !blended;
+    let has_fragment = !matches!(
+        kind,
+        PipelineKind::Depth | PipelineKind::Query | PipelineKind::Hide { identified: false }
+    );
+    let writes_depth = match kind {
+        PipelineKind::Depth | PipelineKind::Identity => true,
+        PipelineKind::Shaded { .. } => !blended,
+        PipelineKind::Hide { .. } => class.occludes(),
+        _ => false,
+    };
     // The comparing passes have a depth attachment only because a pass needs an attachment.
     let compares = !matches!(
         kind,

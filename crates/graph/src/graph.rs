@@ -27,6 +27,8 @@ pub struct Graph {
     pub(crate) passes: Vec<Pass>,
     pub(crate) bodies: Vec<Body>,
     pub(crate) outputs: Vec<Raw>,
+    /// What callers use outputs as, by resource.
+    pub(crate) output_usages: Vec<(usize, wgpu::BufferUsages)>,
     pub(crate) rings: Vec<RingDecl>,
     pub(crate) faults: Vec<CompileError>,
     scope: Option<usize>,
@@ -58,6 +60,7 @@ impl Graph {
             passes: Vec::new(),
             bodies: Vec::new(),
             outputs: Vec::new(),
+            output_usages: Vec::new(),
             rings: Vec::new(),
             faults: Vec::new(),
             scope: None,
@@ -116,6 +119,12 @@ impl Graph {
                 pass: String::from("(output)"),
             });
         }
+    }
+
+    /// As [`Self::output`], for a buffer that the caller uses in these ways after the frame, besides as a copy source.
+    pub fn output_as(&mut self, buffer: Buffer, usages: wgpu::BufferUsages) {
+        self.output(buffer);
+        self.output_usages.push((buffer.0.resource(), usages));
     }
 
     /// A sub-graph that repeats until a host value is true, with the limit of [`LoopOptions::default`]. See [`Graph::host_loop_with`].

@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use antumbra_graph::{BufferDesc, Clear, CompileOptions, Graph, Host, Mode, Plan, TextureDesc};
 
-use super::{StageError, StageOptions, ViewSpec};
+use super::{StageError, StageOptions, StageOutput, ViewSpec, draws};
 use crate::audit::{Audit, Lessons};
+use crate::draw_source::DrawSource;
 use crate::frame_graph::{CULL, FrameGraph, Shared, Shown};
 use crate::narrowing::Narrowing;
 use crate::pipelines::Pipelines;
@@ -41,6 +42,8 @@ pub(super) struct BuiltView {
     pub reference: Option<Host<Arc<Vec<u32>>>>,
     pub imported: Option<Targets>,
     pub targets: Targets,
+    /// What is drawn, in order, where answers are asked for.
+    pub shaded: Vec<DrawSource>,
     pub verdicts: VerdictSource,
     pub narrowing: Option<Narrowing>,
     pub audit: Option<Host<Audit>>,
@@ -127,6 +130,7 @@ pub(super) fn build(
         gpu: gpu.clone(),
         layout: layout.clone(),
         colour_format: options.colour_format,
+        output: options.output,
         pipelines: std::mem::take(inherited.pipelines),
         trees: HashMap::new(),
         shown: Vec::new(),
@@ -200,6 +204,8 @@ fn declare(
             reference,
             in_frustum: None,
             narrowing: None,
+            shaded: Vec::new(),
+            shades_in_loop: false,
         };
         let mut declared = FrameGraph::new(graph, shared, inherited.renderer);
         declared.begin_view(&nodes);
@@ -211,9 +217,17 @@ fn declare(
         let audit = options
             .audit
             .map(|options| declared.audit(&nodes, &set, options, lessons.clone()));
-        // An import keeps its writers anyway. As an output it would need more usages of the host's texture.
-        if imported.is_none() {
-            graph.output(nodes.targets.colour);
+        match options.output {
+            // An import keeps its writers anyway. As an output it would need more usages of the host's texture.
+            StageOutput::Image if imported.is_none() => graph.output(nodes.targets.colour),
+            StageOutput::Image => {}
+            StageOutput::Answers if nodes.shades_in_loop => {
+                return Err(StageError::Input(format!(
+                    "answers of strategy '{}', which draws step by step in a loop: give it another latency, or ask for an image",
+                    strategy.name()
+                )));
+            }
+            StageOutput::Answers => draws::output(graph, &nodes.shaded),
         }
         if let Some(Narrowing { inside, left }) = set.narrowing {
             graph.output(inside);
@@ -244,6 +258,10 @@ fn declare(
             reference,
             imported,
             targets: nodes.targets,
+            shaded: match options.output {
+                StageOutput::Answers => nodes.shaded,
+                StageOutput::Image => Vec::new(),
+            },
             verdicts: set.verdicts,
             narrowing: set.narrowing,
             audit,
@@ -267,15 +285,15 @@ fn targets(
         format!("{} colour", spec.name),
         format!("{} depth", spec.name),
     );
-    match options.mode {
-        Mode::Embedded => {
+    match (options.mode, options.output) {
+        (Mode::Embedded, StageOutput::Image) => {
             let targets = Targets {
                 colour: graph.import_texture(colour_name, colour),
                 depth: graph.import_texture(depth_name, depth),
             };
             (targets, Some(targets))
         }
-        Mode::Owned => {
+        (Mode::Owned, _) | (_, StageOutput::Answers) => {
             let colour = graph.texture(
                 colour_name,
                 colour.cleared(Clear::Colour(options.background)),

@@ -39,11 +39,23 @@ impl ViewSpec {
     }
 }
 
+/// What a stage makes of what a strategy chooses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum StageOutput {
+    /// An image: the renderer shades it.
+    #[default]
+    Image,
+    /// What is drawn, for a host that draws by itself ([`Stage::draws`](crate::Stage::draws)), and verdicts. Nothing is shaded, and no targets are needed; strategies that draw some, test, and draw the rest draw depth and ids alone.
+    Answers,
+}
+
 /// How a stage is built.
 #[derive(Debug, Clone)]
 pub struct StageOptions {
     /// Whether it submits on its own, or records into a host's encoder.
     pub mode: Mode,
+    /// An image, or answers only.
+    pub output: StageOutput,
     /// The format of the colour targets.
     pub colour_format: wgpu::TextureFormat,
     /// The clear colour; unused where targets are imported.
@@ -60,6 +72,7 @@ impl Default for StageOptions {
     fn default() -> Self {
         Self {
             mode: Mode::Owned,
+            output: StageOutput::Image,
             colour_format: wgpu::TextureFormat::Rgba8UnormSrgb,
             background: wgpu::Color {
                 r: 0.02,

@@ -256,6 +256,9 @@ fn placed(
         if output {
             buffer_usages |= wgpu::BufferUsages::COPY_SRC;
         }
+        for (_, usages) in graph.output_usages.iter().filter(|(of, _)| *of == index) {
+            buffer_usages |= *usages;
+        }
     }
     let any = |passes: &[usize]| passes.iter().any(|&pass| kept[pass]);
     Placed {
