@@ -3,7 +3,7 @@
 use antumbra_scene::{Aabb, Camera, Frustum, frustum::Plane};
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
-use glam::{DMat4, DVec3, DVec4, Mat4};
+use glam::{DVec3, DVec4, Mat4};
 
 use super::depth::{DepthRange, HostDepth};
 use crate::split_point::SplitPoint;
@@ -53,11 +53,11 @@ impl Eye {
             );
         }
         let matrix = self.clip_from_relative.as_dmat4();
-        let rows = [0, 1, 2, 3].map(|row| matrix.row(row).normalize_or_zero());
-        let [x, y, z, w] = rows;
-        let volume = DMat4::from_cols(x, y, z, w).determinant().abs();
-        // The rows of a projection with a near plane of a micrometre have 1e-6.
-        (volume < 1e-12).then(|| {
+        // Held against the sum of the same products without their signs: a determinant that is only small belongs to a near plane close by, or to a large volume.
+        let most = permanent(&matrix.to_cols_array_2d().map(|column| column.map(f64::abs)));
+        // Written so that what is not a number is singular.
+        let inverts = matrix.determinant().abs() > most * 1e-12;
+        (!inverts).then(|| {
             "its matrix is singular, so that points at different places look the same: give one that can be inverted".to_owned()
         })
     }
@@ -110,6 +110,22 @@ impl Eye {
             normal.dot(centre) + row.w - normal.abs().dot(half) <= margin
         })
     }
+}
+
+/// The determinant with every sign positive.
+fn permanent(columns: &[[f64; 4]; 4]) -> f64 {
+    let [a, b, c, d] = columns;
+    let of_two = |i: usize, j: usize| c[i] * d[j] + c[j] * d[i];
+    let mut sum = 0.0;
+    for i in 0..4 {
+        for j in (0..4).filter(|j| *j != i) {
+            let mut rest = (0..4).filter(|k| *k != i && *k != j);
+            if let (Some(k), Some(l)) = (rest.next(), rest.next()) {
+                sum += a[i] * b[j] * of_two(k, l);
+            }
+        }
+    }
+    sum
 }
 
 /// By how much the view volume is opened, as a part of w.
