@@ -16,8 +16,8 @@ use std::error::Error;
 use std::time::Instant;
 
 use antumbra::cull::judge::{
-    Chosen, DepthRange, DrawBuffers, Eye, HostDepth, InstanceDesc, InstanceId, Instances, Judge,
-    JudgeOptions, JudgeView, JudgedInstance, Part, Phases,
+    Chosen, DepthRange, DrawBuffers, Eye, HostDepth, InstanceDesc, Instances, Judge, JudgeOptions,
+    JudgeView, JudgedInstance, Moved, Part, Phases,
 };
 use antumbra::cull::{AdapterChoice, Gpu};
 use antumbra::scene::Aabb;
@@ -100,7 +100,8 @@ fn frames(gpu: &Gpu, samples: u32) -> Result<(), Box<dyn Error>> {
         .skip(4)
         .map(|(with, without)| 1.0 - without / with);
     let share = median(&mut ratios.collect::<Vec<_>>()) * 100.0;
-    let bytes = (culling.judge.memory() + u64::from(count) * 64) as f64 / f64::from(count);
+    let bytes = culling.judge.memory() + culling.instances.memory();
+    let bytes = bytes as f64 / f64::from(count);
     println!(
         "{count} balls, {} x {}, {samples} samples: a culled frame {:.1} ms, judging {share:.1} % of it; {bytes:.1} bytes an instance",
         SIZE[0],
@@ -114,9 +115,10 @@ fn orbit(engine: &Engine, view: &View, angle: f64) -> Eye {
     let eye = DVec3::new(angle.sin(), 0.35, angle.cos()) * f64::from(SIDE) * 1.3;
     let aspect = SIZE[0] as f32 / SIZE[1] as f32;
     let matrix = directx::perspective(0.8, aspect, 0.1, 500.0)
-        * look_at_mat4(Vec3::ZERO, -eye.as_vec3(), Vec3::Y);
-    engine.look(view, matrix * Mat4::from_translation(-eye.as_vec3()));
-    Eye::new(matrix, eye)
+        * look_at_mat4(Vec3::ZERO, -eye.as_vec3(), Vec3::Y)
+        * Mat4::from_translation(-eye.as_vec3());
+    engine.look(view, matrix);
+    Eye::new(matrix, DVec3::ZERO)
 }
 
 /// Buffers that draws are written to.
@@ -195,10 +197,13 @@ fn recording(gpu: &Gpu, count: u32) -> Result<(), Box<dyn Error>> {
     // Ten thousand of them, all over.
     let step = ids.len() / 10_000;
     for round in 0..20 {
-        let moved: Vec<(InstanceId, DAffine3)> = ids
+        let moved: Vec<Moved> = ids
             .iter()
             .step_by(step)
-            .map(|id| (*id, DAffine3::from_translation(place(id.index() + round))))
+            .map(|id| Moved {
+                id: *id,
+                at: DAffine3::from_translation(place(id.index() + round)),
+            })
             .collect();
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         let started = Instant::now();
@@ -221,7 +226,7 @@ fn recording(gpu: &Gpu, count: u32) -> Result<(), Box<dyn Error>> {
         usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
         mapped_at_creation: false,
     });
-    drop(records);
+    gpu.queue.write_buffer(&buffer, 0, &bytes(&records));
     let mut theirs = Instances::on_gpu(gpu, buffer, count)?;
     let mut on_gpu = Vec::new();
     for _ in 0..20 {
@@ -234,6 +239,16 @@ fn recording(gpu: &Gpu, count: u32) -> Result<(), Box<dyn Error>> {
         median(&mut moving),
     );
     Ok(())
+}
+
+/// Records as the device reads them.
+fn bytes(records: &[JudgedInstance]) -> Vec<u8> {
+    let words = records.iter().flat_map(|record| {
+        let rows = [record.row_x, record.row_y, record.row_z];
+        let numbers = rows.into_iter().flatten().chain(record.centre_low);
+        numbers.map(f32::to_bits).chain([record.traits])
+    });
+    words.flat_map(u32::to_le_bytes).collect()
 }
 
 fn median(numbers: &mut [f64]) -> f64 {

@@ -51,7 +51,7 @@ impl Culling {
                     list: false,
                 },
             )?,
-            draws: JudgeDraws::new(gpu, DrawKind::Indexed, &templates),
+            draws: JudgeDraws::new(gpu, DrawKind::Indexed, &templates)?,
             templates,
             stale: true,
         })
@@ -79,7 +79,7 @@ impl Culling {
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<(), JudgeError> {
         if std::mem::take(&mut self.stale) {
-            self.draws.set(&self.templates);
+            self.draws.set(&self.templates)?;
         }
         self.judge.begin(&mut self.instances, eyes, encoder)?;
         Ok(())

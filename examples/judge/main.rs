@@ -15,7 +15,7 @@ mod engine;
 use std::error::Error;
 use std::path::Path;
 
-use antumbra::cull::judge::{Chosen, DrawBuffers, Eye, InstanceId, Phases};
+use antumbra::cull::judge::{Chosen, DrawBuffers, Eye, InstanceId, Moved, Phases};
 use antumbra::cull::{AdapterChoice, Gpu, read_back};
 use culling::Culling;
 use engine::{Engine, View, bytes};
@@ -230,7 +230,7 @@ fn stir(
                 Mat4::from(at.as_affine3a()),
                 object.id.index() % 4,
             );
-            moved.push((object.id, at));
+            moved.push(Moved { id: object.id, at });
         }
     }
     Ok(culling.instances.move_all(&moved)?)
@@ -254,16 +254,14 @@ fn look(engine: &Engine, views: &[[View; 2]; 2], time: f64, half: f64) -> [Eye; 
     let (wide, deep) = (half as f32 * 1.1, half as f32 * 2.0);
     let map = directx::orthographic(-wide, wide, -wide, wide, -deep, deep)
         * look_at_mat4(Vec3::ZERO, Vec3::NEG_Y, Vec3::Z);
-    let eyes = [Eye::new(flight, eye), Eye::new(map, DVec3::ZERO)];
-    for (eye, pair) in eyes.iter().zip(views) {
+    let matrices = [flight * Mat4::from_translation(-eye.as_vec3()), map];
+    for (matrix, pair) in matrices.iter().zip(views) {
         for view in pair {
-            engine.look(
-                view,
-                eye.clip_from_relative * Mat4::from_translation(-eye.position.as_vec3()),
-            );
+            engine.look(view, *matrix);
         }
     }
-    eyes
+    // The engine computes in f32 from the world's origin. With the whole matrix around the origin, the judge allows for the rounding of just that.
+    matrices.map(|matrix| Eye::new(matrix, DVec3::ZERO))
 }
 
 /// The buffers that draws are written to, and counts of what was drawn.

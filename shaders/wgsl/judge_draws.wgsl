@@ -31,7 +31,7 @@ fn is_chosen(index: u32) -> u32 {
     if index / 32u >= arrayLength(&chosen) {
         return 0u;
     }
-    return chosen[index / 32u] >> (index % 32u) & 1u;
+    return (chosen[index / 32u] >> (index % 32u)) & 1u;
 }
 
 fn write(number: u32, instances: u32) {

@@ -4,6 +4,14 @@
 @group(0) @binding(2) var<storage, read> states: array<u32>;
 @group(0) @binding(3) var<storage, read_write> first: array<u32>;
 
+// Whether an instance is drawn before this frame's test. What hides nothing can wait for the test.
+fn drawn_first(instance: JudgedInstance, known: u32) -> bool {
+    if (view.flags & FRAME_LATE) != 0u {
+        return known >= VISIBLE;
+    }
+    return known >= VISIBLE && (instance.traits & HIDES) != 0u;
+}
+
 var<workgroup> bits: array<atomic<u32>, 2>;
 
 @compute @workgroup_size(64)

@@ -1,7 +1,7 @@
 //! Culling for a renderer that is not ours: a host hands in boxes, its cameras and its depth, and gets answers. No mesh, no material, no image.
 //!
 //! The host's depth becomes a pyramid, and each box is tested against it in a compute pass. Nothing is submitted, nothing waits, and nothing by instance is done on the host
-//! while instances stand still.
+//! while instances stand still, but for a list.
 //!
 //! - In two phases ([`Phases::Two`]) a frame has no error: [`Judge::begin`] says what to draw first (what was visible in the last frame), the host draws it, and
 //!   [`Judge::test`] with that depth says what to draw besides. An instance that neither names is behind what was drawn.
@@ -40,10 +40,12 @@ mod draws;
 mod error;
 mod eye;
 mod instances;
+mod list;
 mod masks;
 mod passes;
 mod pyramid;
 mod record;
+mod submitted;
 mod upload;
 mod view;
 
@@ -53,14 +55,16 @@ pub use depth::{DepthRange, HostDepth};
 pub use draws::{DrawBuffers, DrawKind, DrawTemplate, JudgeDraws};
 pub use error::JudgeError;
 pub use eye::Eye;
-pub use instances::{InstanceDesc, InstanceId, Instances};
+pub use instances::{InstanceDesc, InstanceId, Instances, Moved};
 pub use record::{JudgedInstance, Part};
 pub use view::JudgeView;
 
 use answers::Asked;
 use eye::{FORGET, FRAME_LATE, GpuJudgedView};
+use list::List;
 use masks::Masks;
 use passes::{FirstNodes, TestDesc, TestNodes, prefix};
+use submitted::Submitted;
 
 use crate::device::Gpu;
 use crate::pipelines::Pipelines;
@@ -99,10 +103,12 @@ pub enum Chosen {
 pub struct JudgeReport {
     /// The number of the frame.
     pub frame: u64,
-    /// A plan was compiled: a view has another size, or a list has more instances. What was known is kept.
+    /// A plan was compiled, for a view has another size. What was known is kept.
     pub rebuilt: bool,
     /// The buffers have grown, and masks are other buffers than before. What was known is kept.
     pub grown: bool,
+    /// Views whose answers are not read back for [`Judge::verdicts`], since those of several frames are still under way.
+    pub not_read_back: u32,
 }
 
 /// Judges instances for the views of a host.
@@ -111,9 +117,14 @@ pub struct Judge {
     options: JudgeOptions,
     views: Vec<Judged>,
     pipelines: Pipelines,
-    first: Option<FirstPlan>,
-    test: Option<TestPlan>,
+    first: FirstPlan,
+    test: TestPlan,
     begun: Option<Begun>,
+    /// Whether the tests of all frames so far have been recorded and not been dropped.
+    tested: bool,
+    submitted: Submitted,
+    /// The instances of the last frame.
+    of: Option<u64>,
     frame: u64,
 }
 
@@ -123,7 +134,10 @@ struct Judged {
     masks: Masks,
     /// Cuts so far.
     cuts: u64,
+    /// Whether nothing that was found before is true of this view, until the next test.
+    forgets: bool,
     eye: Option<Eye>,
+    list: List,
     inside: Vec<u32>,
 }
 
@@ -136,8 +150,6 @@ struct TestPlan {
     plan: Plan,
     views: Vec<TestNodes>,
     sizes: Vec<[u32; 2]>,
-    /// Bytes of the masks that are read back.
-    list: Option<u64>,
 }
 
 /// A frame between its two calls.
@@ -145,7 +157,12 @@ struct Begun {
     instances: wgpu::Buffer,
     count: u32,
     epoch: u64,
-    eyes: Vec<GpuJudgedView>,
+    views: Vec<BegunView>,
+}
+
+struct BegunView {
+    eye: Eye,
+    flags: u32,
 }
 
 impl std::fmt::Debug for Judge {
@@ -159,10 +176,10 @@ impl std::fmt::Debug for Judge {
 }
 
 impl Judge {
-    /// A judge for these views. Pipelines are compiled here; plans, with the first frame.
+    /// A judge for these views. Everything is compiled here.
     ///
     /// # Errors
-    /// [`JudgeError::View`] for a view without pixels or with a depth that holds none, [`JudgeError::Order`] without a view.
+    /// [`JudgeError::View`] for a view without pixels, with a depth that holds none or with the name of another, [`JudgeError::Order`] without a view.
     pub fn new(
         gpu: &Gpu,
         views: Vec<JudgeView>,
@@ -171,29 +188,41 @@ impl Judge {
         if views.is_empty() {
             return Err(JudgeError::Order("no view to judge for: name at least one"));
         }
-        for view in &views {
+        for (number, view) in views.iter().enumerate() {
             view.check(gpu)?;
+            let mut others = views.iter().skip(number + 1);
+            if others.any(|other| other.name == view.name) {
+                return Err(JudgeError::View {
+                    view: view.name.clone(),
+                    why: "another view has the same name: give each its own".to_owned(),
+                });
+            }
         }
-        let views = views.into_iter().map(|spec| Judged {
-            masks: Masks::new(gpu, &spec.name),
-            spec,
-            cuts: 0,
-            eye: None,
-            inside: Vec::new(),
-        });
-        let mut judge = Self {
+        let mut pipelines = Pipelines::default();
+        Ok(Self {
             gpu: gpu.clone(),
             options,
-            views: views.collect(),
-            pipelines: Pipelines::default(),
-            first: None,
-            test: None,
+            first: FirstPlan::new(gpu, &mut pipelines, &views)?,
+            test: TestPlan::new(gpu, &mut pipelines, &views)?,
+            views: views
+                .into_iter()
+                .map(|spec| Judged {
+                    masks: Masks::new(gpu, &spec.name),
+                    spec,
+                    cuts: 0,
+                    forgets: false,
+                    eye: None,
+                    list: List::default(),
+                    inside: Vec::new(),
+                })
+                .collect(),
+            pipelines,
             begun: None,
+            tested: true,
+            submitted: Submitted::default(),
+            of: None,
             frame: 0,
-        };
-        judge.first = Some(judge.first_plan()?);
-        judge.test = Some(judge.test_plan()?);
-        Ok(judge)
+        })
     }
 
     /// Gives a view's depth another size, from the next test on. Nothing that is known is lost.
@@ -203,10 +232,7 @@ impl Judge {
     pub fn resize(&mut self, view: usize, size: [u32; 2]) -> Result<(), JudgeError> {
         let views = self.views.len();
         let Some(judged) = self.views.get_mut(view) else {
-            return Err(JudgeError::View {
-                view: view.to_string(),
-                why: format!("there are {views} views, numbered from 0"),
-            });
+            return Err(no_view(view, views));
         };
         let resized = JudgeView {
             size,
@@ -222,7 +248,8 @@ impl Judge {
         self.views.iter().map(|view| &view.spec)
     }
 
-    /// Begins a frame: brings the instances' changes onto the device, and finds what is drawn first. `eyes` are those of the views, in order.
+    /// Begins a frame: brings the instances' changes onto the device, and finds what is drawn first. `eyes` are those of the views, in order. Submit encoders in the order in which they were
+    /// recorded. One that is dropped unsubmitted is noticed: its changes come again, and its answers do not count.
     ///
     /// # Errors
     /// [`JudgeError::View`] for an eye without an image; [`JudgeError::Order`] where the eyes are not one a view; [`JudgeError::Frame`]. The encoder must then be
@@ -233,6 +260,7 @@ impl Judge {
         eyes: &[Eye],
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<JudgeReport, JudgeError> {
+        self.begun = None;
         if eyes.len() != self.views.len() {
             return Err(JudgeError::Order(
                 "as many eyes as views must be given, in order",
@@ -246,30 +274,31 @@ impl Judge {
                 });
             }
         }
+        let others = self.of.replace(instances.number()) != Some(instances.number());
+        let late = self.options.phases == Phases::Late;
+        // A frame late, what the frame before has drawn must have been tested: the last test is about another one.
+        let unknown =
+            self.submitted.take_lost() || late && !std::mem::replace(&mut self.tested, false);
         let records = instances.upload(encoder);
         let count = instances.slots();
         let mut grown = false;
-        let late = match self.options.phases {
-            Phases::Two => 0,
-            Phases::Late => FRAME_LATE,
-        };
-        let mut frames = Vec::with_capacity(eyes.len());
+        let mut begun = Vec::with_capacity(eyes.len());
         for (eye, view) in eyes.iter().zip(&mut self.views) {
             grown |= view.masks.reserve(&self.gpu, count, encoder);
-            view.cuts += u64::from(eye.cut);
+            view.cuts += u64::from(eye.cut || others);
+            view.forgets |= eye.cut || others || unknown;
             view.eye = Some(*eye);
-            let forget = if eye.cut { FORGET } else { 0 };
-            let JudgeView { size, depth, .. } = view.spec;
-            frames.push(GpuJudgedView::new(eye, size, depth, count, late | forget));
+            view.masks.clear(Chosen::Rest, encoder);
+            if others {
+                view.masks.clear(Chosen::First, encoder);
+            }
+            let flags = if late { FRAME_LATE } else { 0 };
+            let flags = flags | if view.forgets { FORGET } else { 0 };
+            begun.push(BegunView { eye: *eye, flags });
         }
-        if self.first.is_none() {
-            self.first = Some(self.first_plan()?);
-        }
-        let Some(FirstPlan { plan, views }) = &mut self.first else {
-            return Err(UNBUILT);
-        };
-        for ((nodes, view), frame) in views.iter().zip(&self.views).zip(&frames) {
-            plan.set(nodes.imports.view, *frame)?;
+        let FirstPlan { plan, views } = &mut self.first;
+        for ((nodes, view), begun) in views.iter().zip(&self.views).zip(&begun) {
+            plan.set(nodes.imports.view, begun.frame(&view.spec, count))?;
             plan.bind_buffer(nodes.imports.instances, &records)?;
             plan.bind_buffer(nodes.imports.states, view.masks.states())?;
             plan.bind_buffer(nodes.first, view.masks.of(Chosen::First))?;
@@ -279,19 +308,19 @@ impl Judge {
             instances: records,
             count,
             epoch: instances.epoch(),
-            eyes: frames,
+            views: begun,
         });
         let frame = self.frame;
         self.frame += 1;
         Ok(JudgeReport {
             frame,
-            rebuilt: false,
             grown,
+            ..JudgeReport::default()
         })
     }
 
     /// Tests all instances of the frame that was begun, against the depths of the views, in order: in two phases those of what was drawn first, a frame late the
-    /// finished ones. A frame may go without.
+    /// finished ones. In two phases a frame without a test lacks what the test would have found; a frame late, the next frame then draws everything in the view.
     ///
     /// # Errors
     /// [`JudgeError::Depth`] for a depth that is not what its view says; [`JudgeError::Order`] where no frame was begun, or the depths are not one a view;
@@ -314,24 +343,20 @@ impl Judge {
             } = &view.spec;
             host.check(name, *size, depth)?;
         }
+        let rebuilt = self.prepare_test()?;
         let Some(begun) = self.begun.take() else {
             return Err(JudgeError::Order(
                 "a test belongs to a frame: call `Judge::begin` first, once a test",
             ));
         };
-        let rebuilt = self.prepare_test()?;
-        let Some(TestPlan {
-            plan, views, list, ..
-        }) = &mut self.test
-        else {
-            return Err(UNBUILT);
-        };
+        let TestPlan { plan, views, .. } = &mut self.test;
         for (((nodes, view), frame), depth) in
-            views.iter().zip(&self.views).zip(&begun.eyes).zip(depths)
+            views.iter().zip(&self.views).zip(&begun.views).zip(depths)
         {
-            plan.set(nodes.imports.view, *frame)?;
+            plan.set(nodes.imports.view, frame.frame(&view.spec, begun.count))?;
             plan.bind_buffer(nodes.imports.instances, &begun.instances)?;
             plan.bind_buffer(nodes.imports.states, view.masks.states())?;
+            plan.bind_buffer(nodes.first, view.masks.of(Chosen::First))?;
             plan.bind_buffer(nodes.rest, view.masks.of(Chosen::Rest))?;
             plan.bind_buffer(nodes.hidden, view.masks.hidden())?;
             let aspect = depth.create_view(&wgpu::TextureViewDescriptor {
@@ -339,66 +364,82 @@ impl Judge {
                 ..Default::default()
             });
             plan.bind_texture(nodes.depth, &aspect, depth)?;
-            if let Some(nodes) = nodes.list {
-                let asked = Asked {
-                    epoch: begun.epoch,
-                    cuts: view.cuts,
-                    bytes: list.unwrap_or(0).min(masks::bytes(begun.count)),
-                };
-                plan.set(nodes.asked, asked)?;
-            }
         }
         plan.record(&self.gpu.device, &self.gpu.queue, encoder)?;
+        let frame = self.frame.saturating_sub(1);
+        let mut not_read_back = 0;
+        for view in &mut self.views {
+            view.forgets = false;
+            if self.options.list {
+                let asked = Asked {
+                    frame,
+                    epoch: begun.epoch,
+                    cuts: view.cuts,
+                    bytes: masks::bytes(begun.count),
+                };
+                let mask = view.masks.hidden();
+                let read = view.list.ask(&self.gpu, mask, asked, encoder);
+                not_read_back += u32::from(!read);
+            }
+        }
+        self.tested = true;
+        self.submitted.note(encoder);
         Ok(JudgeReport {
-            frame: self.frame.saturating_sub(1),
+            frame,
             rebuilt,
-            grown: false,
+            not_read_back,
+            ..JudgeReport::default()
         })
     }
 
-    /// A mask of a view: bit `index % 32` of word `index / 32` is the instance of that index. Instances that are near, new or exempt have theirs set. `None` for a view that does not
-    /// exist. After [`JudgeReport::grown`] it is another buffer.
+    /// A mask of a view: bit `index % 32` of word `index / 32` is the instance of that index. Instances that are near to the eye, new or never tested are in one of the two, and those that hide
+    /// nothing in the second. `None` for a view that does not exist. After [`JudgeReport::grown`] it is another buffer.
     pub fn mask(&self, view: usize, chosen: Chosen) -> Option<&wgpu::Buffer> {
         Some(self.views.get(view)?.masks.of(chosen))
     }
 
-    /// Writes a verdict an instance, by index, for the eye of the last frame that was begun: the newest answers that have arrived, with what has come, moved out of the view or
-    /// near to the eye since. Never waits; before the first answer everything in the view is drawn. For hosts that draw from lists of their own.
+    /// Writes a verdict an instance, by index, for the eye of the last frame that was begun: the newest answers that have arrived, with what has come, come into the view or come
+    /// near to the eye since. Never waits; before the first answer everything in the view is drawn. Returns the frame that the answers are about. For hosts that draw from lists of their own; it looks at each instance.
     ///
     /// # Errors
-    /// [`JudgeError::Order`] without [`JudgeOptions::list`], for a view that does not exist or that has not begun a frame.
+    /// [`JudgeError::View`] for a view that does not exist; [`JudgeError::Order`] without [`JudgeOptions::list`], before the first frame, and for instances on the GPU alone.
     pub fn verdicts(
         &mut self,
         view: usize,
         instances: &mut Instances,
         verdicts: &mut Verdicts,
-    ) -> Result<(), JudgeError> {
-        let missing = JudgeError::Order(
-            "there are no verdicts: set `JudgeOptions::list`, name a view that exists, and begin a frame",
-        );
-        let Some(TestPlan { plan, views, .. }) = &self.test else {
-            return Err(missing);
+    ) -> Result<Option<u64>, JudgeError> {
+        let views = self.views.len();
+        let Some(judged) = self.views.get_mut(view) else {
+            return Err(no_view(view, views));
         };
-        let nodes = views.get(view).and_then(|nodes| nodes.list);
-        let (Some(nodes), Some(judged)) = (nodes, self.views.get_mut(view)) else {
-            return Err(missing);
-        };
+        if !self.options.list {
+            return Err(JudgeError::Order(
+                "verdicts of a judge that reads none back: set `JudgeOptions::list`",
+            ));
+        }
         let Some(eye) = judged.eye else {
-            return Err(missing);
+            return Err(JudgeError::Order(
+                "verdicts before the first frame: call `Judge::begin`",
+            ));
         };
-        let none = answers::Answers::default();
-        let answers = plan.get(nodes.answers).unwrap_or(&none);
+        if instances.world().is_none() {
+            return Err(JudgeError::Order(
+                "verdicts of instances that are on the GPU alone: use the masks",
+            ));
+        }
         let (range, cuts) = (judged.spec.depth.range, judged.cuts);
+        let answers = judged.list.newest();
         answers.judge(instances, &eye, range, cuts, &mut judged.inside, verdicts);
-        Ok(())
+        Ok(answers.frame())
     }
 
     /// Writes a host's indirect draws: of each draw's members, those that are chosen, in order.
     ///
     /// # Errors
-    /// [`JudgeError::Buffer`] for buffers that are too small or lack a usage, [`JudgeError::Order`] for a view that does not exist.
+    /// [`JudgeError::Buffer`] for buffers that are too small or lack a usage, [`JudgeError::View`] for a view that does not exist.
     pub fn write_draws(
-        &mut self,
+        &self,
         view: usize,
         chosen: Chosen,
         draws: &JudgeDraws,
@@ -406,84 +447,73 @@ impl Judge {
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<(), JudgeError> {
         let Some(judged) = self.views.get(view) else {
-            return Err(JudgeError::Order("draws of a view that does not exist"));
+            return Err(no_view(view, self.views.len()));
         };
         draws.write(judged.masks.of(chosen), into, encoder)
     }
 
-    /// Bytes of device memory that this judge holds for its views, those of the instances aside.
+    /// Bytes of device memory that this judge holds for its views. [`Instances::memory`] has those of the instances.
     pub fn memory(&self) -> u64 {
-        let masks: u64 = self.views.iter().map(|view| view.masks.memory()).sum();
-        let plans = [
-            self.first.as_ref().map(|first| &first.plan),
-            self.test.as_ref().map(|test| &test.plan),
-        ];
-        let plans = plans.into_iter().flatten().map(Plan::describe_memory);
-        masks
-            + plans
-                .map(|memory| memory.textures + memory.buffers + memory.staging)
-                .sum::<u64>()
+        let views = self.views.iter();
+        let views = views.map(|view| view.masks.memory() + view.list.memory());
+        let plans = [&self.first.plan, &self.test.plan].map(Plan::describe_memory);
+        let plans = plans.map(|memory| memory.textures + memory.buffers + memory.staging);
+        views.sum::<u64>() + plans.iter().sum::<u64>()
     }
 
-    fn first_plan(&mut self) -> Result<FirstPlan, JudgeError> {
-        let mut graph = Graph::new("judge: first");
-        let count = self.views.len();
-        let views = self.views.iter().map(|view| {
-            let prefix = prefix(&view.spec, count);
-            passes::first(&mut graph, &self.gpu, &mut self.pipelines, &prefix)
-        });
-        let views = views.collect();
-        Ok(FirstPlan {
-            plan: compile(&self.gpu, graph)?,
-            views,
-        })
-    }
-
-    fn test_plan(&mut self) -> Result<TestPlan, JudgeError> {
-        let mut graph = Graph::new("judge: test");
-        let count = self.views.len();
-        let list = self.options.list.then(|| self.list_bytes());
-        let views = self.views.iter().map(|view| {
-            let prefix = prefix(&view.spec, count);
-            let JudgeView { size, depth, .. } = view.spec;
-            let desc = TestDesc { depth, size, list };
-            passes::test(&mut graph, &self.gpu, &mut self.pipelines, &prefix, desc)
-        });
-        let views = views.collect();
-        Ok(TestPlan {
-            plan: compile(&self.gpu, graph)?,
-            views,
-            sizes: self.views.iter().map(|view| view.spec.size).collect(),
-            list,
-        })
-    }
-
-    /// Makes the plan that tests fit the sizes of the views and, for a list, the number of instances. Returns whether it was compiled anew.
+    /// Makes the plan that tests fit the sizes of the views. Returns whether it was compiled anew.
     fn prepare_test(&mut self) -> Result<bool, JudgeError> {
-        let list = self.options.list.then(|| self.list_bytes());
-        let mut sizes = self.views.iter().map(|view| &view.spec.size);
-        let fits = |test: &TestPlan| test.list == list && test.sizes.iter().eq(sizes.by_ref());
-        if self.test.as_ref().is_some_and(fits) {
+        let sizes = self.views.iter().map(|view| &view.spec.size);
+        if sizes.eq(&self.test.sizes) {
             return Ok(false);
         }
-        let mut next = self.test_plan()?;
-        if let Some(before) = &mut self.test {
-            // Answers that have arrived stay.
-            next.plan.inherit(&mut before.plan);
-        }
-        self.test = Some(next);
+        let specs = self.views.iter().map(|view| view.spec.clone());
+        let specs: Vec<JudgeView> = specs.collect();
+        self.test = TestPlan::new(&self.gpu, &mut self.pipelines, &specs)?;
         Ok(true)
-    }
-
-    /// Bytes of a mask that has room for all instances.
-    fn list_bytes(&self) -> u64 {
-        let sizes = self.views.iter().map(|view| view.masks.hidden().size());
-        sizes.max().unwrap_or(4)
     }
 }
 
-const UNBUILT: JudgeError = JudgeError::Order("the plans are not built");
+impl FirstPlan {
+    fn new(gpu: &Gpu, pipelines: &mut Pipelines, specs: &[JudgeView]) -> Result<Self, JudgeError> {
+        let mut graph = Graph::new("judge: first");
+        let views = specs.iter().map(|spec| {
+            let prefix = prefix(spec, specs.len());
+            passes::first(&mut graph, gpu, pipelines, &prefix)
+        });
+        let views = views.collect();
+        let plan = graph.compile(&CompileOptions::embedded(&gpu.device))?;
+        Ok(Self { plan, views })
+    }
+}
 
-fn compile(gpu: &Gpu, graph: Graph) -> Result<Plan, JudgeError> {
-    Ok(graph.compile(&CompileOptions::embedded(&gpu.device))?)
+impl TestPlan {
+    fn new(gpu: &Gpu, pipelines: &mut Pipelines, specs: &[JudgeView]) -> Result<Self, JudgeError> {
+        let mut graph = Graph::new("judge: test");
+        let views = specs.iter().map(|spec| {
+            let prefix = prefix(spec, specs.len());
+            let JudgeView { size, depth, .. } = *spec;
+            let desc = TestDesc { depth, size };
+            passes::test(&mut graph, gpu, pipelines, &prefix, desc)
+        });
+        Ok(Self {
+            views: views.collect(),
+            plan: graph.compile(&CompileOptions::embedded(&gpu.device))?,
+            sizes: specs.iter().map(|spec| spec.size).collect(),
+        })
+    }
+}
+
+impl BegunView {
+    /// What the device knows of it. The size is that of the depth at hand: it may change between the two calls of a frame.
+    fn frame(&self, spec: &JudgeView, count: u32) -> GpuJudgedView {
+        GpuJudgedView::new(&self.eye, spec.size, spec.depth, count, self.flags)
+    }
+}
+
+fn no_view(view: usize, views: usize) -> JudgeError {
+    JudgeError::View {
+        view: view.to_string(),
+        why: format!("there are {views} views, numbered from 0"),
+    }
 }

@@ -9,6 +9,8 @@
 @group(0) @binding(4) var<storage, read_write> hidden: array<u32>;
 @group(0) @binding(5) var<storage, read> pyramid: Pyramid;
 @group(0) @binding(6) var<storage, read> texels: array<f32>;
+// What was drawn before the test. It is read and not found again: instances may have changed since.
+@group(0) @binding(8) var<storage, read> first: array<u32>;
 
 var<workgroup> rest_bits: array<atomic<u32>, 2>;
 var<workgroup> hidden_bits: array<atomic<u32>, 2>;
@@ -37,6 +39,9 @@ fn shows(place: RelativeBox) -> bool {
         nearest = max(nearest, view.towards * seen.z);
         least_w = min(least_w, clip.w);
     }
+    if !(least_w > 0.0) {
+        return true;
+    }
     // The rounding errors of the clip coordinates, as parts of w.
     let error = ROUNDING / least_w * vec4<f32>(
         dot(abs(rows[0].xyz), place.reach) + abs(rows[0].w),
@@ -48,11 +53,17 @@ fn shows(place: RelativeBox) -> bool {
     let margin = error.xy + max(abs(low), abs(high)) * error.w;
     let one = (low - margin) * scale;
     let other = (high + margin) * scale;
+    let upper = min(one, other);
+    let lower = max(one, other);
+    // What is not a number, or too large for one, shows.
+    if !all(upper <= lower) || !all(max(abs(upper), abs(lower)) < vec2<f32>(3e38)) {
+        return true;
+    }
     let middle = vec2<f32>(0.5 * view.pixels_wide, 0.5 * view.pixels_high);
     let last = vec2<f32>(view.pixels_wide, view.pixels_high) - 1.0;
-    // The pixels that the box touches: wherever samples lie in a pixel, those that it covers are in these. A number that is no number ends as 0 or as the last pixel.
-    let least = vec2<u32>(clamp(floor(middle + min(one, other) - SNAPPING), vec2<f32>(0.0), last));
-    let greatest = vec2<u32>(clamp(floor(middle + max(one, other) + SNAPPING), vec2<f32>(0.0), last));
+    // The pixels that the box touches: wherever samples lie in a pixel, those that it covers are in these.
+    let least = vec2<u32>(clamp(floor(middle + upper - SNAPPING), vec2<f32>(0.0), last));
+    let greatest = vec2<u32>(clamp(floor(middle + lower + SNAPPING), vec2<f32>(0.0), last));
     return any_behind(nearest, least, greatest);
 }
 
@@ -112,7 +123,8 @@ fn test(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups
         }
         states[index] = found | (instance.traits & ~255u);
         let more_to_come = (view.flags & FRAME_LATE) == 0u;
-        if more_to_come && found >= VISIBLE && !drawn_first(instance, known) {
+        let is_drawn = (first[index / 32u] & bit) != 0u;
+        if more_to_come && found >= VISIBLE && !is_drawn {
             atomicOr(&rest_bits[lane / 32u], bit);
         }
         if found == HIDDEN {

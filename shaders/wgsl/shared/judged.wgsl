@@ -83,11 +83,14 @@ fn clip_row(number: u32) -> vec4<f32> {
     return vec4<f32>(m[0][number], m[1][number], m[2][number], m[3][number]);
 }
 
-// The least and the greatest value of a linear function of the place over a box, with the rounding error.
-fn span(row: vec4<f32>, place: RelativeBox) -> vec2<f32> {
-    let middle = dot(row.xyz, place.centre) + row.w;
-    let half = abs(dot(row.xyz, place.x)) + abs(dot(row.xyz, place.y)) + abs(dot(row.xyz, place.z));
-    let error = ROUNDING * (dot(abs(row.xyz), place.reach) + abs(row.w));
+// The least and the greatest value over a box of `row + sign * other`, two linear functions of the place, with the rounding error that each of them has by itself: what the sum cancels, a
+// host has rounded before.
+fn span(row: vec4<f32>, other: vec4<f32>, sign: f32, place: RelativeBox) -> vec2<f32> {
+    let both = row + sign * other;
+    let middle = dot(both.xyz, place.centre) + both.w;
+    let half = abs(dot(both.xyz, place.x)) + abs(dot(both.xyz, place.y)) + abs(dot(both.xyz, place.z));
+    let terms = abs(row) + abs(other);
+    let error = ROUNDING * (dot(terms.xyz, place.reach) + terms.w);
     return vec2<f32>(middle - half - error, middle + half + error);
 }
 
@@ -101,19 +104,19 @@ fn place_of(place: RelativeBox) -> u32 {
     let y = clip_row(1u);
     let z = clip_row(2u);
     let w = clip_row(3u);
-    let from_left = span(w + x, place);
-    let from_right = span(w - x, place);
-    let from_bottom = span(w + y, place);
-    let from_top = span(w - y, place);
-    let upwards = span(z, place);
-    let downwards = span(w - z, place);
+    let from_left = span(w, x, 1.0, place);
+    let from_right = span(w, x, -1.0, place);
+    let from_bottom = span(w, y, 1.0, place);
+    let from_top = span(w, y, -1.0, place);
+    let upwards = span(z, z, 0.0, place);
+    let downwards = span(w, z, -1.0, place);
     let most = min(min(min(from_left.y, from_right.y), min(from_bottom.y, from_top.y)), min(upwards.y, downwards.y));
     // Written so that what is not a number counts as across.
     if most < 0.0 {
         return BEYOND;
     }
     let from_near = select(upwards.x, downwards.x, view.towards > 0.0);
-    let before_eye = span(w, place).x;
+    let before_eye = span(w, w, 0.0, place).x;
     if from_near > 0.0 && before_eye > 0.0 {
         return WITHIN;
     }
@@ -140,12 +143,4 @@ fn knowledge(instance: JudgedInstance, at: u32, state: u32) -> u32 {
         return select(HIDDEN, NEW, (view.flags & FRAME_LATE) != 0u);
     }
     return min(before, VISIBLE);
-}
-
-// Whether an instance is drawn before this frame's test. What hides nothing can wait for the test.
-fn drawn_first(instance: JudgedInstance, known: u32) -> bool {
-    if (view.flags & FRAME_LATE) != 0u {
-        return known >= VISIBLE;
-    }
-    return known >= VISIBLE && (instance.traits & HIDES) != 0u;
 }

@@ -9,6 +9,7 @@ use crate::verdict::{Verdict, Verdicts};
 /// When a test was made: travels with its answers.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Asked {
+    pub frame: u64,
     pub epoch: u64,
     pub cuts: u64,
     /// Bytes of the mask.
@@ -30,6 +31,16 @@ impl Answers {
         let words = bytes.chunks_exact(4);
         self.hidden
             .extend(words.map(|word| u32::from_le_bytes(word.try_into().unwrap_or_default())));
+    }
+
+    /// Whether an answer is newer than these.
+    pub fn is_older_than(&self, asked: &Asked) -> bool {
+        self.asked.is_none_or(|own| own.frame < asked.frame)
+    }
+
+    /// The frame that they are about.
+    pub fn frame(&self) -> Option<u64> {
+        Some(self.asked?.frame)
     }
 
     fn is_hidden(&self, index: u32) -> bool {

@@ -55,6 +55,8 @@ pub struct JudgeDraws {
     kind: DrawKind,
     count: u32,
     members: u32,
+    /// Members of the largest draw.
+    largest: u32,
     few: ComputePipeline,
     many: ComputePipeline,
     settings: wgpu::Buffer,
@@ -88,27 +90,54 @@ assert_layout!(GpuDrawSettings, "judge_draws", "Settings", { count, words, paddi
 
 impl JudgeDraws {
     /// Uploads templates.
-    pub fn new(gpu: &Gpu, kind: DrawKind, templates: &[DrawTemplate]) -> Self {
+    ///
+    /// # Errors
+    /// [`JudgeError::Buffer`] where they do not fit the device's buffers, [`JudgeError::Order`] for several on a device without [`wgpu::Features::INDIRECT_FIRST_INSTANCE`]: all but the first
+    /// would draw nothing.
+    pub fn new(gpu: &Gpu, kind: DrawKind, templates: &[DrawTemplate]) -> Result<Self, JudgeError> {
         let job = &jobs::judge_draws::JOB;
         let mut made = Self {
             gpu: gpu.clone(),
             kind,
             count: 0,
             members: 0,
+            largest: 0,
             few: ComputePipeline::new(gpu, job, "few"),
             many: ComputePipeline::new(gpu, job, "many"),
             settings: upload(gpu, "draw settings", &[]),
             templates: upload(gpu, "draw templates", &[]),
             indices: upload(gpu, "members of draws", &[]),
         };
-        made.set(templates);
-        made
+        made.set(templates)?;
+        Ok(made)
     }
 
     /// Takes other templates, when an index has got an instance of another mesh. What encoders have recorded so far keeps the ones before. A member that is removed need not be taken
     /// out: its bit is not set.
-    pub fn set(&mut self, templates: &[DrawTemplate]) {
-        let mut indices = Vec::new();
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn set(&mut self, templates: &[DrawTemplate]) -> Result<(), JudgeError> {
+        let device = &self.gpu.device;
+        let needs = wgpu::Features::INDIRECT_FIRST_INSTANCE;
+        if templates.len() > 1 && !device.features().contains(needs) {
+            return Err(JudgeError::Order(
+                "several draws begin at other instances than the first, and the device lacks INDIRECT_FIRST_INSTANCE: enable the feature, or give each draw a `JudgeDraws` of its own",
+            ));
+        }
+        let members = templates.iter().map(|template| template.members.len());
+        let [members, largest] = [members.clone().sum(), members.max().unwrap_or(0)];
+        let bytes = (members as u64 * 4).max(templates.len() as u64 * TEMPLATE_BYTES);
+        let most = device.limits().max_storage_buffer_binding_size;
+        if bytes > most.min(u64::from(u32::MAX)) {
+            return Err(JudgeError::Buffer {
+                buffer: "draw templates",
+                why: format!(
+                    "would need {bytes} bytes, and this device binds {most} at most: split the draws"
+                ),
+            });
+        }
+        let mut indices = Vec::with_capacity(members);
         let on_gpu: Vec<GpuTemplate> = templates
             .iter()
             .map(|template| {
@@ -129,11 +158,13 @@ impl JudgeDraws {
             padding_a: 0,
             padding_b: 0,
         };
-        (self.count, self.members) = (settings.count, indices.len() as u32);
+        self.count = settings.count;
+        (self.members, self.largest) = (members as u32, largest as u32);
         let gpu = &self.gpu;
         self.settings = upload(gpu, "draw settings", bytemuck::bytes_of(&settings));
         self.templates = upload(gpu, "draw templates", bytemuck::cast_slice(&on_gpu));
         self.indices = upload(gpu, "members of draws", bytemuck::cast_slice(&indices));
+        Ok(())
     }
 
     /// Number of draws.
@@ -157,14 +188,23 @@ impl JudgeDraws {
         into: DrawBuffers<'_>,
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<(), JudgeError> {
-        check("draws", into.draws, self.draw_bytes())?;
-        check("kept", into.kept, self.kept_bytes())?;
+        let most = self.gpu.device.limits().max_storage_buffer_binding_size;
+        let storage = wgpu::BufferUsages::STORAGE;
+        let indirect = storage | wgpu::BufferUsages::INDIRECT;
+        check("draws", into.draws, self.draw_bytes()..=most, indirect)?;
+        check("kept", into.kept, self.kept_bytes()..=most, storage)?;
+        if into.draws == into.kept {
+            return Err(JudgeError::Buffer {
+                buffer: "kept",
+                why: "is that of the draws: give two".to_owned(),
+            });
+        }
         if self.count == 0 {
             return Ok(());
         }
-        // A thread a draw, or a workgroup.
-        let (pipeline, groups) = match self.members / self.count {
-            0..16 => (&self.few, self.count.div_ceil(64)),
+        // A thread a draw, or, where one has many members, a workgroup.
+        let (pipeline, groups) = match self.largest {
+            0..64 => (&self.few, self.count.div_ceil(64)),
             _ => (&self.many, self.count),
         };
         let group = pipeline.group(
@@ -187,17 +227,34 @@ impl JudgeDraws {
     }
 }
 
-/// Refuses a buffer of the host's that is too small, or that no compute pass may write.
-fn check(name: &'static str, buffer: &wgpu::Buffer, bytes: u64) -> Result<(), JudgeError> {
+/// Bytes of a template on the device.
+const TEMPLATE_BYTES: u64 = size_of::<GpuTemplate>() as u64;
+
+/// Refuses a buffer of the host's that is too small, too large to be bound, or that lacks a usage.
+fn check(
+    name: &'static str,
+    buffer: &wgpu::Buffer,
+    bytes: std::ops::RangeInclusive<u64>,
+    usages: wgpu::BufferUsages,
+) -> Result<(), JudgeError> {
     let fault = |why: String| Err(JudgeError::Buffer { buffer: name, why });
-    if buffer.size() < bytes {
+    if buffer.size() < *bytes.start() {
         return fault(format!(
-            "has {} bytes, and {bytes} are written: make it larger",
-            buffer.size()
+            "has {} bytes, and {} are written: make it larger",
+            buffer.size(),
+            bytes.start()
         ));
     }
-    if !buffer.usage().contains(wgpu::BufferUsages::STORAGE) {
-        return fault("lacks the usage STORAGE: create it with it".to_owned());
+    if buffer.size() > *bytes.end() {
+        return fault(format!(
+            "has {} bytes, and this device binds {} at most: ask the device for more, or split the draws",
+            buffer.size(),
+            bytes.end()
+        ));
+    }
+    let missing = usages - buffer.usage();
+    if !missing.is_empty() {
+        return fault(format!("lacks the usage {missing:?}: create it with it"));
     }
     Ok(())
 }

@@ -7,6 +7,7 @@ use super::error::JudgeError;
 use super::record::{JudgedInstance, Part};
 use super::upload::Uploader;
 use crate::device::Gpu;
+use crate::stage_scene::next_scene_number;
 
 /// Names an instance. Its index is stable while the instance exists, below [`Instances::slots`], and used again later by another one with another generation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -38,10 +39,21 @@ pub struct InstanceDesc {
     pub part: Part,
 }
 
+/// An instance's new place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Moved {
+    /// The instance.
+    pub id: InstanceId,
+    /// From its own space to the world.
+    pub at: DAffine3,
+}
+
 /// The instances that a [`Judge`](super::Judge) judges. Several judges may share them.
 #[derive(Debug)]
 pub struct Instances {
     gpu: Gpu,
+    /// No other set of this process has it.
+    number: u64,
     source: Source,
     /// Increases with each change that has reached the device.
     epoch: u64,
@@ -82,6 +94,8 @@ struct Owner {
     part: Part,
     /// Whether it is among the changed.
     is_changed: bool,
+    /// Whether it is among those whose bounds in the world are stale.
+    is_stale: bool,
 }
 
 /// Bounds in the world.
@@ -97,6 +111,7 @@ impl Instances {
     pub fn new(gpu: &Gpu) -> Self {
         Self {
             gpu: gpu.clone(),
+            number: next_scene_number(),
             source: Source::Ours(Box::new(Kept {
                 records: Vec::new(),
                 owners: Vec::new(),
@@ -132,8 +147,16 @@ impl Instances {
         if !buffer.usage().contains(wgpu::BufferUsages::STORAGE) {
             return fault("lacks the usage STORAGE: create it with it".to_owned());
         }
+        let most = gpu.device.limits().max_storage_buffer_binding_size;
+        if buffer.size() > most {
+            return fault(format!(
+                "has {} bytes, and this device binds {most} at most: ask the device for more, or split it",
+                buffer.size()
+            ));
+        }
         Ok(Self {
             gpu: gpu.clone(),
+            number: next_scene_number(),
             source: Source::Theirs { buffer, count },
             epoch: 0,
         })
@@ -200,10 +223,7 @@ impl Instances {
             why: why.to_owned(),
         };
         for (desc, number) in new.iter().zip(0u32..) {
-            if desc.bounds.is_empty() || !desc.bounds.is_finite() {
-                let why = "its bounds are empty or not finite: give two corners of a box";
-                return Err(fault(number, why));
-            }
+            check_bounds(&desc.bounds).map_err(|why| fault(number, why))?;
             record(&desc.bounds, &desc.at, desc.part, 0).map_err(|why| fault(number, why))?;
         }
         kept.records.reserve(fresh);
@@ -216,26 +236,52 @@ impl Instances {
     /// # Errors
     /// [`JudgeError::Unknown`], and [`JudgeError::Instance`] for a transform that is not finite or too large for f32.
     pub fn move_to(&mut self, id: InstanceId, at: DAffine3) -> Result<(), JudgeError> {
-        self.move_all(&[(id, at)])
+        self.move_all(&[Moved { id, at }])
     }
 
     /// Moves several; all or, on an error, none.
     ///
     /// # Errors
     /// As [`Self::move_to`], and [`JudgeError::Twice`].
-    pub fn move_all(&mut self, moved: &[(InstanceId, DAffine3)]) -> Result<(), JudgeError> {
+    pub fn move_all(&mut self, moved: &[Moved]) -> Result<(), JudgeError> {
         let kept = self.kept_mut()?;
-        kept.check_ids(moved.iter().map(|(id, _)| *id))?;
+        kept.check_ids(moved.iter().map(|moved| moved.id))?;
         let mut records = std::mem::take(&mut kept.moved);
         records.clear();
         let outcome = kept.place_all(moved, &mut records);
         if outcome.is_ok() {
-            for ((id, _), record) in moved.iter().zip(&records) {
-                kept.put(*id, *record);
+            for (moved, record) in moved.iter().zip(&records) {
+                kept.put(moved.id, *record);
             }
         }
         kept.moved = records;
         outcome
+    }
+
+    /// Gives an instance other bounds, in its own space, and a place: one that grows or bends. What is known of it is kept.
+    ///
+    /// # Errors
+    /// [`JudgeError::Unknown`], and [`JudgeError::Instance`] as for [`Self::insert`].
+    pub fn set_bounds(
+        &mut self,
+        id: InstanceId,
+        bounds: Aabb,
+        at: DAffine3,
+    ) -> Result<(), JudgeError> {
+        let kept = self.kept_mut()?;
+        kept.check_ids([id].into_iter())?;
+        let Some(owner) = kept.owners.get_mut(id.index as usize) else {
+            return Ok(());
+        };
+        let fault = |why: &str| JudgeError::Instance {
+            index: id.index,
+            why: why.to_owned(),
+        };
+        check_bounds(&bounds).map_err(fault)?;
+        let record = record(&bounds, &at, owner.part, id.generation).map_err(fault)?;
+        owner.local = bounds;
+        kept.put(id, record);
+        Ok(())
     }
 
     /// Gives an instance another part in tests.
@@ -311,6 +357,16 @@ impl Instances {
         }
     }
 
+    /// Bytes of device memory that the records take, with what moves them there; 0 for a buffer of the host's.
+    pub fn memory(&self) -> u64 {
+        self.kept().map_or(0, |kept| kept.uploader.memory())
+    }
+
+    /// Tells sets apart.
+    pub(super) fn number(&self) -> u64 {
+        self.number
+    }
+
     /// Increases with each change that has reached the device.
     pub(super) fn epoch(&self) -> u64 {
         self.epoch
@@ -325,9 +381,14 @@ impl Instances {
             stale: all.collect(),
         });
         for index in world.stale.drain(..) {
-            let Some(record) = kept.records.get(index as usize) else {
+            let (record, owner) = (
+                kept.records.get(index as usize),
+                kept.owners.get_mut(index as usize),
+            );
+            let (Some(record), Some(owner)) = (record, owner) else {
                 continue;
             };
+            owner.is_stale = false;
             while world.boxes.len() <= index as usize {
                 world.boxes.push(Aabb::EMPTY);
             }
@@ -379,6 +440,14 @@ fn most_instances(gpu: &Gpu) -> u64 {
         / BYTES
 }
 
+/// Refuses boxes without a place.
+fn check_bounds(bounds: &Aabb) -> Result<(), &'static str> {
+    match bounds.is_empty() || !bounds.is_finite() {
+        true => Err("its bounds are empty or not finite: give two corners of a box"),
+        false => Ok(()),
+    }
+}
+
 /// The record of a box after a transform; the error says why it has no place.
 fn record(
     bounds: &Aabb,
@@ -404,6 +473,7 @@ impl Kept {
             added: epoch,
             part: desc.part,
             is_changed: false,
+            is_stale: false,
         };
         let index = match self.free.pop() {
             Some(index) => {
@@ -424,7 +494,7 @@ impl Kept {
         };
         let before = self.records.get(index as usize);
         let before = before.map_or(0, |record| record.traits >> 8);
-        // Not 0: what the device remembers of an index without an owner is 0.
+        // 0 stands for an index that never had an owner.
         let generation = match before + 1 {
             JudgedInstance::GENERATIONS => 1,
             next => next,
@@ -438,11 +508,12 @@ impl Kept {
     /// The records of instances after transforms.
     fn place_all(
         &self,
-        moved: &[(InstanceId, DAffine3)],
+        moved: &[Moved],
         records: &mut Vec<JudgedInstance>,
     ) -> Result<(), JudgeError> {
         records.reserve(moved.len());
-        for (InstanceId { index, generation }, at) in moved {
+        for Moved { id, at } in moved {
+            let InstanceId { index, generation } = id;
             let Some(owner) = self.owners.get(*index as usize) else {
                 continue;
             };
@@ -470,7 +541,9 @@ impl Kept {
         {
             self.changed.push(index);
         }
-        if let Some(world) = &mut self.world {
+        if let (Some(world), Some(owner)) = (&mut self.world, self.owners.get_mut(index as usize))
+            && !std::mem::replace(&mut owner.is_stale, true)
+        {
             world.stale.push(index);
         }
     }

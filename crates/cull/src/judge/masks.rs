@@ -61,6 +61,11 @@ impl Masks {
         true
     }
 
+    /// Empties a mask, by an encoder.
+    pub fn clear(&self, chosen: Chosen, encoder: &mut wgpu::CommandEncoder) {
+        encoder.clear_buffer(self.of(chosen), 0, None);
+    }
+
     pub fn states(&self) -> &wgpu::Buffer {
         &self.states
     }

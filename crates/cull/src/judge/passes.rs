@@ -3,7 +3,6 @@
 use antumbra_graph::{Bind, Buffer, BufferDesc, Graph, Host, Texture, TextureDesc};
 use antumbra_shaders::jobs;
 
-use super::answers::{Answers, Asked};
 use super::depth::HostDepth;
 use super::eye::GpuJudgedView;
 use super::pyramid::{PyramidNodes, depth_pyramid};
@@ -36,15 +35,7 @@ pub(super) struct TestNodes {
     pub depth: Texture,
     pub rest: Buffer,
     pub hidden: Buffer,
-    /// Where the answers are read back.
-    pub list: Option<ListNodes>,
-}
-
-/// The read-back of a view's answers.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct ListNodes {
-    pub asked: Host<Asked>,
-    pub answers: Host<Answers>,
+    pub first: Buffer,
 }
 
 /// What a node's name begins with: nothing for a single view.
@@ -110,8 +101,6 @@ pub(super) fn first(
 pub(super) struct TestDesc {
     pub depth: HostDepth,
     pub size: [u32; 2],
-    /// Bytes of the masks, where they are read back.
-    pub list: Option<u64>,
 }
 
 /// Declares the test of a view.
@@ -120,11 +109,7 @@ pub(super) fn test(
     gpu: &Gpu,
     pipelines: &mut Pipelines,
     prefix: &str,
-    TestDesc {
-        depth: host,
-        size,
-        list,
-    }: TestDesc,
+    TestDesc { depth: host, size }: TestDesc,
 ) -> TestNodes {
     let (imports, uniform) = imports(graph, prefix);
     let [width, height] = size;
@@ -132,9 +117,12 @@ pub(super) fn test(
     let depth = graph.import_texture(format!("{prefix}depth"), desc);
     let PyramidNodes { layout, texels } =
         depth_pyramid(graph, gpu, pipelines, prefix, (depth, host), size);
-    let mask = BufferDesc::new(list.unwrap_or(4));
-    let rest = graph.import_buffer(format!("{prefix}rest"), BufferDesc::new(4));
-    let hidden = graph.import_buffer(format!("{prefix}hidden"), mask);
+    let mask = |graph: &mut Graph, what: &str| {
+        graph.import_buffer(format!("{prefix}{what}"), BufferDesc::new(4))
+    };
+    let first = mask(graph, "first");
+    let rest = mask(graph, "rest");
+    let hidden = mask(graph, "hidden");
     let job = match host.samples {
         1 => &jobs::judge_one::JOB,
         _ => &jobs::judge_many::JOB,
@@ -147,6 +135,7 @@ pub(super) fn test(
         .storage_read(imports.instances)
         .storage_read(layout)
         .storage_read(texels)
+        .storage_read(first)
         .sample(depth);
     let states = node.storage_write(imports.states);
     let written = [rest, hidden].map(|mask| node.storage_write(mask));
@@ -162,37 +151,17 @@ pub(super) fn test(
             Bind::Buffer(5, layout),
             Bind::Buffer(6, texels),
             Bind::Texture(7, depth),
+            Bind::Buffer(8, first),
         ];
         pipeline.dispatch(ctx, &binds, groups)
     });
-    let [_, hidden_now] = written;
     TestNodes {
         imports,
         depth,
+        first,
         rest,
         hidden,
-        list: list.map(|_| read_list(graph, prefix, hidden_now)),
     }
-}
-
-/// Declares that a mask is read back, without waiting.
-fn read_list(graph: &mut Graph, prefix: &str, hidden: Buffer) -> ListNodes {
-    let asked = graph.import_host::<Asked>(format!("{prefix}asked"));
-    let answers = graph.host::<Answers>(format!("{prefix}answers"));
-    let mut node = graph.host_node(format!("{prefix}take answers"));
-    node.group(CULL);
-    let late = node.read_previous(hidden, asked);
-    node.bytes(move |host| host.get(asked).map_or(0, |asked| asked.bytes));
-    node.read(asked);
-    let answers = node.updates(answers);
-    node.run(move |ctx| {
-        if let Some(late) = ctx.late(late) {
-            ctx.get_mut(answers)?.take(late.tag, late.bytes);
-        }
-        Ok(())
-    });
-    graph.output(answers);
-    ListNodes { asked, answers }
 }
 
 /// The workgroups for all instances.

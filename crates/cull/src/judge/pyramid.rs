@@ -155,3 +155,34 @@ fn first_levels(depth: HostDepth) -> &'static Job {
         _ => &jobs::pyramid_many::JOB,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_level_has_its_place_and_the_last_is_one_texel() {
+        let sides = [
+            1, 2, 3, 4, 5, 7, 31, 32, 33, 100, 1080, 1280, 4095, 4096, 8191, 32_768,
+        ];
+        for (width, height) in sides.iter().flat_map(|w| sides.map(|h| (*w, h))) {
+            let made = GpuPyramid::new([width, height], HostDepth::default());
+            let count = made.count as usize;
+            let mut next = 0;
+            for (level, [first, wide, high, _]) in
+                (0u32..).zip(made.levels.iter().take(count).copied())
+            {
+                assert_eq!(
+                    [wide, high],
+                    [width, height].map(|side| side.div_ceil(1 << level))
+                );
+                if level >= FIRST_KEPT {
+                    assert_eq!(first, next, "{width} x {height}, level {level}");
+                    next += wide * high;
+                }
+            }
+            assert_eq!(u64::from(next), made.texels());
+            assert_eq!(made.levels[count - 1][1..3], [1, 1], "{width} x {height}");
+        }
+    }
+}

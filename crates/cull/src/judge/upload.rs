@@ -4,6 +4,7 @@
 use antumbra_shaders::jobs;
 
 use super::record::JudgedInstance;
+use super::submitted::Submitted;
 use crate::compute_pipeline::{ComputePipeline, rows_of};
 use crate::device::Gpu;
 
@@ -13,12 +14,14 @@ pub(super) struct Uploader {
     gpu: Gpu,
     buffer: wgpu::Buffer,
     belt: wgpu::util::StagingBelt,
+    pipeline: ComputePipeline,
     scatter: Option<Scatter>,
+    submitted: Submitted,
 }
 
+/// What a scatter is written to first.
 #[derive(Debug)]
 struct Scatter {
-    pipeline: ComputePipeline,
     places: wgpu::Buffer,
     moved: wgpu::Buffer,
     capacity: usize,
@@ -37,8 +40,17 @@ impl Uploader {
             gpu: gpu.clone(),
             buffer: make(gpu, "judged instances", BYTES),
             belt: wgpu::util::StagingBelt::new(gpu.device.clone(), BELT_CHUNK),
+            pipeline: ComputePipeline::new(gpu, &jobs::scatter_records::JOB, "scatter_records"),
             scatter: None,
+            submitted: Submitted::default(),
         }
+    }
+
+    /// Bytes of device memory.
+    pub fn memory(&self) -> u64 {
+        let scatter = self.scatter.iter();
+        let scatter = scatter.map(|scatter| scatter.places.size() + scatter.moved.size());
+        self.buffer.size() + scatter.sum::<u64>()
     }
 
     pub fn buffer(&self) -> &wgpu::Buffer {
@@ -52,6 +64,11 @@ impl Uploader {
         changed: &mut Vec<u32>,
         encoder: &mut wgpu::CommandEncoder,
     ) {
+        if self.submitted.take_lost() {
+            // What an encoder that was dropped would have written is not known any more.
+            changed.clear();
+            changed.extend(0..records.len() as u32);
+        }
         if changed.is_empty() {
             return;
         }
@@ -59,13 +76,17 @@ impl Uploader {
             changed.sort_unstable();
         }
         if self.buffer.size() < records.len() as u64 * BYTES {
-            // Some to spare, but not twice as much.
-            let capacity = (records.len() + records.len() / 8).next_multiple_of(64);
+            // As many as there are at first; later some to spare, but not twice as much.
+            let spare = match self.buffer.size() {
+                0..=BYTES => 0,
+                _ => records.len() / 8,
+            };
+            let capacity = (records.len() + spare) as u64;
             let limits = self.gpu.device.limits();
             let most = limits
                 .max_buffer_size
                 .min(limits.max_storage_buffer_binding_size);
-            let size = (capacity as u64 * BYTES).min(most / BYTES * BYTES);
+            let size = (capacity * BYTES).min(most / BYTES * BYTES);
             self.buffer = filled(&self.gpu, "judged instances", size, records);
             changed.clear();
             return;
@@ -84,6 +105,7 @@ impl Uploader {
         }
         changed.clear();
         self.belt.finish_and_recall_on_submit(&*encoder);
+        self.submitted.note(encoder);
     }
 
     fn scatter(
@@ -96,7 +118,7 @@ impl Uploader {
         let fits = |scatter: &Scatter| scatter.capacity >= changed.len();
         let scatter = match self.scatter.take().filter(fits) {
             Some(scatter) => scatter,
-            None => Scatter::new(gpu, changed.len().next_power_of_two()),
+            None => Scatter::new(gpu, changed.len().next_power_of_two().min(records.len())),
         };
         let mut places = Vec::with_capacity(changed.len() + 1);
         places.push(changed.len() as u32);
@@ -119,7 +141,7 @@ impl Uploader {
             0,
             bytemuck::cast_slice(&moved),
         );
-        let group = scatter
+        let group = self
             .pipeline
             .group(gpu, &[&scatter.places, &scatter.moved, &self.buffer]);
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
@@ -127,7 +149,7 @@ impl Uploader {
             timestamp_writes: None,
         });
         let groups = rows_of((changed.len() as u32).div_ceil(64));
-        scatter.pipeline.dispatch_in(&mut pass, &group, groups);
+        self.pipeline.dispatch_in(&mut pass, &group, groups);
         drop(pass);
         self.scatter = Some(scatter);
     }
@@ -136,7 +158,6 @@ impl Uploader {
 impl Scatter {
     fn new(gpu: &Gpu, capacity: usize) -> Self {
         Self {
-            pipeline: ComputePipeline::new(gpu, &jobs::scatter_records::JOB, "scatter_records"),
             places: make(gpu, "indices of moved instances", capacity as u64 * 4 + 4),
             moved: make(gpu, "moved instances", capacity as u64 * BYTES),
             capacity,
@@ -176,9 +197,12 @@ fn write(
     at: u64,
     bytes: &[u8],
 ) {
-    if let Some(length) = wgpu::BufferSize::new(bytes.len() as u64) {
-        belt.write_buffer(encoder, buffer, at, length)
-            .copy_from_slice(bytes);
+    // In pieces: the belt keeps a chunk for the largest write that there ever was.
+    for (piece, number) in bytes.chunks(BELT_CHUNK as usize).zip(0u64..) {
+        if let Some(length) = wgpu::BufferSize::new(piece.len() as u64) {
+            belt.write_buffer(encoder, buffer, at + number * BELT_CHUNK, length)
+                .copy_from_slice(piece);
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::depth::HostDepth;
 use super::error::JudgeError;
+use super::pyramid::GpuPyramid;
 use crate::device::Gpu;
 
 /// A view of a [`Judge`](super::Judge).
@@ -40,7 +41,14 @@ impl JudgeView {
                 self.depth.samples
             ))
         } else {
-            self.depth.fault()
+            let bytes = GpuPyramid::new(self.size, self.depth).texels() * 4;
+            let binding = gpu.device.limits().max_storage_buffer_binding_size;
+            match self.depth.fault() {
+                None if bytes > binding => Some(format!(
+                    "its pyramid needs {bytes} bytes, and this device's buffers end at {binding}: ask the device for more, or judge a smaller depth"
+                )),
+                fault => fault,
+            }
         };
         match why {
             Some(why) => Err(JudgeError::View {

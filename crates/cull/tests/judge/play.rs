@@ -20,6 +20,8 @@ pub struct Play {
     pub culled: Engine,
     pub full: Engine,
     pub random: Pcg64Mcg,
+    /// A size that the view gets between the two calls of the next frame.
+    pub resize_in_between: Option<[u32; 2]>,
 }
 
 /// What a frame has shown.
@@ -47,6 +49,7 @@ impl Play {
             culled: Engine::new(gpu, size, depth),
             full: Engine::new(gpu, size, depth),
             random: Pcg64Mcg::seed_from_u64(seed),
+            resize_in_between: None,
         }
     }
 
@@ -113,7 +116,7 @@ impl Play {
             base_vertex: 0,
             members: (0..self.places.len() as u32).collect(),
         };
-        let draws = JudgeDraws::new(&self.gpu, DrawKind::Vertices, &[template]);
+        let draws = JudgeDraws::new(&self.gpu, DrawKind::Vertices, &[template]).unwrap();
         let buffer = |size, usage| {
             self.gpu.device.create_buffer(&wgpu::BufferDescriptor {
                 label: None,
@@ -146,6 +149,11 @@ impl Play {
             .begin(&mut self.instances, &[eye], &mut encoder)
             .unwrap();
         let mut rebuilt = false;
+        if let Some(size) = self.resize_in_between.take() {
+            self.judge.resize(0, size).unwrap();
+            self.culled.resize(size);
+            self.full.resize(size);
+        }
         let draw = |judge: &mut Judge, encoder: &mut wgpu::CommandEncoder, chosen| {
             judge.write_draws(0, chosen, &draws, into, encoder).unwrap();
             let first = chosen == Chosen::First;
@@ -194,7 +202,7 @@ pub fn bits(gpu: &Gpu, mask: &wgpu::Buffer) -> Vec<u32> {
         .collect()
 }
 
-fn is_set(words: &[u32], index: u32) -> bool {
+pub fn is_set(words: &[u32], index: u32) -> bool {
     words[index as usize / 32] >> (index % 32) & 1 != 0
 }
 

@@ -58,7 +58,10 @@ fn what_cannot_be_judged_is_refused_and_the_message_says_what_to_do() {
         part: Part::Both,
     };
     let id = instances.insert(desc(DAffine3::IDENTITY)).unwrap();
-    let twice = [(id, DAffine3::IDENTITY); 2];
+    let twice = [Moved {
+        id,
+        at: DAffine3::IDENTITY,
+    }; 2];
     assert!(message(instances.move_all(&twice)).contains("twice"));
     assert!(message(instances.remove_all(&[id, id])).contains("twice"));
     let huge = DAffine3::from_scale(DVec3::splat(1e39));
@@ -168,8 +171,9 @@ fn what_cannot_be_judged_is_refused_and_the_message_says_what_to_do() {
         base_vertex: 0,
         members: vec![0; 4],
     };
-    let draws = JudgeDraws::new(gpu, DrawKind::Indexed, &[template]);
-    let (args, kept) = (buffer(16, storage), buffer(16, storage));
+    let draws = JudgeDraws::new(gpu, DrawKind::Indexed, &[template]).unwrap();
+    let indirect = storage | wgpu::BufferUsages::INDIRECT;
+    let (args, kept) = (buffer(16, indirect), buffer(16, storage));
     let into = DrawBuffers {
         draws: &args,
         kept: &kept,

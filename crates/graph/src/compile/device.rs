@@ -6,7 +6,7 @@ use crate::access::{Access, Use};
 use crate::error::CompileError;
 use crate::graph::Graph;
 use crate::pass::{Pass, PassKind};
-use crate::resource::{Kind, TextureDesc};
+use crate::resource::{Kind, Resource, TextureDesc};
 
 /// What the device can do.
 pub(crate) struct Capabilities<'a> {
@@ -85,7 +85,7 @@ pub(crate) fn device(
             continue;
         }
         match resource.kind {
-            Kind::Texture(desc) => texture_needs(&resource.name, desc, capabilities, errors),
+            Kind::Texture(desc) => texture_needs(resource, desc, capabilities, errors),
             Kind::Buffer(desc) => limit(
                 &resource.name,
                 "bytes",
@@ -233,11 +233,12 @@ fn texture_use_allowed(desc: TextureDesc, access: Access, capabilities: &Capabil
 }
 
 fn texture_needs(
-    name: &str,
+    resource: &Resource,
     desc: TextureDesc,
     capabilities: &Capabilities<'_>,
     errors: &mut Vec<CompileError>,
 ) {
+    let name = resource.name.as_str();
     let missing = desc.format.required_features() - capabilities.features;
     if !missing.is_empty() {
         errors.push(CompileError::MissingFeature {
@@ -256,7 +257,8 @@ fn texture_needs(
     let most = u64::from(limits.max_texture_array_layers);
     limit(name, "layers", u64::from(desc.layers), most, errors);
     let flags = capabilities.format(desc.format).flags;
-    if desc.samples > 1 && !flags.sample_count_supported(desc.samples) {
+    // An import exists, so the device has made it: it may allow more than every device does.
+    if desc.samples > 1 && !resource.import && !flags.sample_count_supported(desc.samples) {
         errors.push(CompileError::SampleCount {
             resource: String::from(name),
             samples: desc.samples,
