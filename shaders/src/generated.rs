@@ -132,7 +132,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/compact.wgsl"), include_s
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("compact"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/compact.wgsl"), first_line: 1, lines: 89 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 90, lines: 10 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/compact.wgsl"), first_line: 1, lines: 97 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 98, lines: 10 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("settings"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -466,7 +466,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_draws.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("judge_draws"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_draws.wgsl"), first_line: 1, lines: 108 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_draws.wgsl"), first_line: 1, lines: 115 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("few"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, crate::EntryPoint { name: Borrowed("many"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
@@ -850,7 +850,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/pyramid_many.wgsl"), incl
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("pyramid_many"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/pyramid_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/reduce.wgsl"), first_line: 4, lines: 41 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 45, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 67, lines: 11 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/pyramid_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/reduce.wgsl"), first_line: 4, lines: 39 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 43, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 65, lines: 11 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("reduce"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [8, 8, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("reduce"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -891,7 +891,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/pyramid_one.wgsl"), inclu
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("pyramid_one"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/pyramid_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/reduce.wgsl"), first_line: 4, lines: 41 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 45, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 67, lines: 7 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/pyramid_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/reduce.wgsl"), first_line: 4, lines: 39 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 43, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 65, lines: 7 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("reduce"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [8, 8, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("reduce"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),

@@ -46,6 +46,9 @@ const BARRED: u32 = 0x40000000u;
 
 var<workgroup> sums: array<u32, 64>;
 
+// Candidates in a row that one thread looks at, so that a prefix sum is for so many more of them.
+const RUN: u32 = 8u;
+
 @compute @workgroup_size(64)
 fn compact(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let index = group.y * groups.x + group.x;
@@ -54,19 +57,20 @@ fn compact(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) gro
     }
     let batch = batches[index];
     var written = 0u;
-    for (var start = 0u; start < batch.count; start += 64u) {
-        let at = start + lane;
+    for (var start = 0u; start < batch.count; start += 64u * RUN) {
+        let own = start + lane * RUN;
         var keep = 0u;
-        var slot = 0u;
-        if at < batch.count {
-            let entry = candidates[batch.first + at];
-            slot = entry & ~(FORCED | BARRED);
-            let samples = counts[slot];
-            let within = select(samples > max(batch.over, adapted.threshold) && samples <= batch.most, samples == 0u, batch.hidden != 0u);
-            keep = select(0u, 1u, (entry & FORCED) != 0u || (within && (entry & BARRED) == 0u));
+        for (var at = 0u; at < RUN; at++) {
+            if own + at < batch.count {
+                let entry = candidates[batch.first + own + at];
+                let samples = counts[entry & ~(FORCED | BARRED)];
+                let within = select(samples > max(batch.over, adapted.threshold) && samples <= batch.most, samples == 0u, batch.hidden != 0u);
+                let keeps = (entry & FORCED) != 0u || (within && (entry & BARRED) == 0u);
+                keep |= select(0u, 1u, keeps) << at;
+            }
         }
         // Inclusive prefix sum over the workgroup (Hillis and Steele, Data Parallel Algorithms, 1986).
-        sums[lane] = keep;
+        sums[lane] = countOneBits(keep);
         workgroupBarrier();
         for (var stride = 1u; stride < 64u; stride *= 2u) {
             var other = 0u;
@@ -77,8 +81,12 @@ fn compact(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) gro
             sums[lane] += other;
             workgroupBarrier();
         }
-        if keep != 0u {
-            kept[batch.first + written + sums[lane] - 1u] = slot;
+        var place = batch.first + written + sums[lane] - countOneBits(keep);
+        for (var at = 0u; at < RUN; at++) {
+            if ((keep >> at) & 1u) != 0u {
+                kept[place] = candidates[batch.first + own + at] & ~(FORCED | BARRED);
+                place++;
+            }
         }
         written += sums[63];
         workgroupBarrier();

@@ -67,6 +67,9 @@ fn few(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups:
 
 var<workgroup> sums: array<u32, 64>;
 
+// Members in a row that one thread looks at, so that a prefix sum is for so many more of them.
+const RUN: u32 = 8u;
+
 // A workgroup a draw: for draws of many members.
 @compute @workgroup_size(64)
 fn many(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
@@ -76,16 +79,16 @@ fn many(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups
     }
     let draw = templates[number];
     var written = 0u;
-    for (var start = 0u; start < draw.members; start += 64u) {
-        let at = start + lane;
-        var index = 0u;
+    for (var start = 0u; start < draw.members; start += 64u * RUN) {
+        let own = start + lane * RUN;
         var keep = 0u;
-        if at < draw.members {
-            index = members[draw.first_member + at];
-            keep = is_chosen(index);
+        for (var at = 0u; at < RUN; at++) {
+            if own + at < draw.members {
+                keep |= is_chosen(members[draw.first_member + own + at]) << at;
+            }
         }
         // As in `compact.wgsl`: an inclusive prefix sum over the workgroup.
-        sums[lane] = keep;
+        sums[lane] = countOneBits(keep);
         workgroupBarrier();
         for (var stride = 1u; stride < 64u; stride *= 2u) {
             var other = 0u;
@@ -96,8 +99,12 @@ fn many(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups
             sums[lane] += other;
             workgroupBarrier();
         }
-        if keep != 0u {
-            kept[draw.first_member + written + sums[lane] - 1u] = index;
+        var place = draw.first_member + written + sums[lane] - countOneBits(keep);
+        for (var at = 0u; at < RUN; at++) {
+            if ((keep >> at) & 1u) != 0u {
+                kept[place] = members[draw.first_member + own + at];
+                place++;
+            }
         }
         written += sums[63];
         workgroupBarrier();

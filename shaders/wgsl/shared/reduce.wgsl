@@ -15,15 +15,13 @@ fn store(level: u32, at: vec2<u32>, value: f32) {
 
 @compute @workgroup_size(8, 8)
 fn reduce(@builtin(workgroup_id) tile: vec3<u32>, @builtin(local_invocation_id) lane: vec3<u32>) {
-    let size = vec2<u32>(pyramid.width, pyramid.height);
+    // A pixel beyond the edge is the one at the edge instead. Wherever a texel stands for any pixel of the image, that one is among them.
+    let last = vec2<u32>(pyramid.width, pyramid.height) - 1u;
     let block = tile.xy * 8u + lane.xy;
     var farthest = NEAREST;
     for (var y = 0u; y < 4u; y++) {
         for (var x = 0u; x < 4u; x++) {
-            let at = block * 4u + vec2<u32>(x, y);
-            if all(at < size) {
-                farthest = min(farthest, nearness(at));
-            }
+            farthest = min(farthest, nearness(min(block * 4u + vec2<u32>(x, y), last)));
         }
     }
     store(2u, block, farthest);
