@@ -12,7 +12,7 @@ FUZZ_SECONDS ?= 600
 export NODEVICE_SELECT ?= 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test lint fmt shaders bench data fuzz
+.PHONY: help demo test kit lint fmt shaders bench data fuzz
 
 help: ## list these verbs
 	@sed -n 's/^\([a-z]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 14
@@ -24,6 +24,10 @@ demo: ## compare all strategies on the built-in scene; the report goes to out/de
 test: ## run every test, on Vulkan and on OpenGL (installs Mesa's software drivers where there is no adapter)
 	scripts/vulkan.sh --with-egl
 	$(CARGO) test --workspace --locked
+
+kit: ## play the conformance kit to all strategies, and two thousand random views of random worlds to the judge
+	scripts/vulkan.sh --with-egl
+	JUDGE_TRIALS=2000 $(CARGO) test --workspace --locked --test conformance --test judge
 
 lint: ## formatting, clippy and rustdoc, warnings as errors
 	$(CARGO) fmt --all --check

@@ -113,19 +113,15 @@ impl Eye {
 }
 
 /// The determinant with every sign positive.
-fn permanent(columns: &[[f64; 4]; 4]) -> f64 {
-    let [a, b, c, d] = columns;
-    let of_two = |i: usize, j: usize| c[i] * d[j] + c[j] * d[i];
-    let mut sum = 0.0;
-    for i in 0..4 {
-        for j in (0..4).filter(|j| *j != i) {
-            let mut rest = (0..4).filter(|k| *k != i && *k != j);
-            if let (Some(k), Some(l)) = (rest.next(), rest.next()) {
-                sum += a[i] * b[j] * of_two(k, l);
-            }
-        }
-    }
-    sum
+fn permanent([a, b, c, d]: &[[f64; 4]; 4]) -> f64 {
+    // By the rows that the first two columns take, and those that are left.
+    let pairs = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
+    let of_two = |one: &[f64; 4], other: &[f64; 4], (i, j): (usize, usize)| {
+        one[i] * other[j] + one[j] * other[i]
+    };
+    let products = pairs.iter().zip(pairs.iter().rev());
+    let products = products.map(|(rows, rest)| of_two(a, b, *rows) * of_two(c, d, *rest));
+    products.sum()
 }
 
 /// By how much the view volume is opened, as a part of w.
@@ -166,5 +162,36 @@ impl GpuJudgedView {
             count,
             flags,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    #[test]
+    fn a_matrix_is_singular_only_where_it_cannot_be_inverted() {
+        let identity = Mat4::IDENTITY
+            .to_cols_array_2d()
+            .map(|column| column.map(f64::from));
+        assert_eq!(permanent(&identity), 1.0);
+        assert_eq!(permanent(&[[1.0; 4]; 4]), 24.0);
+        let fault = |matrix: Mat4| Eye::new(matrix, DVec3::ZERO).fault().is_some();
+        let near = Mat4::from_cols_array_2d(&[
+            [1.0, 0.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0, 0.0],
+            [0.0, 0.0, 0.0, -1.0],
+            [0.0, 0.0, 1e-4, 0.0],
+        ]);
+        // A near plane of a tenth of a millimetre, also a thousand kilometres from the origin, and a volume of a million kilometres.
+        assert!(!fault(near));
+        assert!(!fault(
+            near * Mat4::from_rotation_y(0.7) * Mat4::from_translation(Vec3::splat(1e6))
+        ));
+        assert!(!fault(Mat4::from_scale(Vec3::splat(1e-9))));
+        assert!(fault(Mat4::ZERO));
+        assert!(fault(near * Mat4::from_scale(Vec3::new(1.0, 0.0, 1.0))));
+        assert!(fault(Mat4::from_scale(Vec3::new(1.0, f32::NAN, 1.0))));
     }
 }
