@@ -257,8 +257,12 @@ fn texture_needs(
     let most = u64::from(limits.max_texture_array_layers);
     limit(name, "layers", u64::from(desc.layers), most, errors);
     let flags = capabilities.format(desc.format).flags;
-    // An import exists, so the device has made it: it may allow more than every device does.
-    if desc.samples > 1 && !resource.import && !flags.sample_count_supported(desc.samples) {
+    let possible = match resource.import {
+        // The texture will be there, so that the device has made it: it may allow more than every device does.
+        true => matches!(desc.samples, 2 | 4 | 8 | 16),
+        false => flags.sample_count_supported(desc.samples),
+    };
+    if desc.samples > 1 && !possible {
         errors.push(CompileError::SampleCount {
             resource: String::from(name),
             samples: desc.samples,
