@@ -1,14 +1,14 @@
 //! A stage that is asked for answers alone chooses what one chooses that makes an image, says what that is, and shades nothing.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-use antumbra_cull::{Draws, Gpu, Stage, StageOptions, StageOutput, Verdict, ViewInput, ViewSpec};
+use antumbra_cull::{
+    AdapterChoice, Draws, Gpu, Stage, StageOptions, StageOutput, Verdict, ViewInput, ViewSpec,
+};
 use antumbra_draw::GpuScene;
 use antumbra_graph::Mode;
 use antumbra_scene::{AlphaMode, Material, Scene, icosphere};
 use antumbra_strategies::registry;
-use antumbra_testing::{
-    add, balls, cuboid, drawable, glass, gpus, look_at, perspective, placed, vulkan,
-};
+use antumbra_testing::{add, balls, cuboid, drawable, glass, look_at, perspective, placed, vulkan};
 use glam::DVec3;
 
 const SIZE: [u32; 2] = [160, 120];
@@ -95,7 +95,9 @@ fn listed(gpu: &Gpu, stage: &Stage) -> Vec<u32> {
 
 #[test]
 fn answers_are_those_of_a_stage_that_makes_an_image() {
-    for gpu in gpus() {
+    for name in ["vulkan", "gl"] {
+        // A device of its own: on a shared one, another test's wait may still be delivering this one's answers when the next frame begins.
+        let gpu = &Gpu::open(&AdapterChoice::Named(name.to_owned())).unwrap();
         let mut host: Scene = balls(6);
         host.ensure_proxies(&Default::default());
         let scene = GpuScene::new(gpu, &mut host).unwrap();

@@ -7,7 +7,7 @@ mod sequence;
 mod trials;
 
 use antumbra_cull::judge::*;
-use antumbra_cull::{Verdict, Verdicts};
+use antumbra_cull::{AdapterChoice, Gpu, Verdict, Verdicts};
 use antumbra_testing::engine::Drawn;
 use antumbra_testing::{gpus, vulkan};
 use glam::{DAffine3, DVec3, Mat4};
@@ -117,7 +117,9 @@ fn parts_decide_who_waits_and_who_is_tested() {
 
 #[test]
 fn a_list_on_the_host_is_a_frame_late_and_forgets_nobody() {
-    for gpu in gpus() {
+    for name in ["vulkan", "gl"] {
+        // A device of its own: on a shared one, another test's wait may still be delivering this one's answers when they are looked for.
+        let gpu = &Gpu::open(&AdapterChoice::Named(name.to_owned())).unwrap();
         let (depth, projection) = hosts()[9];
         let mut play = Play::new(gpu, [120, 96], depth, Phases::Late, 3);
         play.fill(300);
