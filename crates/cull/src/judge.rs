@@ -49,7 +49,7 @@ mod submitted;
 mod upload;
 mod view;
 
-use antumbra_graph::{CompileOptions, Graph, Plan};
+use antumbra_graph::{CompileOptions, Graph, Plan, ReadBackCopy};
 
 pub use depth::{DepthRange, HostDepth};
 pub use draws::{DrawBuffers, DrawKind, DrawTemplate, JudgeDraws};
@@ -120,8 +120,6 @@ pub struct Judge {
     first: FirstPlan,
     test: TestPlan,
     begun: Option<Begun>,
-    /// Whether the tests of all frames so far have been recorded and not been dropped.
-    tested: bool,
     submitted: Submitted,
     /// The instances of the last frame.
     of: Option<u64>,
@@ -218,7 +216,6 @@ impl Judge {
                 .collect(),
             pipelines,
             begun: None,
-            tested: true,
             submitted: Submitted::default(),
             of: None,
             frame: 0,
@@ -276,9 +273,7 @@ impl Judge {
         }
         let others = self.of.replace(instances.number()) != Some(instances.number());
         let late = self.options.phases == Phases::Late;
-        // A frame late, what the frame before has drawn must have been tested: the last test is about another one.
-        let unknown =
-            self.submitted.take_lost() || late && !std::mem::replace(&mut self.tested, false);
+        let unknown = self.submitted.take_lost();
         let records = instances.upload(encoder);
         let count = instances.slots();
         let mut grown = false;
@@ -294,6 +289,8 @@ impl Judge {
             }
             let flags = if late { FRAME_LATE } else { 0 };
             let flags = flags | if view.forgets { FORGET } else { 0 };
+            // A frame late, a frame that goes without a test leaves what was found before it, which is not about what it has drawn.
+            view.forgets |= late;
             begun.push(BegunView { eye: *eye, flags });
         }
         let FirstPlan { plan, views } = &mut self.first;
@@ -371,18 +368,18 @@ impl Judge {
         for view in &mut self.views {
             view.forgets = false;
             if self.options.list {
-                let asked = Asked {
-                    frame,
-                    epoch: begun.epoch,
-                    cuts: view.cuts,
+                let copy = ReadBackCopy {
+                    source: view.masks.hidden(),
                     bytes: masks::bytes(begun.count),
+                    frame,
+                    tag: Asked {
+                        epoch: begun.epoch,
+                        cuts: view.cuts,
+                    },
                 };
-                let mask = view.masks.hidden();
-                let read = view.list.ask(&self.gpu, mask, asked, encoder);
-                not_read_back += u32::from(!read);
+                not_read_back += u32::from(!view.list.ask(&self.gpu, copy, encoder));
             }
         }
-        self.tested = true;
         self.submitted.note(encoder);
         Ok(JudgeReport {
             frame,

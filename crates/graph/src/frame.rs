@@ -7,7 +7,7 @@ use crate::bind::{BindCache, Bound, External};
 use crate::error::AccessError;
 use crate::handle::{Host, Raw};
 use crate::physical::{Physical, PhysicalTexture, Placed};
-use crate::read_back::{AnyRing, Late, Ring, RingDecl};
+use crate::read_back::{AnyRing, Late, ReadBackRing, RingDecl};
 use crate::resource::Kind;
 use crate::store::{Store, StoreError};
 use crate::{Bind, Buffer, ReadBack, Texture};
@@ -233,7 +233,7 @@ impl<'a> PassView<'a> {
             .rings
             .get(place)?
             .as_any()
-            .downcast_ref::<Ring<Tag>>()?
+            .downcast_ref::<ReadBackRing<Tag>>()?
             .offered()
     }
 

@@ -95,7 +95,7 @@ pub use options::{CompileOptions, Mode};
 pub use pass::PassKind;
 pub use plan::{LoopSyncPoints, Memory, PassInfo, Plan};
 pub use raster::RasterBuilder;
-pub use read_back::Late;
+pub use read_back::{Late, ReadBackCopy, ReadBackRing};
 pub use report::FrameReport;
 pub use resource::{BufferDesc, Clear, TextureDesc};
 pub use timing::{GroupTiming, PassTiming, Timings};

@@ -41,7 +41,9 @@ impl RingDecl {
             pass,
             buffer,
             tag,
-            make: Ring::<Tag>::boxed,
+            make: |device, label, size, slots| {
+                Box::new(ReadBackRing::<Tag>::new(device, label, size, slots))
+            },
         }
     }
 
@@ -108,6 +110,15 @@ impl Drop for Ticket {
     }
 }
 
+impl<Tag> std::fmt::Debug for ReadBackRing<Tag> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("ReadBackRing")
+            .field("slots", &self.slots.len())
+            .field("size", &self.size)
+            .finish_non_exhaustive()
+    }
+}
+
 enum State<Tag> {
     Free,
     Pending {
@@ -142,7 +153,9 @@ impl<Tag> Slot<Tag> {
     }
 }
 
-pub(crate) struct Ring<Tag> {
+/// Reads a buffer back without waiting: a ring of staging buffers. A plan has one for each frame-late read-back; this is the same for commands outside of a plan, or for answers that are
+/// wanted before the next frame is recorded.
+pub struct ReadBackRing<Tag> {
     slots: Vec<Slot<Tag>>,
     size: u64,
     delivered: Cell<bool>,
@@ -150,8 +163,23 @@ pub(crate) struct Ring<Tag> {
     last: Option<u64>,
 }
 
-impl<Tag: Clone + Send + 'static> Ring<Tag> {
-    fn boxed(device: &wgpu::Device, label: &str, size: u64, slots: usize) -> Box<dyn AnyRing> {
+/// What a [`ReadBackRing`] is asked to read.
+#[derive(Debug)]
+pub struct ReadBackCopy<'a, Tag> {
+    /// The buffer, from its start on. Usage `COPY_SRC`.
+    pub source: &'a wgpu::Buffer,
+    /// Bytes, a multiple of 4; at most the ring's size.
+    pub bytes: u64,
+    /// The frame that the bytes are of. Older results that arrive after newer ones are dropped.
+    pub frame: u64,
+    /// What comes back with the bytes.
+    pub tag: Tag,
+}
+
+impl<Tag> ReadBackRing<Tag> {
+    /// A ring of so many slots, at least one, of `size` bytes each.
+    #[must_use]
+    pub fn new(device: &wgpu::Device, label: &str, size: u64, slots: usize) -> Self {
         let slots = (0..slots.max(1))
             .map(|_| Slot {
                 staging: device.create_buffer(&wgpu::BufferDescriptor {
@@ -163,12 +191,64 @@ impl<Tag: Clone + Send + 'static> Ring<Tag> {
                 state: State::Free,
             })
             .collect();
-        Box::new(Self {
+        Self {
             slots,
             size,
             delivered: Cell::new(false),
             last: None,
-        })
+        }
+    }
+
+    /// Bytes of a slot.
+    #[must_use]
+    pub fn size(&self) -> u64 {
+        self.size
+    }
+
+    /// Bytes of staging memory.
+    #[must_use]
+    pub fn memory(&self) -> u64 {
+        self.size * self.slots.len() as u64
+    }
+
+    /// Copies bytes into a free slot, and has it mapped once the encoder has been submitted and has run. Returns false where no slot is free. The slot of an encoder that is dropped is free again.
+    pub fn ask(&mut self, copy: ReadBackCopy<'_, Tag>, encoder: &mut wgpu::CommandEncoder) -> bool {
+        let free = |slot: &&mut Slot<Tag>| matches!(slot.state, State::Free);
+        let Some(slot) = self.slots.iter_mut().find(free) else {
+            return false;
+        };
+        let bytes = copy.bytes.min(self.size);
+        let status = Arc::new(AtomicU8::new(WAITING));
+        if bytes > 0 {
+            encoder.copy_buffer_to_buffer(copy.source, 0, &slot.staging, 0, bytes);
+            let ticket = Ticket(Arc::clone(&status));
+            encoder.map_buffer_on_submit(
+                &slot.staging,
+                wgpu::MapMode::Read,
+                ..bytes,
+                move |result| ticket.resolve(result),
+            );
+        } else {
+            status.store(MAPPED, Ordering::Release);
+        }
+        slot.state = State::Pending {
+            frame: copy.frame,
+            tag: copy.tag,
+            bytes,
+            wanted: true,
+            status,
+        };
+        true
+    }
+
+    /// Gives `read` the newest result that has arrived, if it was not given before. Never waits. What a lost device would have answered never arrives.
+    pub fn take_newest(&mut self, read: impl FnOnce(Late<'_, Tag>)) {
+        // The slots that a lost device leaves are free again; its loss is for others to report.
+        let _ = self.collect();
+        if let Some(late) = self.offered() {
+            read(late);
+        }
+        self.release();
     }
 
     /// The offered result, if there is one. Its slot is freed at the end of the frame.
@@ -188,12 +268,50 @@ impl<Tag: Clone + Send + 'static> Ring<Tag> {
     }
 }
 
-impl<Tag: Clone + Send + 'static> AnyRing for Ring<Tag> {
+impl<Tag: Clone + Send + 'static> AnyRing for ReadBackRing<Tag> {
     fn as_any(&self) -> &dyn Any {
         self
     }
 
     fn begin_frame(&mut self) -> Result<(), MapLost> {
+        self.collect()
+    }
+
+    fn end_frame(&mut self) {
+        self.release();
+    }
+
+    fn record(&mut self, request: CopyRequest<'_>) -> bool {
+        let Ok(tag) = request.store.get::<Tag>(request.tag_slot) else {
+            return false;
+        };
+        let copy = ReadBackCopy {
+            source: request.source,
+            bytes: request.bytes,
+            frame: request.frame,
+            tag: tag.clone(),
+        };
+        self.ask(copy, request.encoder)
+    }
+
+    fn discard(&mut self) {
+        for slot in &mut self.slots {
+            match &mut slot.state {
+                State::Free => {}
+                State::Pending { wanted, .. } => *wanted = false,
+                State::Offered { .. } => slot.free(),
+            }
+        }
+    }
+
+    fn memory(&self) -> u64 {
+        self.memory()
+    }
+}
+
+impl<Tag> ReadBackRing<Tag> {
+    /// Takes in what has arrived, and offers the newest of it.
+    fn collect(&mut self) -> Result<(), MapLost> {
         self.delivered.set(false);
         let mut lost = false;
         for slot in &mut self.slots {
@@ -239,7 +357,8 @@ impl<Tag: Clone + Send + 'static> AnyRing for Ring<Tag> {
         if lost { Err(MapLost) } else { Ok(()) }
     }
 
-    fn end_frame(&mut self) {
+    /// Frees the slot of a result that was read.
+    fn release(&mut self) {
         if self.delivered.replace(false) {
             for slot in &mut self.slots {
                 if let State::Offered { frame, .. } = slot.state {
@@ -250,59 +369,6 @@ impl<Tag: Clone + Send + 'static> AnyRing for Ring<Tag> {
         }
     }
 
-    fn record(&mut self, request: CopyRequest<'_>) -> bool {
-        let Ok(tag) = request.store.get::<Tag>(request.tag_slot) else {
-            return false;
-        };
-        let Some(slot) = self
-            .slots
-            .iter_mut()
-            .find(|slot| matches!(slot.state, State::Free))
-        else {
-            return false;
-        };
-        let bytes = request.bytes.min(self.size);
-        let status = Arc::new(AtomicU8::new(WAITING));
-        if bytes > 0 {
-            request
-                .encoder
-                .copy_buffer_to_buffer(request.source, 0, &slot.staging, 0, bytes);
-            let ticket = Ticket(Arc::clone(&status));
-            request.encoder.map_buffer_on_submit(
-                &slot.staging,
-                wgpu::MapMode::Read,
-                ..bytes,
-                move |result| ticket.resolve(result),
-            );
-        } else {
-            status.store(MAPPED, Ordering::Release);
-        }
-        slot.state = State::Pending {
-            frame: request.frame,
-            tag: tag.clone(),
-            bytes,
-            wanted: true,
-            status,
-        };
-        true
-    }
-
-    fn discard(&mut self) {
-        for slot in &mut self.slots {
-            match &mut slot.state {
-                State::Free => {}
-                State::Pending { wanted, .. } => *wanted = false,
-                State::Offered { .. } => slot.free(),
-            }
-        }
-    }
-
-    fn memory(&self) -> u64 {
-        self.size * self.slots.len() as u64
-    }
-}
-
-impl<Tag> Ring<Tag> {
     /// Keeps only the newest result, and only if it is newer than the last delivered one. Submissions need not finish in the order of the
     /// frames.
     fn keep_newest(&mut self) {

@@ -1,5 +1,7 @@
 //! Answers on the host, a frame late: which instances a test has found hidden.
 
+use antumbra_graph::Late;
+
 use super::depth::DepthRange;
 use super::eye::Eye;
 use super::instances::Instances;
@@ -9,38 +11,29 @@ use crate::verdict::{Verdict, Verdicts};
 /// When a test was made: travels with its answers.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Asked {
-    pub frame: u64,
     pub epoch: u64,
     pub cuts: u64,
-    /// Bytes of the mask.
-    pub bytes: u64,
 }
 
 /// The newest answers of a view that have arrived.
 #[derive(Debug, Default)]
 pub(super) struct Answers {
     asked: Option<Asked>,
+    frame: Option<u64>,
     hidden: Vec<u32>,
 }
 
 impl Answers {
     /// Takes over a mask that has arrived.
-    pub fn take(&mut self, asked: &Asked, bytes: &[u8]) {
-        self.asked = Some(*asked);
-        self.hidden.clear();
-        let words = bytes.chunks_exact(4);
-        self.hidden
-            .extend(words.map(|word| u32::from_le_bytes(word.try_into().unwrap_or_default())));
-    }
-
-    /// Whether an answer is newer than these.
-    pub fn is_older_than(&self, asked: &Asked) -> bool {
-        self.asked.is_none_or(|own| own.frame < asked.frame)
+    pub fn take(&mut self, late: &Late<'_, Asked>) {
+        self.asked = Some(*late.tag);
+        self.frame = Some(late.frame);
+        self.hidden = bytemuck::pod_collect_to_vec(late.bytes);
     }
 
     /// The frame that they are about.
     pub fn frame(&self) -> Option<u64> {
-        Some(self.asked?.frame)
+        self.frame
     }
 
     fn is_hidden(&self, index: u32) -> bool {
