@@ -35,11 +35,13 @@ crate::SharedSource { name: "environment", text: include_str!("../wgsl/shared/en
 crate::SharedSource { name: "instance", text: include_str!("../wgsl/shared/instance.wgsl") },
 crate::SharedSource { name: "judge", text: include_str!("../wgsl/shared/judge.wgsl") },
 crate::SharedSource { name: "judged", text: include_str!("../wgsl/shared/judged.wgsl") },
+crate::SharedSource { name: "judged_instance", text: include_str!("../wgsl/shared/judged_instance.wgsl") },
 crate::SharedSource { name: "light", text: include_str!("../wgsl/shared/light.wgsl") },
 crate::SharedSource { name: "marks", text: include_str!("../wgsl/shared/marks.wgsl") },
 crate::SharedSource { name: "material", text: include_str!("../wgsl/shared/material.wgsl") },
 crate::SharedSource { name: "patch", text: include_str!("../wgsl/shared/patch.wgsl") },
 crate::SharedSource { name: "position", text: include_str!("../wgsl/shared/position.wgsl") },
+crate::SharedSource { name: "prefix_sum", text: include_str!("../wgsl/shared/prefix_sum.wgsl") },
 crate::SharedSource { name: "pyramid", text: include_str!("../wgsl/shared/pyramid.wgsl") },
 crate::SharedSource { name: "reduce", text: include_str!("../wgsl/shared/reduce.wgsl") },
 crate::SharedSource { name: "threshold", text: include_str!("../wgsl/shared/threshold.wgsl") },
@@ -128,11 +130,11 @@ pub mod compact {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/compact.wgsl"), include_str!("../wgsl/shared/threshold.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/compact.wgsl"), include_str!("../wgsl/shared/threshold.wgsl"), include_str!("../wgsl/shared/prefix_sum.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("compact"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/compact.wgsl"), first_line: 1, lines: 97 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 98, lines: 10 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/compact.wgsl"), first_line: 1, lines: 84 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 85, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/prefix_sum.wgsl"), first_line: 95, lines: 29 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("settings"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -462,11 +464,11 @@ pub mod judge_draws {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_draws.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_draws.wgsl"), include_str!("../wgsl/shared/prefix_sum.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("judge_draws"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_draws.wgsl"), first_line: 1, lines: 115 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_draws.wgsl"), first_line: 1, lines: 102 }, crate::SourcePart { file: Borrowed("wgsl/shared/prefix_sum.wgsl"), first_line: 103, lines: 29 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("few"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, crate::EntryPoint { name: Borrowed("many"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
@@ -518,11 +520,11 @@ pub mod judge_first {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_first.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_first.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("judge_first"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_first.wgsl"), first_line: 1, lines: 33 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 34, lines: 146 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_first.wgsl"), first_line: 1, lines: 33 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 34, lines: 131 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 165, lines: 17 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("choose"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("choose"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -563,11 +565,11 @@ pub mod judge_many {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_many.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_many.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_many.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_many.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("judge_many"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 140 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 144, lines: 146 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 290, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 312, lines: 11 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 140 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 144, lines: 131 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 275, lines: 17 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 292, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 314, lines: 11 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -624,11 +626,11 @@ pub mod judge_one {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_one.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_one.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_one.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_one.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("judge_one"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 140 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 144, lines: 146 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 290, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 312, lines: 7 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 140 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 144, lines: 131 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 275, lines: 17 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 292, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 314, lines: 7 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -1010,18 +1012,18 @@ pub mod scatter_records {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/scatter_records.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/scatter_records.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("scatter_records"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/scatter_records.wgsl"), first_line: 1, lines: 22 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/scatter_records.wgsl"), first_line: 1, lines: 15 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 16, lines: 17 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("scatter_records"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("places"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("scatter_records"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
 }, crate::Binding { group: 0, name: Borrowed("moved"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("scatter_records"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
 }, crate::Binding { group: 0, name: Borrowed("records"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("scatter_records"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
 }, ]),
-structs: Borrowed(&[crate::StructLayout { name: Borrowed("Record"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("centre_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("traits"), offset: 60, size: 4 }, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("JudgedInstance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("centre_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("traits"), offset: 60, size: 4 }, ]),
 tail: None }, ]),
 overrides: Borrowed(&[]),
 immediate_size: 0,

@@ -1,4 +1,5 @@
 //!import threshold
+//!import prefix_sum
 // Makes the visible set on the GPU by stream compaction: keeps the candidates of each batch whose visible samples are within its bounds, in
 // order, and writes the batch's indirect draw. One workgroup for each batch, so the order, which decides ties of depth, is the same in each run.
 
@@ -44,8 +45,6 @@ const BARRED: u32 = 0x40000000u;
 @group(0) @binding(5) var<storage, read_write> draws: array<Draw>;
 @group(0) @binding(6) var<storage, read> adapted: AdaptedThreshold;
 
-var<workgroup> sums: array<u32, 64>;
-
 // Candidates in a row that one thread looks at, so that a prefix sum is for so many more of them.
 const RUN: u32 = 8u;
 
@@ -69,27 +68,15 @@ fn compact(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) gro
                 keep |= select(0u, 1u, keeps) << at;
             }
         }
-        // Inclusive prefix sum over the workgroup (Hillis and Steele, Data Parallel Algorithms, 1986).
-        sums[lane] = countOneBits(keep);
-        workgroupBarrier();
-        for (var stride = 1u; stride < 64u; stride *= 2u) {
-            var other = 0u;
-            if lane >= stride {
-                other = sums[lane - stride];
-            }
-            workgroupBarrier();
-            sums[lane] += other;
-            workgroupBarrier();
-        }
-        var place = batch.first + written + sums[lane] - countOneBits(keep);
+        let sum = prefix_sum(lane, countOneBits(keep));
+        var place = batch.first + written + sum.up_to_own - countOneBits(keep);
         for (var at = 0u; at < RUN; at++) {
             if ((keep >> at) & 1u) != 0u {
                 kept[place] = candidates[batch.first + own + at] & ~(FORCED | BARRED);
                 place++;
             }
         }
-        written += sums[63];
-        workgroupBarrier();
+        written += sum.all;
     }
     if lane == 0u {
         draws[index] = Draw(batch.index_count, written, batch.first_index, batch.base_vertex, batch.first);

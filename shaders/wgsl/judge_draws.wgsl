@@ -1,3 +1,4 @@
+//!import prefix_sum
 // Writes the indirect draws of a host: of each draw's members, those whose bit is set are kept, in order, and counted.
 
 struct DrawTemplate {
@@ -65,8 +66,6 @@ fn few(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups:
     write(number, written);
 }
 
-var<workgroup> sums: array<u32, 64>;
-
 // Members in a row that one thread looks at, so that a prefix sum is for so many more of them.
 const RUN: u32 = 8u;
 
@@ -87,27 +86,15 @@ fn many(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups
                 keep |= is_chosen(members[draw.first_member + own + at]) << at;
             }
         }
-        // As in `compact.wgsl`: an inclusive prefix sum over the workgroup.
-        sums[lane] = countOneBits(keep);
-        workgroupBarrier();
-        for (var stride = 1u; stride < 64u; stride *= 2u) {
-            var other = 0u;
-            if lane >= stride {
-                other = sums[lane - stride];
-            }
-            workgroupBarrier();
-            sums[lane] += other;
-            workgroupBarrier();
-        }
-        var place = draw.first_member + written + sums[lane] - countOneBits(keep);
+        let sum = prefix_sum(lane, countOneBits(keep));
+        var place = draw.first_member + written + sum.up_to_own - countOneBits(keep);
         for (var at = 0u; at < RUN; at++) {
             if ((keep >> at) & 1u) != 0u {
                 kept[place] = members[draw.first_member + own + at];
                 place++;
             }
         }
-        written += sums[63];
-        workgroupBarrier();
+        written += sum.all;
     }
     if lane == 0u {
         write(number, written);

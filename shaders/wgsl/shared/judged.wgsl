@@ -1,4 +1,5 @@
-// Instances that are judged by their boxes, and the view that they are judged for. The view's matrix is anybody's: nothing here knows a near
+//!import judged_instance
+// Instances that are judged by their boxes, and the view that they are judged for. The view's matrix may be any: nothing here knows a near
 // plane, a far plane or an eye but from the matrix.
 
 struct JudgedView {
@@ -22,22 +23,6 @@ struct JudgedView {
 const FORGET: u32 = 1u;
 // There is no second phase: what is not known to be hidden is drawn at once.
 const FRAME_LATE: u32 = 2u;
-
-// An instance's box: half edges and centre. The centre is the sum of its high parts, in w of the rows, and its low parts.
-struct JudgedInstance {
-    row_x: vec4<f32>,
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    centre_low: vec3<f32>,
-    // Bits of `HIDES`, `TESTED` and `LIVE`, and from bit 8 on the generation of the index.
-    traits: u32,
-}
-
-// It is drawn before the test, and may hide others.
-const HIDES: u32 = 1u;
-// It may be culled for being hidden.
-const TESTED: u32 = 2u;
-const LIVE: u32 = 4u;
 
 // What is found about an instance. A state holds it, and from bit 8 on the generation that it is about.
 const ABSENT: u32 = 0u;
@@ -139,7 +124,7 @@ fn knowledge(instance: JudgedInstance, at: u32, state: u32) -> u32 {
         return NEW;
     }
     if before == OUTSIDE {
-        // Whoever comes in has not been tested. Where a test follows in this frame, it may wait for it.
+        // What comes in has not been tested. Where a test follows in this frame, it may wait for it.
         return select(HIDDEN, NEW, (view.flags & FRAME_LATE) != 0u);
     }
     return min(before, VISIBLE);
