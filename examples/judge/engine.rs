@@ -150,7 +150,7 @@ impl Engine {
         };
         View {
             size,
-            // Whoever judges by a depth reads it as a texture.
+            // The judge reads it as a texture.
             depth: texture(DEPTH, self.samples, wgpu::TextureUsages::TEXTURE_BINDING),
             colour: texture(COLOUR, self.samples, wgpu::TextureUsages::empty()),
             image: texture(COLOUR, 1, wgpu::TextureUsages::COPY_SRC),

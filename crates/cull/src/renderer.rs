@@ -88,7 +88,7 @@ pub struct Pass<'a> {
     pub layout: &'a SceneLayout,
     /// The format of the colour targets.
     pub colour_format: wgpu::TextureFormat,
-    /// Whether anybody looks at the image. With [`StageOutput::Answers`], shading passes leave the colour alone and write depth and ids of opaque entities only.
+    /// Whether there is an image. With [`StageOutput::Answers`], shading passes leave the colour alone and write depth and ids of opaque entities only.
     pub output: StageOutput,
 }
 

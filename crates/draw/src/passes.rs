@@ -97,7 +97,7 @@ pub fn shaded_pass(
     }
 }
 
-/// Draws what a shading pass would, for a stage whose image nobody looks at: the colour is left alone. The pipelines are [`PipelineKind::Hide`](crate::PipelineKind::Hide).
+/// Draws what a shading pass would, for a stage without an image: the colour is left alone. The pipelines are [`PipelineKind::Hide`](crate::PipelineKind::Hide).
 pub fn hide_pass(
     g: &mut Graph,
     spec: &PassSpec,

@@ -36,7 +36,7 @@ pub enum PipelineKind {
         /// Whether a second target takes entity ids; blended classes do not write it.
         identified: bool,
     },
-    /// Writes the depth, and the ids where they are wanted, of opaque triangles; tests the depth of others and writes nothing. The shaded pass of a stage whose image nobody looks at.
+    /// Writes the depth, and the ids where they are wanted, of opaque triangles; tests the depth of others and writes nothing. The shaded pass of a stage without an image.
     Hide {
         /// Whether there is a target for entity ids.
         identified: bool,

@@ -92,7 +92,7 @@ impl JudgeDraws {
     /// Uploads templates.
     ///
     /// # Errors
-    /// [`JudgeError::Buffer`] where they do not fit the device's buffers, [`JudgeError::Order`] for several on a device without [`wgpu::Features::INDIRECT_FIRST_INSTANCE`]: all but the first
+    /// [`JudgeError::Buffer`] where they do not fit the device's buffers, [`JudgeError::Device`] for several on a device without [`wgpu::Features::INDIRECT_FIRST_INSTANCE`]: all but the first
     /// would draw nothing.
     pub fn new(gpu: &Gpu, kind: DrawKind, templates: &[DrawTemplate]) -> Result<Self, JudgeError> {
         let job = &jobs::judge_draws::JOB;
@@ -121,8 +121,8 @@ impl JudgeDraws {
         let device = &self.gpu.device;
         let needs = wgpu::Features::INDIRECT_FIRST_INSTANCE;
         if templates.len() > 1 && !device.features().contains(needs) {
-            return Err(JudgeError::Order(
-                "several draws begin at other instances than the first, and the device lacks INDIRECT_FIRST_INSTANCE: enable the feature, or give each draw a `JudgeDraws` of its own",
+            return Err(JudgeError::Device(
+                "INDIRECT_FIRST_INSTANCE, without which all draws but the first draw nothing: enable the feature, or give each draw a `JudgeDraws` of its own",
             ));
         }
         let members = templates.iter().map(|template| template.members.len());

@@ -67,6 +67,9 @@ pub enum JudgeError {
         /// What is wrong with it, and what to do.
         why: String,
     },
+    /// The device lacks what the call needs.
+    #[error("the device lacks {0}")]
+    Device(&'static str),
     /// A call that does not fit the ones before it.
     #[error("{0}")]
     Order(&'static str),

@@ -80,7 +80,7 @@ struct Kept {
     uploader: Uploader,
     /// Memory for moves.
     moved: Vec<JudgedInstance>,
-    /// Bounds in the world, once somebody has asked for them.
+    /// Bounds in the world, once they have been asked for.
     world: Option<World>,
 }
 

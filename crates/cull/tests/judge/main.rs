@@ -8,6 +8,7 @@ mod trials;
 
 use antumbra_cull::judge::*;
 use antumbra_cull::{AdapterChoice, Gpu, Verdict, Verdicts};
+use antumbra_scene::Aabb;
 use antumbra_testing::engine::Drawn;
 use antumbra_testing::{gpus, vulkan};
 use glam::{DAffine3, DVec3, Mat4};
@@ -325,4 +326,46 @@ fn who_gets_the_index_of_one_that_was_hidden_is_seen_at_once() {
     assert_eq!(play.ids[1].map(|id| id.index()), Some(hidden.index()));
     let frame = play.frame(ahead(projection), Phases::Late);
     assert_eq!((frame.wrong_pixels, frame.drawn), (0, 2));
+}
+
+#[test]
+fn bounds_and_parts_may_change_and_what_is_known_stays() {
+    let (depth, projection) = hosts()[0];
+    let mut play = Play::new(vulkan(), [200, 160], depth, Phases::Two, 0);
+    play.add(boxed([0.0, 0.0, -5.0], [1.0, 9.0, 0.1]), Part::Both);
+    let behind = DAffine3::from_translation(DVec3::new(0.0, 0.0, -8.0));
+    play.add(behind * DAffine3::from_scale(DVec3::splat(0.5)), Part::Both);
+    let chosen = |play: &mut Play| {
+        let frame = play.frame(ahead(projection), Phases::Two);
+        assert_eq!(frame.wrong_pixels, 0);
+        [Chosen::First, Chosen::Rest]
+            .map(|chosen| bits(vulkan(), play.judge.mask(0, chosen).unwrap())[0])
+    };
+    chosen(&mut play);
+    assert_eq!(chosen(&mut play), [0b01, 0]);
+    // It grows out of the wall's shadow: no new instance, so it waits for the test, which finds it.
+    let wide = DVec3::new(4.0, 0.5, 0.5);
+    let id = play.ids[1].unwrap();
+    play.instances
+        .set_bounds(id, Aabb::from_centre(DVec3::ZERO, wide), behind)
+        .unwrap();
+    play.places[1] = Some(behind * DAffine3::from_scale(wide));
+    assert_eq!(chosen(&mut play), [0b01, 0b10]);
+    // What hides nothing is never drawn first; what is not tested is always drawn.
+    play.instances.set_part(id, Part::Occludee).unwrap();
+    assert_eq!(chosen(&mut play), [0b01, 0b10]);
+    assert_eq!(chosen(&mut play), [0b01, 0b10]);
+    play.instances
+        .set_bounds(
+            id,
+            Aabb::from_centre(DVec3::ZERO, DVec3::splat(0.5)),
+            behind,
+        )
+        .unwrap();
+    play.places[1] = Some(behind * DAffine3::from_scale(DVec3::splat(0.5)));
+    assert_eq!(chosen(&mut play), [0b01, 0]);
+    play.instances.set_part(id, Part::Occluder).unwrap();
+    assert_eq!(chosen(&mut play), [0b11, 0]);
+    let nowhere = play.instances.set_bounds(id, Aabb::EMPTY, behind);
+    assert!(nowhere.unwrap_err().to_string().contains("empty"));
 }

@@ -149,7 +149,7 @@ fn draws_have_their_chosen_members_in_order_however_many_there_are() {
         play.frame(eye, Phases::Two);
         play.frame(eye, Phases::Two);
         let mask = bits(gpu, play.judge.mask(0, Chosen::First).unwrap());
-        // Draws of nobody, of a few, and one of many among them.
+        // Draws of no instance, of a few, and one of many among them.
         for largest in [5, 200] {
             let mut all = 0..500;
             let templates: Vec<DrawTemplate> = (0..60)
