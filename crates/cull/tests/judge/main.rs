@@ -11,7 +11,9 @@ use antumbra_cull::{AdapterChoice, Gpu, Verdict, Verdicts};
 use antumbra_scene::Aabb;
 use antumbra_testing::engine::Drawn;
 use antumbra_testing::{gpus, vulkan};
-use glam::{DAffine3, DVec3, Mat4};
+use glam::camera::rh::proj::directx;
+use glam::camera::rh::view::look_at_mat4;
+use glam::{DAffine3, DVec3, Mat4, Vec3};
 use play::{Play, bits, cube, hosts, orbit};
 
 #[test]
@@ -368,4 +370,33 @@ fn bounds_and_parts_may_change_and_what_is_known_stays() {
     assert_eq!(chosen(&mut play), [0b11, 0]);
     let nowhere = play.instances.set_bounds(id, Aabb::EMPTY, behind);
     assert!(nowhere.unwrap_err().to_string().contains("empty"));
+}
+
+#[test]
+fn what_rounding_lets_a_host_draw_at_its_far_plane_is_drawn() {
+    let depth = hosts()[6].0;
+    let far = 1000.0;
+    let projection = directx::perspective(0.9, 1.25, 0.1, far as f32);
+    let mut play = Play::new(vulkan(), [200, 160], depth, Phases::Two, 0);
+    // Faces from just before the far plane to a metre behind it, side by side and turned to different angles of the eye.
+    for number in 0..400 {
+        let [x, y] = [f64::from(number % 20), f64::from(number / 20)];
+        let z = -far - 0.0025 * f64::from(number) + 0.05;
+        play.add(
+            boxed([x * 40.0 - 400.0, y * 40.0 - 400.0, z], [15.0, 15.0, 0.0]),
+            Part::Both,
+        );
+    }
+    let mut drawn = 0;
+    for step in 0..6 {
+        let view = look_at_mat4(
+            Vec3::ZERO,
+            Vec3::new(0.02 * step as f32, 0.01, -1.0),
+            Vec3::Y,
+        );
+        let frame = play.frame(ahead(projection * view), Phases::Two);
+        assert_eq!(frame.wrong_pixels, 0, "step {step}");
+        drawn += frame.drawn;
+    }
+    assert!(drawn < 6 * 400, "{drawn}");
 }
