@@ -27,6 +27,7 @@ use glam::DVec3;
 
 /// The position function is shared with the tests' passes: only then do equal surfaces have equal depths.
 const SHADER: &str = "//!import position
+//!import packed_id
 struct Varying {
     @invariant @builtin(position) clip: vec4<f32>,
     @location(0) @interpolate(flat) slot: u32,
@@ -49,21 +50,31 @@ fn flat(in: Varying) -> @location(0) vec4<f32> {
 
 struct Identified {
     @location(0) colour: vec4<f32>,
-    @location(1) id: u32,
+    @location(1) id: vec2<u32>,
 }
 
 @fragment
 fn flat_with_id(in: Varying) -> Identified {
-    return Identified(colour(in.slot), in.slot + 1u);
+    return Identified(colour(in.slot), packed_id(in.slot + 1u));
 }
 ";
+
+/// What pipelines draw into.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+struct FlatTargets {
+    colour: wgpu::TextureFormat,
+    /// Samples a pixel.
+    samples: u32,
+    /// Whether there are entity ids beside the colour.
+    with_ids: bool,
+}
 
 /// Draws triangles in one colour an entity.
 struct Flat {
     gpu: Gpu,
     shader: Arc<Job>,
-    /// By the colour target's format, and by whether there are ids: a plan that is declared anew compiles nothing that exists.
-    pipelines: HashMap<(wgpu::TextureFormat, bool), Arc<FlatPipeline>>,
+    /// A plan that is declared anew compiles nothing that exists.
+    pipelines: HashMap<FlatTargets, Arc<FlatPipeline>>,
     tests: BuiltinRenderer,
 }
 
@@ -80,11 +91,14 @@ impl Flat {
 
 impl Renderer for Flat {
     fn shade(&mut self, pass: Pass<'_>, source: DrawSource, into: ShadeTargets) -> ShadeTargets {
-        let kind = (pass.colour_format, into.ids.is_some());
-        let made = self.pipelines.entry(kind);
-        let pipeline = made.or_insert_with(|| {
-            Arc::new(FlatPipeline::new(&self.gpu, &self.shader, kind.0, kind.1))
-        });
+        let drawn = FlatTargets {
+            colour: pass.colour_format,
+            samples: pass.samples,
+            with_ids: into.ids.is_some(),
+        };
+        let made = self.pipelines.entry(drawn);
+        let pipeline =
+            made.or_insert_with(|| Arc::new(FlatPipeline::new(&self.gpu, &self.shader, drawn)));
         let pipeline = Arc::clone(pipeline);
         let inputs = pass.inputs;
         let list = source.as_list();
@@ -190,7 +204,12 @@ struct FlatPipeline {
 }
 
 impl FlatPipeline {
-    fn new(gpu: &Gpu, job: &Job, format: wgpu::TextureFormat, with_ids: bool) -> Self {
+    fn new(gpu: &Gpu, job: &Job, drawn: FlatTargets) -> Self {
+        let FlatTargets {
+            colour,
+            samples,
+            with_ids,
+        } = drawn;
         let device = &gpu.device;
         let module = antumbra::shaders::module(device, job);
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
@@ -202,7 +221,7 @@ impl FlatPipeline {
             bind_group_layouts: &[Some(&layout)],
             immediate_size: 0,
         });
-        let targets = [Some(format.into()), Some(IDENTITY_FORMAT.into())];
+        let targets = [Some(colour.into()), Some(IDENTITY_FORMAT.into())];
         let vertex = |stride, step_mode, attributes| {
             Some(wgpu::VertexBufferLayout {
                 array_stride: stride,
@@ -242,7 +261,10 @@ impl FlatPipeline {
                 stencil: Default::default(),
                 bias: Default::default(),
             }),
-            multisample: Default::default(),
+            multisample: wgpu::MultisampleState {
+                count: samples,
+                ..Default::default()
+            },
             multiview_mask: None,
             cache: None,
         });

@@ -7,9 +7,12 @@ pub static ALL: &[&crate::Job] = &[
 &compact::JOB,
 &count_atomic::JOB,
 &count_compare::JOB,
-&cull_patches::JOB,
+&count_compare_many::JOB,
+&cull_patches_many::JOB,
+&cull_patches_one::JOB,
 &depth::JOB,
-&histogram::JOB,
+&histogram_many::JOB,
+&histogram_one::JOB,
 &identity::JOB,
 &judge_draws::JOB,
 &judge_first::JOB,
@@ -17,21 +20,28 @@ pub static ALL: &[&crate::Job] = &[
 &judge_one::JOB,
 &max_counts::JOB,
 &patch_compare::JOB,
+&patch_compare_many::JOB,
 &patch_early::JOB,
 &pyramid_many::JOB,
 &pyramid_one::JOB,
 &pyramid_rest::JOB,
+&sample_identity::JOB,
 &scatter::JOB,
 &scatter_records::JOB,
 &shaded::JOB,
 &signature::JOB,
+&signature_early::JOB,
 ];
 /// The shared texts for `//!import`, by name.
 pub static SHARED: &[crate::SharedSource<'static>] = &[
 crate::SharedSource { name: "clip", text: include_str!("../wgsl/shared/clip.wgsl") },
+crate::SharedSource { name: "counted", text: include_str!("../wgsl/shared/counted.wgsl") },
+crate::SharedSource { name: "cull_patches", text: include_str!("../wgsl/shared/cull_patches.wgsl") },
 crate::SharedSource { name: "depth_many", text: include_str!("../wgsl/shared/depth_many.wgsl") },
 crate::SharedSource { name: "depth_one", text: include_str!("../wgsl/shared/depth_one.wgsl") },
 crate::SharedSource { name: "environment", text: include_str!("../wgsl/shared/environment.wgsl") },
+crate::SharedSource { name: "histogram", text: include_str!("../wgsl/shared/histogram.wgsl") },
+crate::SharedSource { name: "identified", text: include_str!("../wgsl/shared/identified.wgsl") },
 crate::SharedSource { name: "instance", text: include_str!("../wgsl/shared/instance.wgsl") },
 crate::SharedSource { name: "judge", text: include_str!("../wgsl/shared/judge.wgsl") },
 crate::SharedSource { name: "judged", text: include_str!("../wgsl/shared/judged.wgsl") },
@@ -39,12 +49,14 @@ crate::SharedSource { name: "judged_instance", text: include_str!("../wgsl/share
 crate::SharedSource { name: "light", text: include_str!("../wgsl/shared/light.wgsl") },
 crate::SharedSource { name: "marks", text: include_str!("../wgsl/shared/marks.wgsl") },
 crate::SharedSource { name: "material", text: include_str!("../wgsl/shared/material.wgsl") },
+crate::SharedSource { name: "packed_id", text: include_str!("../wgsl/shared/packed_id.wgsl") },
 crate::SharedSource { name: "patch", text: include_str!("../wgsl/shared/patch.wgsl") },
 crate::SharedSource { name: "position", text: include_str!("../wgsl/shared/position.wgsl") },
 crate::SharedSource { name: "prefix_sum", text: include_str!("../wgsl/shared/prefix_sum.wgsl") },
 crate::SharedSource { name: "pyramid", text: include_str!("../wgsl/shared/pyramid.wgsl") },
 crate::SharedSource { name: "reduce", text: include_str!("../wgsl/shared/reduce.wgsl") },
 crate::SharedSource { name: "threshold", text: include_str!("../wgsl/shared/threshold.wgsl") },
+crate::SharedSource { name: "transparent_sums", text: include_str!("../wgsl/shared/transparent_sums.wgsl") },
 crate::SharedSource { name: "view", text: include_str!("../wgsl/shared/view.wgsl") },
 ];
 /// `wgsl/adapt_threshold.wgsl`.
@@ -186,30 +198,33 @@ pub mod count_atomic {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/count_atomic.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/count_atomic.wgsl"), include_str!("../wgsl/shared/counted.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("count_atomic"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/count_atomic.wgsl"), first_line: 1, lines: 24 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 25, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 41, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 55, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 68, lines: 10 }, ]),
-entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, ]),
-}, crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: true, vertex_inputs: Borrowed(&[]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/count_atomic.wgsl"), first_line: 1, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/counted.wgsl"), first_line: 15, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 33, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 49, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 63, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 76, lines: 10 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: true, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: true, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, ]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
 }, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
-}, crate::Binding { group: 1, name: Borrowed("counts"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("counts"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
 }, ]),
 structs: Borrowed(&[crate::StructLayout { name: Borrowed("Instance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("origin_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("material"), offset: 60, size: 4 }, ]),
 tail: None }, crate::StructLayout { name: Borrowed("View"), kind: crate::LayoutKind::Memory, size: 96, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, ]),
 tail: None }, ]),
 overrides: Borrowed(&[]),
 immediate_size: 0,
-features: wgpu::Features::empty().union(wgpu::Features::SHADER_EARLY_DEPTH_TEST), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE).union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE), };
+features: wgpu::Features::empty().union(wgpu::Features::SHADER_EARLY_DEPTH_TEST), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE).union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE).union(wgpu::DownlevelFlags::MULTISAMPLED_SHADING), };
 /// Names of the entry points.
 pub mod entry {
-/// `vertex`.
-pub const VERTEX: &str = "vertex";
 /// `fragment`.
 pub const FRAGMENT: &str = "fragment";
+/// `fragment_of_samples`.
+pub const FRAGMENT_OF_SAMPLES: &str = "fragment_of_samples";
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
 }
 /// Places of the variables in use.
 pub mod binding {
@@ -229,13 +244,13 @@ pub mod count_compare {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/count_compare.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/count_compare.wgsl"), include_str!("../wgsl/shared/counted.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("count_compare"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/count_compare.wgsl"), first_line: 1, lines: 28 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 29, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 45, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 59, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 72, lines: 10 }, ]),
-entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, ]),
-}, crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/count_compare.wgsl"), first_line: 1, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/counted.wgsl"), first_line: 14, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 32, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 48, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 62, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 75, lines: 10 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, ]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
 }, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
@@ -250,10 +265,10 @@ immediate_size: 0,
 features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE).union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE), };
 /// Names of the entry points.
 pub mod entry {
-/// `vertex`.
-pub const VERTEX: &str = "vertex";
 /// `fragment`.
 pub const FRAGMENT: &str = "fragment";
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
 }
 /// Places of the variables in use.
 pub mod binding {
@@ -270,16 +285,121 @@ pub const OCCLUDER_DEPTH: crate::BindingPlace = crate::BindingPlace { group: 1, 
 pub mod workgroup {
 }
 }
-/// `wgsl/cull_patches.wgsl`.
-pub mod cull_patches {
+/// `wgsl/count_compare_many.wgsl`.
+pub mod count_compare_many {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/cull_patches.wgsl"), include_str!("../wgsl/shared/marks.wgsl"), include_str!("../wgsl/shared/threshold.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/count_compare_many.wgsl"), include_str!("../wgsl/shared/counted.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
-name: Borrowed("cull_patches"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/cull_patches.wgsl"), first_line: 1, lines: 83 }, crate::SourcePart { file: Borrowed("wgsl/shared/marks.wgsl"), first_line: 84, lines: 8 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 92, lines: 10 }, ]),
+name: Borrowed("count_compare_many"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/count_compare_many.wgsl"), first_line: 1, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/counted.wgsl"), first_line: 14, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 32, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 48, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 62, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 75, lines: 10 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, ]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("counts"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("occluder_depth"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: false }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: true }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Instance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("origin_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("material"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("View"), kind: crate::LayoutKind::Memory, size: 96, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE).union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE).union(wgpu::DownlevelFlags::MULTISAMPLED_SHADING), };
+/// Names of the entry points.
+pub mod entry {
+/// `fragment_of_samples`.
+pub const FRAGMENT_OF_SAMPLES: &str = "fragment_of_samples";
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `counts`.
+pub const COUNTS: crate::BindingPlace = crate::BindingPlace { group: 1, binding: 0 };
+/// `occluder_depth`.
+pub const OCCLUDER_DEPTH: crate::BindingPlace = crate::BindingPlace { group: 1, binding: 1 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+}
+}
+/// `wgsl/cull_patches_many.wgsl`.
+pub mod cull_patches_many {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/cull_patches_many.wgsl"), include_str!("../wgsl/shared/cull_patches.wgsl"), include_str!("../wgsl/shared/marks.wgsl"), include_str!("../wgsl/shared/threshold.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("cull_patches_many"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/cull_patches_many.wgsl"), first_line: 1, lines: 12 }, crate::SourcePart { file: Borrowed("wgsl/shared/cull_patches.wgsl"), first_line: 13, lines: 82 }, crate::SourcePart { file: Borrowed("wgsl/shared/marks.wgsl"), first_line: 95, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 111, lines: 10 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("settings"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("entries"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(24) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("counts"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("finished_depth"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: false }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: true }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("kept"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(8) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("draws"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(20) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("shown"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("adapted"), entry: wgpu::BindGroupLayoutEntry { binding: 7, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("AdaptedThreshold"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("padding_a"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("threshold"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("left_out"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 12, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Draw"), kind: crate::LayoutKind::Memory, size: 20, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("index_count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("instance_count"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("first_index"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("base_vertex"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("first_instance"), offset: 16, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Entry"), kind: crate::LayoutKind::Memory, size: 24, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("slot"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("patch_number"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("draw"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("nearest"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("least"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("greatest"), offset: 20, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Settings"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("threshold"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 12, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `cull_patches`.
+pub const CULL_PATCHES: &str = "cull_patches";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `settings`.
+pub const SETTINGS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `entries`.
+pub const ENTRIES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `counts`.
+pub const COUNTS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `finished_depth`.
+pub const FINISHED_DEPTH: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `kept`.
+pub const KEPT: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
+/// `draws`.
+pub const DRAWS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `shown`.
+pub const SHOWN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `adapted`.
+pub const ADAPTED: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 7 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `cull_patches`.
+pub const CULL_PATCHES: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/cull_patches_one.wgsl`.
+pub mod cull_patches_one {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/cull_patches_one.wgsl"), include_str!("../wgsl/shared/cull_patches.wgsl"), include_str!("../wgsl/shared/marks.wgsl"), include_str!("../wgsl/shared/threshold.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("cull_patches_one"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/cull_patches_one.wgsl"), first_line: 1, lines: 9 }, crate::SourcePart { file: Borrowed("wgsl/shared/cull_patches.wgsl"), first_line: 10, lines: 82 }, crate::SourcePart { file: Borrowed("wgsl/shared/marks.wgsl"), first_line: 92, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 108, lines: 10 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("settings"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -366,16 +486,53 @@ pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, bindi
 pub mod workgroup {
 }
 }
-/// `wgsl/histogram.wgsl`.
-pub mod histogram {
+/// `wgsl/histogram_many.wgsl`.
+pub mod histogram_many {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/histogram.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/histogram_many.wgsl"), include_str!("../wgsl/shared/histogram.wgsl"), include_str!("../wgsl/shared/packed_id.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
-name: Borrowed("histogram"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/histogram.wgsl"), first_line: 1, lines: 38 }, ]),
+name: Borrowed("histogram_many"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/histogram_many.wgsl"), first_line: 1, lines: 12 }, crate::SourcePart { file: Borrowed("wgsl/shared/histogram.wgsl"), first_line: 13, lines: 40 }, crate::SourcePart { file: Borrowed("wgsl/shared/packed_id.wgsl"), first_line: 53, lines: 10 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("count"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("ids"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Uint, view_dimension: wgpu::TextureViewDimension::D2, multisampled: true }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("count"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("counts"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("count"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `count`.
+pub const COUNT: &str = "count";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `ids`.
+pub const IDS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `counts`.
+pub const COUNTS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `count`.
+pub const COUNT: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/histogram_one.wgsl`.
+pub mod histogram_one {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/histogram_one.wgsl"), include_str!("../wgsl/shared/histogram.wgsl"), include_str!("../wgsl/shared/packed_id.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("histogram_one"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/histogram_one.wgsl"), first_line: 1, lines: 12 }, crate::SourcePart { file: Borrowed("wgsl/shared/histogram.wgsl"), first_line: 13, lines: 40 }, crate::SourcePart { file: Borrowed("wgsl/shared/packed_id.wgsl"), first_line: 53, lines: 10 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("count"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("ids"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Uint, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("count"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -408,18 +565,18 @@ pub mod identity {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/identity.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), include_str!("../wgsl/shared/material.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/identity.wgsl"), include_str!("../wgsl/shared/identified.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), include_str!("../wgsl/shared/material.wgsl"), include_str!("../wgsl/shared/packed_id.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("identity"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/identity.wgsl"), first_line: 1, lines: 55 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 56, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 72, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 86, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 99, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 109, lines: 34 }, ]),
-entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, ]),
-}, crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
-}, crate::EntryPoint { name: Borrowed("masked_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 2, name: Borrowed("normal"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 3, name: Borrowed("uv"), format: wgpu::VertexFormat::Float32x2 }, crate::VertexInput { location: 4, name: Borrowed("colour"), format: wgpu::VertexFormat::Float32x4 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/identity.wgsl"), first_line: 1, lines: 17 }, crate::SourcePart { file: Borrowed("wgsl/shared/identified.wgsl"), first_line: 18, lines: 45 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 63, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 79, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 93, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 106, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 116, lines: 34 }, crate::SourcePart { file: Borrowed("wgsl/shared/packed_id.wgsl"), first_line: 150, lines: 10 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, crate::EntryPoint { name: Borrowed("masked_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, ]),
+}, crate::EntryPoint { name: Borrowed("masked_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 2, name: Borrowed("normal"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 3, name: Borrowed("uv"), format: wgpu::VertexFormat::Float32x2 }, crate::VertexInput { location: 4, name: Borrowed("colour"), format: wgpu::VertexFormat::Float32x4 }, ]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("masked_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
-}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("masked_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("masked_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("masked_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("masked_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
 }, crate::Binding { group: 1, name: Borrowed("materials"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("masked_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
 }, crate::Binding { group: 2, name: Borrowed("base_colour_texture"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: true }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("masked_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, ]),
 }, crate::Binding { group: 2, name: Borrowed("base_colour_sampler"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering), count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("masked_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
@@ -433,14 +590,14 @@ immediate_size: 0,
 features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE), };
 /// Names of the entry points.
 pub mod entry {
-/// `vertex`.
-pub const VERTEX: &str = "vertex";
 /// `fragment`.
 pub const FRAGMENT: &str = "fragment";
-/// `masked_vertex`.
-pub const MASKED_VERTEX: &str = "masked_vertex";
 /// `masked_fragment`.
 pub const MASKED_FRAGMENT: &str = "masked_fragment";
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
+/// `masked_vertex`.
+pub const MASKED_VERTEX: &str = "masked_vertex";
 }
 /// Places of the variables in use.
 pub mod binding {
@@ -731,7 +888,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/patch_compare.wgsl"), inc
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("patch_compare"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/patch_compare.wgsl"), first_line: 1, lines: 24 }, crate::SourcePart { file: Borrowed("wgsl/shared/patch.wgsl"), first_line: 25, lines: 60 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 85, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 101, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 115, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 128, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 138, lines: 34 }, crate::SourcePart { file: Borrowed("wgsl/shared/marks.wgsl"), first_line: 172, lines: 8 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/patch_compare.wgsl"), first_line: 1, lines: 24 }, crate::SourcePart { file: Borrowed("wgsl/shared/patch.wgsl"), first_line: 25, lines: 66 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 91, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 107, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 121, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 134, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 144, lines: 34 }, crate::SourcePart { file: Borrowed("wgsl/shared/marks.wgsl"), first_line: 178, lines: 16 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, crate::EntryPoint { name: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 5, name: Borrowed("patch_number"), format: wgpu::VertexFormat::Uint32 }, ]),
@@ -784,6 +941,68 @@ pub const FINISHED_DEPTH: crate::BindingPlace = crate::BindingPlace { group: 3, 
 pub mod workgroup {
 }
 }
+/// `wgsl/patch_compare_many.wgsl`.
+pub mod patch_compare_many {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/patch_compare_many.wgsl"), include_str!("../wgsl/shared/patch.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), include_str!("../wgsl/shared/material.wgsl"), include_str!("../wgsl/shared/marks.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("patch_compare_many"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/patch_compare_many.wgsl"), first_line: 1, lines: 23 }, crate::SourcePart { file: Borrowed("wgsl/shared/patch.wgsl"), first_line: 24, lines: 66 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 90, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 106, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 120, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 133, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 143, lines: 34 }, crate::SourcePart { file: Borrowed("wgsl/shared/marks.wgsl"), first_line: 177, lines: 16 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("textured_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 5, name: Borrowed("patch_number"), format: wgpu::VertexFormat::Uint32 }, ]),
+}, crate::EntryPoint { name: Borrowed("textured_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 2, name: Borrowed("normal"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 3, name: Borrowed("uv"), format: wgpu::VertexFormat::Float32x2 }, crate::VertexInput { location: 4, name: Borrowed("colour"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 5, name: Borrowed("patch_number"), format: wgpu::VertexFormat::Uint32 }, ]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("materials"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_texture"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: true }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_sampler"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering), count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 3, name: Borrowed("shown"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 3, name: Borrowed("finished_depth"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: false }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: true }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Instance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("origin_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("material"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Material"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("base_colour"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("uv_u"), offset: 16, size: 12 }, crate::FieldLayout { name: Borrowed("alpha_cutoff"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("uv_v"), offset: 32, size: 12 }, crate::FieldLayout { name: Borrowed("unlit"), offset: 44, size: 4 }, crate::FieldLayout { name: Borrowed("metallic"), offset: 48, size: 4 }, crate::FieldLayout { name: Borrowed("roughness"), offset: 52, size: 4 }, crate::FieldLayout { name: Borrowed("environment_level"), offset: 56, size: 4 }, crate::FieldLayout { name: Borrowed("environment_inset"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("View"), kind: crate::LayoutKind::Memory, size: 96, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[crate::Override { key: Borrowed("textured"), required: false }, ]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE).union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE).union(wgpu::DownlevelFlags::MULTISAMPLED_SHADING), };
+/// Names of the entry points.
+pub mod entry {
+/// `fragment_of_samples`.
+pub const FRAGMENT_OF_SAMPLES: &str = "fragment_of_samples";
+/// `textured_fragment_of_samples`.
+pub const TEXTURED_FRAGMENT_OF_SAMPLES: &str = "textured_fragment_of_samples";
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
+/// `textured_vertex`.
+pub const TEXTURED_VERTEX: &str = "textured_vertex";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `materials`.
+pub const MATERIALS: crate::BindingPlace = crate::BindingPlace { group: 1, binding: 0 };
+/// `base_colour_texture`.
+pub const BASE_COLOUR_TEXTURE: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 0 };
+/// `base_colour_sampler`.
+pub const BASE_COLOUR_SAMPLER: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 1 };
+/// `shown`.
+pub const SHOWN: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 0 };
+/// `finished_depth`.
+pub const FINISHED_DEPTH: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 1 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+}
+}
 /// `wgsl/patch_early.wgsl`.
 pub mod patch_early {
 #[allow(unused_imports, reason = "which of them depends on the job")]
@@ -793,18 +1012,20 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/patch_early.wgsl"), inclu
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("patch_early"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/patch_early.wgsl"), first_line: 1, lines: 15 }, crate::SourcePart { file: Borrowed("wgsl/shared/patch.wgsl"), first_line: 16, lines: 60 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 76, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 92, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 106, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 119, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 129, lines: 34 }, crate::SourcePart { file: Borrowed("wgsl/shared/marks.wgsl"), first_line: 163, lines: 8 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/patch_early.wgsl"), first_line: 1, lines: 31 }, crate::SourcePart { file: Borrowed("wgsl/shared/patch.wgsl"), first_line: 32, lines: 66 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 98, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 114, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 128, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 141, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 151, lines: 34 }, crate::SourcePart { file: Borrowed("wgsl/shared/marks.wgsl"), first_line: 185, lines: 16 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: true, vertex_inputs: Borrowed(&[]),
 }, crate::EntryPoint { name: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: true, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: true, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("textured_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: true, vertex_inputs: Borrowed(&[]),
 }, crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 5, name: Borrowed("patch_number"), format: wgpu::VertexFormat::Uint32 }, ]),
 }, crate::EntryPoint { name: Borrowed("textured_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 2, name: Borrowed("normal"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 3, name: Borrowed("uv"), format: wgpu::VertexFormat::Float32x2 }, crate::VertexInput { location: 4, name: Borrowed("colour"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 5, name: Borrowed("patch_number"), format: wgpu::VertexFormat::Uint32 }, ]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
-}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
-}, crate::Binding { group: 1, name: Borrowed("materials"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
-}, crate::Binding { group: 2, name: Borrowed("base_colour_texture"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: true }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, ]),
-}, crate::Binding { group: 2, name: Borrowed("base_colour_sampler"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering), count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
-}, crate::Binding { group: 3, name: Borrowed("shown"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("materials"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_texture"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: true }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, crate::BindingUse { entry_point: Borrowed("textured_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_sampler"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering), count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 3, name: Borrowed("shown"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("textured_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
 }, ]),
 structs: Borrowed(&[crate::StructLayout { name: Borrowed("Instance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("origin_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("material"), offset: 60, size: 4 }, ]),
 tail: None }, crate::StructLayout { name: Borrowed("Material"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("base_colour"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("uv_u"), offset: 16, size: 12 }, crate::FieldLayout { name: Borrowed("alpha_cutoff"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("uv_v"), offset: 32, size: 12 }, crate::FieldLayout { name: Borrowed("unlit"), offset: 44, size: 4 }, crate::FieldLayout { name: Borrowed("metallic"), offset: 48, size: 4 }, crate::FieldLayout { name: Borrowed("roughness"), offset: 52, size: 4 }, crate::FieldLayout { name: Borrowed("environment_level"), offset: 56, size: 4 }, crate::FieldLayout { name: Borrowed("environment_inset"), offset: 60, size: 4 }, ]),
@@ -812,13 +1033,17 @@ tail: None }, crate::StructLayout { name: Borrowed("View"), kind: crate::LayoutK
 tail: None }, ]),
 overrides: Borrowed(&[crate::Override { key: Borrowed("textured"), required: false }, ]),
 immediate_size: 0,
-features: wgpu::Features::empty().union(wgpu::Features::SHADER_EARLY_DEPTH_TEST), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE).union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE), };
+features: wgpu::Features::empty().union(wgpu::Features::SHADER_EARLY_DEPTH_TEST), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE).union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE).union(wgpu::DownlevelFlags::MULTISAMPLED_SHADING), };
 /// Names of the entry points.
 pub mod entry {
 /// `fragment`.
 pub const FRAGMENT: &str = "fragment";
 /// `textured_fragment`.
 pub const TEXTURED_FRAGMENT: &str = "textured_fragment";
+/// `fragment_of_samples`.
+pub const FRAGMENT_OF_SAMPLES: &str = "fragment_of_samples";
+/// `textured_fragment_of_samples`.
+pub const TEXTURED_FRAGMENT_OF_SAMPLES: &str = "textured_fragment_of_samples";
 /// `vertex`.
 pub const VERTEX: &str = "vertex";
 /// `textured_vertex`.
@@ -963,6 +1188,68 @@ pub mod workgroup {
 pub const REST: [u32; 3] = [64, 1, 1];
 }
 }
+/// `wgsl/sample_identity.wgsl`.
+pub mod sample_identity {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/sample_identity.wgsl"), include_str!("../wgsl/shared/identified.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), include_str!("../wgsl/shared/material.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("sample_identity"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/sample_identity.wgsl"), first_line: 1, lines: 48 }, crate::SourcePart { file: Borrowed("wgsl/shared/identified.wgsl"), first_line: 49, lines: 45 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 94, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 110, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 124, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 137, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 147, lines: 34 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("masked_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("masked_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, ]),
+}, crate::EntryPoint { name: Borrowed("masked_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 2, name: Borrowed("normal"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 3, name: Borrowed("uv"), format: wgpu::VertexFormat::Float32x2 }, crate::VertexInput { location: 4, name: Borrowed("colour"), format: wgpu::VertexFormat::Float32x4 }, ]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("masked_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("masked_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("masked_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("masked_vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("materials"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("masked_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("masked_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_texture"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: true }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("masked_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, crate::BindingUse { entry_point: Borrowed("masked_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_sampler"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering), count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("masked_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("masked_fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Instance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("origin_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("material"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Material"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("base_colour"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("uv_u"), offset: 16, size: 12 }, crate::FieldLayout { name: Borrowed("alpha_cutoff"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("uv_v"), offset: 32, size: 12 }, crate::FieldLayout { name: Borrowed("unlit"), offset: 44, size: 4 }, crate::FieldLayout { name: Borrowed("metallic"), offset: 48, size: 4 }, crate::FieldLayout { name: Borrowed("roughness"), offset: 52, size: 4 }, crate::FieldLayout { name: Borrowed("environment_level"), offset: 56, size: 4 }, crate::FieldLayout { name: Borrowed("environment_inset"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("View"), kind: crate::LayoutKind::Memory, size: 96, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[crate::Override { key: Borrowed("sample"), required: false }, crate::Override { key: Borrowed("textured"), required: false }, ]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE).union(wgpu::DownlevelFlags::MULTISAMPLED_SHADING), };
+/// Names of the entry points.
+pub mod entry {
+/// `fragment`.
+pub const FRAGMENT: &str = "fragment";
+/// `masked_fragment`.
+pub const MASKED_FRAGMENT: &str = "masked_fragment";
+/// `fragment_of_samples`.
+pub const FRAGMENT_OF_SAMPLES: &str = "fragment_of_samples";
+/// `masked_fragment_of_samples`.
+pub const MASKED_FRAGMENT_OF_SAMPLES: &str = "masked_fragment_of_samples";
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
+/// `masked_vertex`.
+pub const MASKED_VERTEX: &str = "masked_vertex";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `materials`.
+pub const MATERIALS: crate::BindingPlace = crate::BindingPlace { group: 1, binding: 0 };
+/// `base_colour_texture`.
+pub const BASE_COLOUR_TEXTURE: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 0 };
+/// `base_colour_sampler`.
+pub const BASE_COLOUR_SAMPLER: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 1 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+}
+}
 /// `wgsl/scatter.wgsl`.
 pub mod scatter {
 #[allow(unused_imports, reason = "which of them depends on the job")]
@@ -1053,11 +1340,11 @@ pub mod shaded {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/shaded.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), include_str!("../wgsl/shared/material.wgsl"), include_str!("../wgsl/shared/light.wgsl"), include_str!("../wgsl/shared/environment.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/shaded.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), include_str!("../wgsl/shared/material.wgsl"), include_str!("../wgsl/shared/light.wgsl"), include_str!("../wgsl/shared/environment.wgsl"), include_str!("../wgsl/shared/packed_id.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("shaded"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/shaded.wgsl"), first_line: 1, lines: 154 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 155, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 171, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 185, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 198, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 208, lines: 34 }, crate::SourcePart { file: Borrowed("wgsl/shared/light.wgsl"), first_line: 242, lines: 76 }, crate::SourcePart { file: Borrowed("wgsl/shared/environment.wgsl"), first_line: 318, lines: 21 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/shaded.wgsl"), first_line: 1, lines: 155 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 156, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 172, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 186, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 199, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 209, lines: 34 }, crate::SourcePart { file: Borrowed("wgsl/shared/light.wgsl"), first_line: 243, lines: 76 }, crate::SourcePart { file: Borrowed("wgsl/shared/environment.wgsl"), first_line: 319, lines: 21 }, crate::SourcePart { file: Borrowed("wgsl/shared/packed_id.wgsl"), first_line: 340, lines: 10 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 2, name: Borrowed("normal"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 3, name: Borrowed("uv"), format: wgpu::VertexFormat::Float32x2 }, crate::VertexInput { location: 4, name: Borrowed("colour"), format: wgpu::VertexFormat::Float32x4 }, ]),
 }, crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, crate::EntryPoint { name: Borrowed("reflecting_fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
@@ -1126,16 +1413,16 @@ pub mod signature {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/signature.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), include_str!("../wgsl/shared/material.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/signature.wgsl"), include_str!("../wgsl/shared/transparent_sums.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), include_str!("../wgsl/shared/material.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("signature"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/signature.wgsl"), first_line: 1, lines: 51 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 52, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 68, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 82, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 95, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 105, lines: 34 }, ]),
-entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 2, name: Borrowed("normal"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 3, name: Borrowed("uv"), format: wgpu::VertexFormat::Float32x2 }, crate::VertexInput { location: 4, name: Borrowed("colour"), format: wgpu::VertexFormat::Float32x4 }, ]),
-}, crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/signature.wgsl"), first_line: 1, lines: 11 }, crate::SourcePart { file: Borrowed("wgsl/shared/transparent_sums.wgsl"), first_line: 12, lines: 48 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 60, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 76, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 90, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 103, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 113, lines: 34 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 2, name: Borrowed("normal"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 3, name: Borrowed("uv"), format: wgpu::VertexFormat::Float32x2 }, crate::VertexInput { location: 4, name: Borrowed("colour"), format: wgpu::VertexFormat::Float32x4 }, ]),
 }, ]),
-bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
-}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
 }, crate::Binding { group: 1, name: Borrowed("materials"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
 }, crate::Binding { group: 2, name: Borrowed("base_colour_texture"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: true }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, ]),
 }, crate::Binding { group: 2, name: Borrowed("base_colour_sampler"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering), count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
@@ -1152,10 +1439,10 @@ immediate_size: 0,
 features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE).union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE), };
 /// Names of the entry points.
 pub mod entry {
-/// `vertex`.
-pub const VERTEX: &str = "vertex";
 /// `fragment`.
 pub const FRAGMENT: &str = "fragment";
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
 }
 /// Places of the variables in use.
 pub mod binding {
@@ -1175,6 +1462,62 @@ pub const SIGNATURES: crate::BindingPlace = crate::BindingPlace { group: 3, bind
 pub const SAMPLES: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 1 };
 /// `opaque_depth`.
 pub const OPAQUE_DEPTH: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 2 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+}
+}
+/// `wgsl/signature_early.wgsl`.
+pub mod signature_early {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/signature_early.wgsl"), include_str!("../wgsl/shared/transparent_sums.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), include_str!("../wgsl/shared/material.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("signature_early"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/signature_early.wgsl"), first_line: 1, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/transparent_sums.wgsl"), first_line: 11, lines: 48 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 59, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 75, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 89, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 102, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 112, lines: 34 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: true, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 2, name: Borrowed("normal"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 3, name: Borrowed("uv"), format: wgpu::VertexFormat::Float32x2 }, crate::VertexInput { location: 4, name: Borrowed("colour"), format: wgpu::VertexFormat::Float32x4 }, ]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("materials"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_texture"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: true }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_sampler"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering), count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 3, name: Borrowed("signatures"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 3, name: Borrowed("samples"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Instance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("origin_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("material"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Material"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("base_colour"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("uv_u"), offset: 16, size: 12 }, crate::FieldLayout { name: Borrowed("alpha_cutoff"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("uv_v"), offset: 32, size: 12 }, crate::FieldLayout { name: Borrowed("unlit"), offset: 44, size: 4 }, crate::FieldLayout { name: Borrowed("metallic"), offset: 48, size: 4 }, crate::FieldLayout { name: Borrowed("roughness"), offset: 52, size: 4 }, crate::FieldLayout { name: Borrowed("environment_level"), offset: 56, size: 4 }, crate::FieldLayout { name: Borrowed("environment_inset"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("View"), kind: crate::LayoutKind::Memory, size: 96, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[crate::Override { key: Borrowed("textured"), required: false }, ]),
+immediate_size: 0,
+features: wgpu::Features::empty().union(wgpu::Features::SHADER_EARLY_DEPTH_TEST), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE).union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE).union(wgpu::DownlevelFlags::MULTISAMPLED_SHADING), };
+/// Names of the entry points.
+pub mod entry {
+/// `fragment_of_samples`.
+pub const FRAGMENT_OF_SAMPLES: &str = "fragment_of_samples";
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `materials`.
+pub const MATERIALS: crate::BindingPlace = crate::BindingPlace { group: 1, binding: 0 };
+/// `base_colour_texture`.
+pub const BASE_COLOUR_TEXTURE: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 0 };
+/// `base_colour_sampler`.
+pub const BASE_COLOUR_SAMPLER: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 1 };
+/// `signatures`.
+pub const SIGNATURES: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 0 };
+/// `samples`.
+pub const SAMPLES: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 1 };
 }
 /// Workgroup sizes of the compute entry points.
 pub mod workgroup {

@@ -1,24 +1,14 @@
-//!import position
+//!import counted
 // Counts visible samples with fragment atomics: each fragment that passes the forced early depth test adds one to its slot.
-
-struct Varying {
-    @invariant @builtin(position) clip: vec4<f32>,
-    @location(0) @interpolate(flat) slot: u32,
-}
-
-// Visible samples by slot.
-@group(1) @binding(0) var<storage, read_write> counts: array<atomic<u32>>;
-
-@vertex
-fn vertex(@location(0) local: vec3<f32>, @location(1) slot: u32) -> Varying {
-    var out: Varying;
-    out.clip = clip_position(relative_position(instances[slot], local));
-    out.slot = slot;
-    return out;
-}
 
 // Without the forced early test, hidden fragments would be counted too: a shader that writes memory runs before the depth test.
 @fragment @early_depth_test(force)
 fn fragment(in: Varying) {
     atomicAdd(&counts[in.slot], 1u);
+}
+
+// For several samples a pixel. Reading the sample's number makes the shader run once for each sample that passes.
+@fragment @early_depth_test(force)
+fn fragment_of_samples(in: Varying, @builtin(sample_index) number: u32) {
+    atomicAdd(&counts[in.slot], min(number + 1u, 1u));
 }

@@ -13,3 +13,19 @@ fn textured_fragment(in: TexturedVarying) {
         mark(in.patch_number, in.clip);
     }
 }
+
+// For several samples a pixel. Reading the sample's number makes the shader run once for each sample that passes: once a pixel, llvmpipe runs it also
+// where the mesh covers only samples that fail.
+@fragment @early_depth_test(force)
+fn fragment_of_samples(in: Varying, @builtin(sample_index) number: u32) {
+    if number < 32u {
+        mark(in.patch_number, in.clip);
+    }
+}
+
+@fragment @early_depth_test(force)
+fn textured_fragment_of_samples(in: TexturedVarying, @builtin(sample_index) number: u32) {
+    if number < 32u && is_there(in) {
+        mark(in.patch_number, in.clip);
+    }
+}

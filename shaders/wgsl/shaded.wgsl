@@ -2,6 +2,7 @@
 //!import material
 //!import light
 //!import environment
+//!import packed_id
 // The shaded pass: base colour, Lambert and Blinn-Phong, alpha mask and blend and, with an environment, reflections of it.
 
 // 0 opaque, 1 mask, 2 blend. A pipeline constant, so that opaque geometry keeps its early depth test.
@@ -124,7 +125,7 @@ struct IdentifiedVarying {
 
 struct Identified {
     @location(0) colour: vec4<f32>,
-    @location(1) id: u32,
+    @location(1) id: vec2<u32>,
 }
 
 @vertex
@@ -145,10 +146,10 @@ fn without_slot(in: IdentifiedVarying) -> Varying {
 
 @fragment
 fn identified_fragment(in: IdentifiedVarying, @builtin(front_facing) front: bool) -> Identified {
-    return Identified(shade(without_slot(in), front), in.slot + 1u);
+    return Identified(shade(without_slot(in), front), packed_id(in.slot + 1u));
 }
 
 @fragment
 fn identified_reflecting_fragment(in: IdentifiedVarying, @builtin(front_facing) front: bool) -> Identified {
-    return Identified(shade_reflecting(without_slot(in), front), in.slot + 1u);
+    return Identified(shade_reflecting(without_slot(in), front), packed_id(in.slot + 1u));
 }

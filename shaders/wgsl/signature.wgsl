@@ -1,51 +1,11 @@
-//!import position
-//!import material
-// The oracle's record of transparent entities: each visible fragment adds a hash of its entity's id to its pixel's signature, and one to its
-// slot's samples. Unlike blended colours, sums do not depend on the drawing order.
+//!import transparent_sums
+// The oracle's record of transparent entities, by comparing depths in the shader.
 
-struct Varying {
-    @invariant @builtin(position) clip: vec4<f32>,
-    @location(0) @interpolate(flat) slot: u32,
-    @location(1) uv: vec2<f32>,
-    @location(2) colour: vec4<f32>,
-}
-
-@group(3) @binding(0) var<storage, read_write> signatures: array<atomic<u32>>;
-@group(3) @binding(1) var<storage, read_write> samples: array<atomic<u32>>;
 @group(3) @binding(2) var opaque_depth: texture_2d<f32>;
-
-@vertex
-fn vertex(
-    @location(0) local: vec3<f32>,
-    @location(1) slot: u32,
-    @location(2) normal: vec4<f32>,
-    @location(3) uv: vec2<f32>,
-    @location(4) colour: vec4<f32>,
-) -> Varying {
-    var out: Varying;
-    out.clip = clip_position(relative_position(instances[slot], local));
-    out.slot = slot;
-    out.uv = uv;
-    out.colour = colour;
-    return out;
-}
-
-// The finaliser of MurmurHash3 (Appleby), so that neighbouring ids have unrelated hashes.
-fn hashed(id: u32) -> u32 {
-    var h = id;
-    h = (h ^ (h >> 16u)) * 0x85ebca6bu;
-    h = (h ^ (h >> 13u)) * 0xc2b2ae35u;
-    return h ^ (h >> 16u);
-}
 
 @fragment
 fn fragment(in: Varying) {
-    let base = base_colour(materials[instances[in.slot].material], in.uv, in.colour);
-    let pixel = vec2<u32>(in.clip.xy);
-    // Less than half of an 8-bit step does not change the image.
-    if base.a >= 0.002 && in.clip.z >= textureLoad(opaque_depth, vec2<i32>(in.clip.xy), 0).x {
-        let width = textureDimensions(opaque_depth).x;
-        atomicAdd(&signatures[pixel.y * width + pixel.x], hashed(in.slot + 1u));
-        atomicAdd(&samples[in.slot], 1u);
+    if in.clip.z >= textureLoad(opaque_depth, vec2<i32>(in.clip.xy), 0).x {
+        note(in);
     }
 }

@@ -28,6 +28,8 @@ pub struct Input {
     pub path: CameraPath,
     /// Width and height of a view in pixels.
     pub size: [u32; 2],
+    /// Samples a pixel.
+    pub samples: u32,
     /// Two eyes for each pose's camera.
     pub stereo: Option<Stereo>,
     /// The seed of a built-in scene; `None` for a file.
@@ -92,6 +94,7 @@ impl Input {
             name,
             path,
             size,
+            samples: args.samples,
             stereo,
             scene_seed: found.seed,
             horizon,

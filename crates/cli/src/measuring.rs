@@ -20,6 +20,7 @@ pub fn measure(
 ) -> Result<Comparison, Failure> {
     let options = CompareOptions {
         size: input.size,
+        samples: input.samples,
         stereo: input.stereo,
         command: command_line(),
         scene_name: input.name,

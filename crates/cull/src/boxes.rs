@@ -180,8 +180,8 @@ impl BoxPipeline {
     /// Bytes of a box in [`BoxDraws::buffer`].
     pub const BYTES_A_BOX: u64 = size_of::<GpuBox>() as u64;
 
-    /// Compiles the pipeline.
-    pub fn new(gpu: &Gpu) -> Self {
+    /// Compiles the pipeline, for depths of `samples` samples a pixel.
+    pub fn new(gpu: &Gpu, samples: u32) -> Self {
         let device = &gpu.device;
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("boxes"),
@@ -219,7 +219,10 @@ impl BoxPipeline {
                 stencil: Default::default(),
                 bias: Default::default(),
             }),
-            multisample: Default::default(),
+            multisample: wgpu::MultisampleState {
+                count: samples,
+                ..Default::default()
+            },
             fragment: None,
             multiview_mask: None,
             cache: None,

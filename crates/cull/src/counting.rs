@@ -3,13 +3,13 @@
 //! - Hardware queries answer *any sample* or *none*. Each query costs a draw.
 //! - Fragment atomics count under a forced early depth test (Vulkan and OpenGL alone).
 //! - A depth comparison in the shader counts wherever fragment shaders may write memory.
-//! - An entity-id buffer and a histogram count the pixels that each entity owns. This needs one geometry pass where the others need two
+//! - An entity-id buffer and a histogram count the samples that each entity owns. This needs one geometry pass where the others need two
 //!   (after the item buffers of Weghorst, Hooper and Greenberg, *Improved Computational Methods for Ray Tracing*, 1984).
 
 use std::fmt;
 use std::str::FromStr;
 
-use antumbra_graph::{Bind, Buffer, BufferDesc, Clear, Host, Texture, TextureDesc};
+use antumbra_graph::{Bind, Buffer, BufferDesc, Host, Texture};
 use antumbra_shaders::jobs;
 
 use crate::candidates::Queried;
@@ -19,7 +19,7 @@ use crate::device::Gpu;
 use crate::draw_source::ListDraws;
 use crate::frame_graph::{CULL, FrameGraph};
 use crate::proxies::Proxies;
-use crate::renderer::{DepthTest, IDENTITY_FORMAT, IdTargets};
+use crate::renderer::{DepthTest, IdTargets};
 use crate::view_nodes::ViewNodes;
 
 /// A way of counting visible samples.
@@ -49,24 +49,21 @@ impl Counting {
         }
     }
 
-    /// The faster of the two ways in which fragments count themselves that this device supports.
-    pub fn by_fragments(gpu: &Gpu) -> Self {
-        match Self::Atomics.lacking(gpu) {
+    /// The faster of the two ways in which fragments count themselves that this device supports; [`Self::Compare`] where it supports neither.
+    pub fn by_fragments(gpu: &Gpu, samples: u32) -> Self {
+        match Self::Atomics.lacking(gpu, samples) {
             None => Self::Atomics,
             Some(_) => Self::Compare,
         }
     }
 
-    /// What the device lacks for it; `None` where it is supported.
-    pub fn lacking(self, gpu: &Gpu) -> Option<&'static str> {
-        let writable = gpu
-            .downlevel
-            .flags
-            .contains(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE);
-        let compute = gpu
-            .downlevel
-            .flags
-            .contains(wgpu::DownlevelFlags::COMPUTE_SHADERS);
+    /// What the device lacks for it, with so many samples a pixel; `None` where it is supported.
+    pub fn lacking(self, gpu: &Gpu, samples: u32) -> Option<&'static str> {
+        let many = samples > 1;
+        let flags = gpu.downlevel.flags;
+        let writable = flags.contains(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE);
+        let compute = flags.contains(wgpu::DownlevelFlags::COMPUTE_SHADERS);
+        let by_sample = flags.contains(wgpu::DownlevelFlags::MULTISAMPLED_SHADING);
         match self {
             Self::Queries => None,
             Self::Atomics
@@ -80,7 +77,13 @@ impl Counting {
             Self::Atomics | Self::Compare if !writable => {
                 Some("storage writes in fragment shaders")
             }
+            Self::Atomics | Self::Compare if many && !by_sample => {
+                Some("shaders that run once a sample")
+            }
             Self::Identity if !compute => Some("compute shaders"),
+            Self::Compare | Self::Identity if many && !gpu.reads_drawn_samples() => {
+                Some("shaders that read the samples of what was drawn")
+            }
             _ => None,
         }
     }
@@ -197,19 +200,14 @@ impl FrameGraph<'_> {
         depth: Texture,
         size: [u32; 2],
     ) -> Counts {
-        let [width, height] = size;
-        let blank = Clear::Colour(wgpu::Color::TRANSPARENT);
-        let ids = self.graph().texture(
-            view.named("entity ids"),
-            TextureDesc::new(width, height, IDENTITY_FORMAT).cleared(blank),
-        );
+        let ids = self.id_texture(view.named("entity ids"), size);
         let targets = IdTargets { ids, depth };
         let targets = self.draw_ids(view, "entity ids", proxies.occluders, targets);
         let IdTargets { ids, depth } = targets;
         let counts = self.sample_counts(view);
         let mut counts = self.histogram(view, ids, size, counts);
         if let Some(others) = proxies.others {
-            let way = Counting::by_fragments(self.gpu());
+            let way = Counting::by_fragments(self.gpu(), self.samples());
             counts = self.count_against(view, others, way, depth, size, counts);
         }
         Counts {
@@ -219,7 +217,7 @@ impl FrameGraph<'_> {
         }
     }
 
-    /// Counts the pixels of an entity-id texture that each slot owns, and adds them to `counts`.
+    /// Counts the samples of an entity-id texture that each slot owns, and adds them to `counts`.
     pub fn histogram(
         &mut self,
         view: &ViewNodes,
@@ -227,7 +225,11 @@ impl FrameGraph<'_> {
         [width, height]: [u32; 2],
         counts: Buffer,
     ) -> Buffer {
-        let pipeline = self.compute_pipeline(&jobs::histogram::JOB, "count");
+        let job = match self.samples() {
+            1 => &jobs::histogram_one::JOB,
+            _ => &jobs::histogram_many::JOB,
+        };
+        let pipeline = self.compute_pipeline(job, "count");
         let mut node = self.graph().compute(view.named("histogram"));
         node.group(CULL).sample(ids);
         let counts = node.storage_write(counts);

@@ -7,6 +7,7 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::{Arc, Mutex};
 
+use antumbra_graph::CompileOptions;
 use thiserror::Error;
 
 /// The choice of an adapter.
@@ -100,6 +101,7 @@ pub struct Gpu {
     pub info: wgpu::AdapterInfo,
     /// What the adapter can do beyond or below WebGPU.
     pub downlevel: wgpu::DownlevelCapabilities,
+    adapter: Option<wgpu::Adapter>,
     failures: Arc<Mutex<Failures>>,
 }
 
@@ -113,7 +115,9 @@ struct Failures {
 /// Features that are enabled where the adapter has them. None is required.
 pub const WANTED_FEATURES: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY
     .union(wgpu::Features::SHADER_EARLY_DEPTH_TEST)
-    .union(wgpu::Features::INDIRECT_FIRST_INSTANCE);
+    .union(wgpu::Features::INDIRECT_FIRST_INSTANCE)
+    // Other numbers of samples than 1 and 4.
+    .union(wgpu::Features::TEXTURE_ADAPTER_SPECIFIC_FORMAT_FEATURES);
 
 impl Gpu {
     /// Opens a device on the chosen adapter.
@@ -165,7 +169,8 @@ impl Gpu {
                 adapter: adapter_title(&info),
                 reason: error.to_string(),
             })?;
-        let opened = Self::adopt(device, queue, info, downlevel);
+        let mut opened = Self::adopt(device, queue, info, downlevel);
+        opened.adapter = Some(adapter.clone());
         opened.watch();
         Ok(opened)
     }
@@ -183,6 +188,7 @@ impl Gpu {
             queue,
             info,
             downlevel,
+            adapter: None,
             failures: Arc::default(),
         }
     }
@@ -215,6 +221,20 @@ impl Gpu {
     pub(crate) fn is(&self, other: &Self) -> bool {
         let adapter = |gpu: &Self| (gpu.info.backend, gpu.info.name.clone());
         self.device == other.device && adapter(self) == adapter(other)
+    }
+
+    /// How a plan that runs on its own is compiled for this device.
+    pub fn compile_options(&self) -> CompileOptions<'_> {
+        let options = CompileOptions::owned(&self.device);
+        match &self.adapter {
+            Some(adapter) => options.adapter(adapter),
+            None => options,
+        }
+    }
+
+    /// Whether shaders can read a texture of several samples a pixel that was drawn into. wgpu draws nothing into such a texture on OpenGL (gfx-rs/wgpu#6084).
+    pub fn reads_drawn_samples(&self) -> bool {
+        self.info.backend != wgpu::Backend::Gl
     }
 
     /// The adapter as `name (backend)`.

@@ -21,8 +21,7 @@ use crate::entities::SceneTable;
 use crate::narrowing::Narrowing;
 use crate::order::back_to_front;
 use crate::pipelines::Pipelines;
-use crate::renderer::DEPTH_FORMAT;
-use crate::renderer::{Renderer, ShadeTargets};
+use crate::renderer::{DEPTH_FORMAT, IDENTITY_FORMAT, Renderer, ShadeTargets};
 use crate::stage::StageOutput;
 use crate::stage_scene::SceneLayout;
 use crate::strategy::VisibleSet;
@@ -57,6 +56,7 @@ pub(crate) struct Shared {
     pub gpu: Gpu,
     pub layout: SceneLayout,
     pub colour_format: wgpu::TextureFormat,
+    pub samples: u32,
     pub output: StageOutput,
     pub pipelines: Pipelines,
     /// The trees, one a shape, for all views.
@@ -141,12 +141,27 @@ impl<'g> FrameGraph<'g> {
         });
     }
 
-    /// A depth texture, cleared to infinitely far by its first writer.
-    pub fn depth_texture(&mut self, name: String, [width, height]: [u32; 2]) -> Texture {
-        self.graph.texture(
-            name,
-            TextureDesc::new(width, height, DEPTH_FORMAT).cleared(Clear::Depth(0.0)),
-        )
+    /// The samples a pixel of the views' targets, and of everything that the renderer draws.
+    pub fn samples(&self) -> u32 {
+        self.shared.samples
+    }
+
+    /// A depth texture, cleared to infinitely far by its first writer. It has as many samples a pixel as the views.
+    pub fn depth_texture(&mut self, name: String, size: [u32; 2]) -> Texture {
+        let depth = self.drawn(size, DEPTH_FORMAT);
+        self.graph.texture(name, depth.cleared(Clear::Depth(0.0)))
+    }
+
+    /// A texture for entity ids, cleared to none by its first writer. It has as many samples a pixel as the views.
+    pub fn id_texture(&mut self, name: String, size: [u32; 2]) -> Texture {
+        let blank = Clear::Colour(wgpu::Color::TRANSPARENT);
+        let ids = self.drawn(size, IDENTITY_FORMAT);
+        self.graph.texture(name, ids.cleared(blank))
+    }
+
+    /// What the renderer draws into.
+    fn drawn(&self, [width, height]: [u32; 2], format: wgpu::TextureFormat) -> TextureDesc {
+        TextureDesc::new(width, height, format).samples(self.shared.samples)
     }
 
     /// A draw list with room for every slot, and the buffer that its slots are uploaded to.
@@ -160,8 +175,13 @@ impl<'g> FrameGraph<'g> {
 
     /// The pipeline that draws boxes for queries.
     pub fn box_pipeline(&mut self) -> Arc<BoxPipeline> {
-        let Shared { gpu, pipelines, .. } = &mut *self.shared;
-        pipelines.boxes(gpu)
+        let Shared {
+            gpu,
+            pipelines,
+            samples,
+            ..
+        } = &mut *self.shared;
+        pipelines.boxes(gpu, *samples)
     }
 
     /// A compute pipeline of one bind group, made once a stage.

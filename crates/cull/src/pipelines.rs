@@ -34,11 +34,11 @@ impl Pipelines {
         Arc::clone(made.or_insert_with(|| Arc::new(ComputePipeline::new(gpu, job, entry))))
     }
 
-    /// What draws boxes.
-    pub fn boxes(&mut self, gpu: &Gpu) -> Arc<BoxPipeline> {
+    /// What draws boxes against depths of `samples` samples a pixel, the same for all of a stage.
+    pub fn boxes(&mut self, gpu: &Gpu, samples: u32) -> Arc<BoxPipeline> {
         Arc::clone(
             self.boxes
-                .get_or_insert_with(|| Arc::new(BoxPipeline::new(gpu))),
+                .get_or_insert_with(|| Arc::new(BoxPipeline::new(gpu, samples))),
         )
     }
 }

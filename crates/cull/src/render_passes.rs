@@ -110,6 +110,7 @@ impl FrameGraph<'_> {
             inputs: view.inputs,
             layout: &self.shared.layout,
             colour_format: self.shared.colour_format,
+            samples: self.shared.samples,
             output: self.shared.output,
         };
         (&mut *self.renderer, pass)

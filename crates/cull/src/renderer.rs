@@ -13,8 +13,8 @@ use crate::view::ViewFrame;
 
 /// The format of every depth buffer: reversed, infinite far plane.
 pub const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-/// The format of entity-id buffers: slot + 1; 0 where nothing is drawn.
-pub const IDENTITY_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
+/// The format of entity-id buffers: the low and the high half of slot + 1; 0 where nothing is drawn. A format of 32-bit integers may not have several samples a pixel.
+pub const IDENTITY_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg16Uint;
 
 /// Shades what a stage decides to draw.
 pub trait Renderer: Send {
@@ -88,6 +88,8 @@ pub struct Pass<'a> {
     pub layout: &'a SceneLayout,
     /// The format of the colour targets.
     pub colour_format: wgpu::TextureFormat,
+    /// The samples a pixel of all targets, and of what is tested against them.
+    pub samples: u32,
     /// Whether there is an image. With [`StageOutput::Answers`], shading passes leave the colour alone and write depth and ids of opaque entities only.
     pub output: StageOutput,
 }
@@ -144,7 +146,7 @@ impl From<Targets> for ShadeTargets {
 /// The image of an entity-id pass.
 #[derive(Debug, Clone, Copy)]
 pub struct IdTargets {
-    /// Slot + 1 a pixel, 0 where nothing is drawn; [`IDENTITY_FORMAT`].
+    /// Slot + 1, 0 where nothing is drawn; [`IDENTITY_FORMAT`].
     pub ids: Texture,
     /// Depth, reversed.
     pub depth: Texture,

@@ -48,7 +48,7 @@ impl From<u32> for SampleRule {
 pub struct Allowance {
     /// The part, in percent of the image's pixels; 0: none.
     pub percent: Dial,
-    /// Pixels of the image that samples are counted in.
+    /// Samples of the image that is counted in: its pixels, times the samples of each.
     pub pixels: u32,
 }
 

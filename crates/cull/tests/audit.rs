@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_cull::{
-    AUDIT, AuditOptions, DeclareError, Estimate, FrameAudit, FrameGraph, Gpu, StageOptions,
+    AUDIT, AuditOptions, DeclareError, Estimate, FrameAudit, FrameGraph, Gpu, Stage, StageOptions,
     Strategy, Verdict, ViewInput, ViewNodes, VisibleSet, read_back,
 };
 use antumbra_draw::GpuScene;
@@ -13,7 +13,7 @@ use antumbra_scene::{
 };
 use antumbra_strategies::registry;
 use antumbra_testing::{
-    HostTargets, add, balls_with_proxies, glass, gpus, holes, look_at, perspective, stage_with,
+    HostTargets, add, balls_with_proxies, gl, glass, gpus, holes, look_at, perspective, stage_with,
     views, vulkan, wrong_pixels_percent,
 };
 use antumbra_verify::Oracle;
@@ -32,21 +32,46 @@ fn named(strategy: &str) -> Box<dyn Strategy> {
     registry().parse(strategy).unwrap()
 }
 
+/// A flight along the path.
+#[derive(Clone, Copy)]
+struct Flight {
+    frames: u32,
+    /// The distance from the middle, as a part of the path's.
+    reach: f64,
+    /// Samples a pixel.
+    samples: u32,
+}
+
+impl Flight {
+    /// With one sample a pixel.
+    fn of(frames: u32, reach: f64) -> Self {
+        Self {
+            frames,
+            reach,
+            samples: 1,
+        }
+    }
+}
+
 /// Flies along the path. Calls back with the audit of each frame as soon as it is known, and with the oracle's wrong pixels in percent.
 fn fly(
     scene: &GpuScene,
     strategy: Box<dyn Strategy>,
     audit: AuditOptions,
-    frames: u32,
-    reach: f64,
+    Flight {
+        frames,
+        reach,
+        samples,
+    }: Flight,
     mut known: impl FnMut(&FrameAudit, f64),
 ) {
     let options = StageOptions {
         audit: Some(audit),
+        samples,
         ..StageOptions::default()
     };
     let mut stage = stage_with(scene, strategy, views(&["main"], SIZE), options);
-    let mut oracle = Oracle::new(scene, SIZE);
+    let mut oracle = Oracle::new(scene, SIZE).with_samples(samples);
     let mut truths = Vec::new();
     let mut taken = 0;
     for frame in 0..frames {
@@ -91,12 +116,20 @@ fn a_census_counts_what_the_oracle_counts() {
         let mut scene = balls_with_proxies(7);
         let scene = GpuScene::new(gpu, &mut scene).unwrap();
         let mut wrong_somewhere = 0;
-        for strategy in AGGRESSIVE {
-            fly(&scene, named(strategy), CENSUS, 16, 9.0, |found, truth| {
+        // OpenGL cannot read the samples of what was drawn.
+        let samples = if gpu.reads_drawn_samples() { 4 } else { 1 };
+        let plain = AGGRESSIVE.map(|strategy| (strategy, 1));
+        let sampled = AGGRESSIVE.map(|strategy| (strategy, samples));
+        for (strategy, samples) in plain.into_iter().chain(sampled) {
+            let flight = Flight {
+                samples,
+                ..Flight::of(16, 9.0)
+            };
+            fly(&scene, named(strategy), CENSUS, flight, |found, truth| {
                 let all = found.wrong_pixels_percent();
                 assert!(
                     all.holds(truth),
-                    "{strategy} on {adapter}, frame {}: {all:?}, and {truth} % are wrong",
+                    "{strategy} on {adapter}, {samples} samples a pixel, frame {}: {all:?}, and {truth} % are wrong",
                     found.frame
                 );
                 wrong_somewhere += u32::from(truth > 0.0);
@@ -104,6 +137,21 @@ fn a_census_counts_what_the_oracle_counts() {
         }
         assert!(wrong_somewhere > 30, "{wrong_somewhere} frames with errors");
     }
+}
+
+#[test]
+fn an_audit_of_several_samples_is_refused_where_they_cannot_be_read() {
+    let gpu = gl();
+    let scene = GpuScene::new(gpu, &mut balls_with_proxies(2)).unwrap();
+    let options = StageOptions {
+        audit: Some(CENSUS),
+        samples: 4,
+        ..StageOptions::default()
+    };
+    let views = views(&["main"], SIZE);
+    let error = Stage::new(&scene, named("frustum"), views, options).map(|_| ());
+    let said = error.unwrap_err().to_string();
+    assert!(said.contains("samples of `main depth`"), "{said}");
 }
 
 /// Culls every third entity, and no other.
@@ -182,15 +230,21 @@ fn glass_holes_points_and_mirrored_meshes_are_audited_as_they_are_drawn() {
     for gpu in gpus() {
         let adapter = gpu.title();
         let scene = GpuScene::new(gpu, &mut mixed()).unwrap();
-        fly(&scene, Box::new(Thirds), CENSUS, 10, 7.0, |found, truth| {
-            assert!(truth > 5.0, "frame {}: {truth} % are wrong", found.frame);
-            let all = found.wrong_pixels_percent();
-            assert!(
-                all.holds(truth),
-                "{adapter}, frame {}: {all:?}, not {truth}",
-                found.frame
-            );
-        });
+        fly(
+            &scene,
+            Box::new(Thirds),
+            CENSUS,
+            Flight::of(10, 7.0),
+            |found, truth| {
+                assert!(truth > 5.0, "frame {}: {truth} % are wrong", found.frame);
+                let all = found.wrong_pixels_percent();
+                assert!(
+                    all.holds(truth),
+                    "{adapter}, frame {}: {all:?}, not {truth}",
+                    found.frame
+                );
+            },
+        );
     }
 }
 
@@ -263,11 +317,17 @@ fn the_truth_lies_within_the_interval_as_often_as_it_says() {
             ..AuditOptions::default()
         };
         let (mut frames, mut held, mut wrong) = (0, 0, 0);
-        fly(&scene, named(strategy), audit, 160, 9.0, |found, truth| {
-            frames += 1;
-            held += u32::from(found.wrong_pixels_percent().holds(truth));
-            wrong += u32::from(truth > 0.0);
-        });
+        fly(
+            &scene,
+            named(strategy),
+            audit,
+            Flight::of(160, 9.0),
+            |found, truth| {
+                frames += 1;
+                held += u32::from(found.wrong_pixels_percent().holds(truth));
+                wrong += u32::from(truth > 0.0);
+            },
+        );
         let least = Estimate::CONFIDENCE * f64::from(frames);
         assert!(
             f64::from(held) >= least,
@@ -319,9 +379,13 @@ fn the_same_seed_draws_the_same_lots() {
             ..AuditOptions::default()
         };
         let mut all = Vec::new();
-        fly(&scene, Box::new(Thirds), audit, 12, 8.0, |found, _| {
-            all.push(found.clone())
-        });
+        fly(
+            &scene,
+            Box::new(Thirds),
+            audit,
+            Flight::of(12, 8.0),
+            |found, _| all.push(found.clone()),
+        );
         all
     };
     assert_eq!(found(3), found(3));

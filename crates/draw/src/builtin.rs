@@ -19,7 +19,8 @@ use crate::pipeline::{PassPipelines, PipelineKind};
 #[derive(Debug)]
 pub struct BuiltinRenderer {
     gpu: Gpu,
-    pipelines: HashMap<PipelineKind, Arc<PassPipelines>>,
+    /// By kind and samples a pixel.
+    pipelines: HashMap<(PipelineKind, u32), Arc<PassPipelines>>,
     /// The uploaded lights of each view of the plan that is being declared.
     lights: Vec<Buffer>,
 }
@@ -34,18 +35,18 @@ impl BuiltinRenderer {
         }
     }
 
-    /// The kinds of pipelines that were made so far, in no order.
+    /// The kinds of pipelines that were made so far, in no order; a kind comes once for each number of samples.
     pub fn kinds(&self) -> impl Iterator<Item = PipelineKind> + '_ {
-        self.pipelines.keys().copied()
+        self.pipelines.keys().map(|(kind, _)| *kind)
     }
 
     /// The name, group and pipelines of a node. What a scene has gained since the last plan is added to the pipelines.
     fn spec(&mut self, pass: &Pass<'_>, kind: PipelineKind) -> PassSpec {
-        let (gpu, layout) = (&self.gpu, pass.layout);
+        let (gpu, layout, samples) = (&self.gpu, pass.layout, pass.samples);
         let made = self
             .pipelines
-            .entry(kind)
-            .or_insert_with(|| Arc::new(PassPipelines::new(gpu, kind, layout.classes())));
+            .entry((kind, samples))
+            .or_insert_with(|| Arc::new(PassPipelines::new(gpu, kind, samples, layout.classes())));
         if layout.classes().any(|class| made.get(class).is_none()) {
             *made = Arc::new(made.with(gpu, layout.classes()));
         }

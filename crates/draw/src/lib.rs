@@ -22,6 +22,6 @@ pub use builtin::BuiltinRenderer;
 pub use error::DrawError;
 pub use instance::Instance;
 pub use light::{GpuLights, MAX_LIGHTS, SceneLights};
-pub use pipeline::{PassPipelines, PipelineKind};
+pub use pipeline::{PassPipelines, PipelineKind, SAMPLE_IDENTITY_FORMAT};
 pub use record::{Recorder, begin};
 pub use scene::{GpuScene, SceneBuffers};

@@ -49,7 +49,7 @@ pub fn depth_pass(
     depth
 }
 
-/// Writes the entity ids and the depth of a list.
+/// Writes the entity ids and the depth of a list. The pipelines are [`PipelineKind::Identity`](crate::PipelineKind::Identity).
 pub fn identity_pass(
     g: &mut Graph,
     spec: &PassSpec,
@@ -164,19 +164,39 @@ pub fn count_pass(
     counted
 }
 
-/// Adds up the hashed ids of a list's visible transparent fragments, by pixel, and their number by slot, against an opaque depth.
-/// `scratch` as in [`DepthTest::InShader`].
+/// Writes the entity ids and the depth of one of a pixel's samples, and resolves the ids into `resolved`: the bytes of slot + 1, divided by the number of samples. Returns
+/// the resolved ids and the depth. The pipelines are [`PipelineKind::SampleIdentity`](crate::PipelineKind::SampleIdentity).
+pub fn sample_identity_pass(
+    g: &mut Graph,
+    spec: &PassSpec,
+    inputs: ViewInputs,
+    source: ListDraws,
+    drawn: IdTargets,
+    resolved: Texture,
+) -> IdTargets {
+    let mut node = node(g, spec, inputs, source.into());
+    node.colour(drawn.ids);
+    let out = IdTargets {
+        ids: node.resolve(resolved),
+        depth: node.depth(drawn.depth),
+    };
+    draw(&mut node, spec, inputs, None, source.into());
+    out
+}
+
+/// Adds up the hashed ids of a list's visible transparent fragments, by pixel, and their number by slot, against an opaque depth. The pipelines are
+/// [`PipelineKind::SignatureEarly`](crate::PipelineKind::SignatureEarly) for [`DepthTest::Early`] and [`PipelineKind::Signature`](crate::PipelineKind::Signature) for
+/// [`DepthTest::InShader`].
 pub fn signature_pass(
     g: &mut Graph,
     spec: &PassSpec,
     inputs: ViewInputs,
     source: ListDraws,
-    depth: Texture,
-    scratch: Texture,
+    test: DepthTest,
     sums: Signatures,
 ) -> Signatures {
     let mut node = node(g, spec, inputs, source.into());
-    node.sample(depth).depth(scratch);
+    test.declare(&mut node);
     let sums = Signatures {
         by_pixel: node.storage_write(sums.by_pixel),
         by_slot: node.storage_write(sums.by_slot),
@@ -184,11 +204,11 @@ pub fn signature_pass(
     let pipelines = Arc::clone(&spec.pipelines);
     node.run(move |ctx| {
         let scene = bind(ctx, inputs, &pipelines, source.slots, None)?;
-        let binds = [
+        let sums = [
             Bind::Buffer(0, sums.by_pixel),
             Bind::Buffer(1, sums.by_slot),
-            Bind::Texture(2, depth),
         ];
+        let binds: Vec<Bind> = sums.into_iter().chain(test.bind(2)).collect();
         group(ctx, &pipelines, 3, &binds)?;
         record(ctx, &scene, &pipelines, source.into())
     });

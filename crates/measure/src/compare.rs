@@ -96,6 +96,8 @@ impl Contender {
 pub struct CompareOptions {
     /// Width and height of a view in pixels.
     pub size: [u32; 2],
+    /// Samples a pixel: 1, 4, or what else the device has. A pixel is wrong if the owner of any of its samples is.
+    pub samples: u32,
     /// Two eyes for each pose's camera, drawn in one frame; `None` for a single view.
     pub stereo: Option<Stereo>,
     /// Poses of a block; `None` means a sixth of the path, 20 at most.
@@ -114,6 +116,7 @@ impl Default for CompareOptions {
     fn default() -> Self {
         Self {
             size: [1280, 1024],
+            samples: 1,
             stereo: None,
             block: None,
             least_seconds: 2.0,
@@ -251,6 +254,7 @@ pub fn compare_scripted(
             views: views::specs(options.stereo.as_ref(), options.size).len() as u32,
             stereo: options.stereo.map(Into::into),
             size: options.size,
+            samples: options.samples,
             frames: path.poses().len() as u64,
         },
         noise: Noise {
@@ -273,6 +277,7 @@ fn stage(
 ) -> Result<Stage, MeasureError> {
     let stage_options = StageOptions {
         timing: true,
+        samples: options.samples,
         audit: contender.audit,
         budget: contender.budget,
         ..StageOptions::default()

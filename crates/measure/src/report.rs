@@ -81,8 +81,16 @@ pub struct SceneFacts {
     pub stereo: Option<StereoFacts>,
     /// Width and height of one view in pixels.
     pub size: [u32; 2],
+    /// Samples a pixel.
+    #[serde(default = "one_sample")]
+    pub samples: u32,
     /// Poses of the path; each is one frame.
     pub frames: u64,
+}
+
+/// Older reports do not say: they are of one sample a pixel.
+fn one_sample() -> u32 {
+    1
 }
 
 /// Two parallel eyes whose image windows coincide at a distance.

@@ -330,6 +330,10 @@ pub fn facts(report: &Report) -> [String; 2] {
         format!(" along {}", format::clean(&scene.path))
     };
     let [width, height] = scene.size;
+    let samples = match scene.samples {
+        1 => String::new(),
+        many => format!(" of {many} samples"),
+    };
     let eyes = scene.stereo.map_or_else(String::new, |stereo| {
         format!(
             " (eyes {} m apart, converging at {} m)",
@@ -343,7 +347,7 @@ pub fn facts(report: &Report) -> [String; 2] {
     };
     [
         format!(
-            "scene {}: {}, {}; {width} x {height} pixels, {}{eyes}, {}{path}",
+            "scene {}: {}, {}; {width} x {height} pixels{samples}, {}{eyes}, {}{path}",
             format::clean(&scene.name),
             format::plural(scene.entities, "entity"),
             format::plural(scene.triangles, "triangle"),

@@ -120,7 +120,7 @@ impl Strategy for Coherent {
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
         let settings = self.settings;
-        settings.check(self.name())?;
+        settings.check(self.name(), g)?;
         Ok(match settings.latency {
             Latency::FrameLate => {
                 let state = single_view::frame_late(g, view, settings, None);
@@ -166,7 +166,7 @@ impl Strategy for StereoCoherent {
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
         let settings = self.settings;
-        settings.check(self.name())?;
+        settings.check(self.name(), g)?;
         let first = self.first.take().filter(|_| view.index() > 0);
         let (set, first) = match (settings.latency, first) {
             (Latency::OnGpu, Some(FirstView::OnGpu(owned))) => (

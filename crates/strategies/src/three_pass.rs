@@ -20,7 +20,7 @@ pub struct ThreePass {
     pub latency: Latency,
     /// How samples are counted; `None`: the first of identity, atomics, compare and queries that the device and the other settings allow.
     pub counting: Option<Counting>,
-    /// An entity is drawn when more pixels of its proxy than this are visible, in pixels of the final image. The counts are compared with `threshold * scale²`, rounded
+    /// An entity is drawn when more pixels of its proxy than this are visible, in pixels of the final image. The counts are compared with `threshold * scale²` times the samples a pixel, rounded
     /// down, since the first two passes draw a smaller image.
     pub threshold: u32,
     /// Percent of the image that a frame may leave out although it is visible. The entities with the fewest visible samples are left out first, and none with more than
@@ -186,7 +186,7 @@ impl ThreePass {
     fn counting(&self, g: &FrameGraph<'_>) -> Result<Counting, DeclareError> {
         let same_geometry = self.occluders == self.occludees;
         if let Some(way) = self.counting {
-            if let Some(lacking) = way.lacking(g.gpu()) {
+            if let Some(lacking) = way.lacking(g.gpu(), g.samples()) {
                 return Err(DeclareError::Device {
                     strategy: self.name().to_owned(),
                     lacking: lacking.to_owned(),
@@ -209,7 +209,7 @@ impl ThreePass {
             Counting::Queries,
         ];
         let possible = |way: &Counting| {
-            way.lacking(g.gpu()).is_none()
+            way.lacking(g.gpu(), g.samples()).is_none()
                 && (same_geometry || *way != Counting::Identity)
                 && (!self.needs_counts() || *way != Counting::Queries)
         };
@@ -279,7 +279,8 @@ impl Strategy for ThreePass {
             .size()
             .map(|side| ((f64::from(side) * self.scale).round() as u32).max(1));
         // `threshold` and `coarser` are in pixels of the final image; counts are in samples of an image with scale² of its area.
-        let to_samples = |pixels: u32| (f64::from(pixels) * self.scale * self.scale).floor() as u32;
+        let samples_a_pixel = self.scale * self.scale * f64::from(g.samples());
+        let to_samples = |pixels: u32| (f64::from(pixels) * samples_a_pixel).floor() as u32;
         let rule = SampleRule {
             threshold: to_samples(self.threshold),
             coarser: to_samples(self.coarser),
@@ -307,7 +308,7 @@ impl Strategy for ThreePass {
         let counts = g.count_samples(view, proxies, way, size);
         let allowance = Allowance {
             percent: self.allow.shared(),
-            pixels: size[0].saturating_mul(size[1]),
+            pixels: size[0].saturating_mul(size[1]).saturating_mul(g.samples()),
         };
         Ok(g.visible_samples_within(view, candidates, counts, self.latency, rule, &allowance))
     }

@@ -79,6 +79,6 @@ pub fn wrong_pixels_percent(
     let reference = oracle.render(scene, camera, EntitySet::InFrustum).unwrap();
     let drawn = EntitySet::Drawn(verdicts);
     let drawn = oracle.render(scene, camera, drawn).unwrap();
-    let pixels = reference.ids.len() as f64;
+    let pixels = reference.pixels().count() as f64;
     reference.wrong_pixels(&drawn) as f64 * 100.0 / pixels
 }

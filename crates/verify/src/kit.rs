@@ -10,7 +10,7 @@
 //! Each [`Case`] plays a short story to the strategy: a scene, a camera path, entities that are added, moved and removed. Every frame is
 //! compared with the [`Oracle`](crate::Oracle):
 //!
-//! - A strategy that claims to be [conservative](Strategy::conservative) draws every entity that owns a pixel. Its image equals, bit by
+//! - A strategy that claims to be [conservative](Strategy::conservative) draws every entity that owns a sample. Its image equals, bit by
 //!   bit, the image of drawing everything.
 //! - The verdicts of any strategy are true: its image equals the image of drawing what they say.
 //! - Any strategy draws the visible entities that cross the near plane. One that answers [late](antumbra_cull::Latency::FrameLate) also
@@ -18,20 +18,27 @@
 //! - The same input gives the same verdicts twice, and late answers settle while nothing moves.
 //! - No call fails or panics, and the device refuses none.
 //!
+//! All of it is played on a stage by itself. A [part](Case::BRIEF) is played in other [setups](Setup) besides: in a host's frame, as answers alone, with four
+//! samples a pixel, and under a renderer that is not the built-in one.
+//!
 //! [`Kit::check_scene`] checks the same on a scene and a camera path of the caller.
 
 mod case;
 mod failure;
+mod host_frame;
+mod host_renderer;
 mod replay;
 mod run;
 mod settings;
+mod setup;
 mod stories;
 mod test_scene;
 
 pub use case::Case;
 pub use failure::{KitFailure, Violation, ViolationKind};
 pub use replay::{Replay, ReplayFrame};
-pub use settings::Kit;
+pub use settings::{Kit, OtherSetups};
+pub use setup::{Setup, Shading};
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -51,6 +58,17 @@ pub struct KitReport {
     pub seed: u64,
     /// The cases, in the order in which they were played.
     pub cases: Vec<CaseReport>,
+    /// What was not played: a strategy that waits cannot be recorded into a host's frame, and a device may lack what several samples need.
+    pub left_out: Vec<LeftOut>,
+}
+
+/// A setup that was not played.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LeftOut {
+    /// The setup.
+    pub setup: Setup,
+    /// Why the strategy cannot be run so on this device.
+    pub why: String,
 }
 
 /// One case that passed.
@@ -58,6 +76,8 @@ pub struct KitReport {
 pub struct CaseReport {
     /// The case.
     pub case: Case,
+    /// How the stage was run.
+    pub setup: Setup,
     /// Number of its frames that were compared with the oracle.
     pub frames: u32,
 }
@@ -86,18 +106,30 @@ impl Kit {
     ) -> Result<KitReport, KitFailure> {
         let mut cases = Vec::with_capacity(self.cases.len());
         let mut violations = Vec::new();
-        for case in &self.cases {
-            // A violation ends its own case only: each case starts with a fresh strategy and a fresh scene.
-            let story = |context: &mut CaseContext<'_>| {
-                stories::play(*case, context)?;
-                Ok(context.compared_frames)
-            };
-            match self.attempt(gpu, &make, *case, story) {
-                Ok(frames) => cases.push(CaseReport {
-                    case: *case,
-                    frames,
-                }),
-                Err(violation) => violations.push(violation),
+        let mut left_out = Vec::new();
+        for kit in self.programme() {
+            let setup = kit.setup;
+            // The kit's own setup was asked for: what it lacks there is a failure.
+            if setup != self.setup
+                && let Ok(Some(why)) = setup.refusal(gpu, make())
+            {
+                left_out.push(LeftOut { setup, why });
+                continue;
+            }
+            for case in kit.cases.iter().copied() {
+                // A violation ends its own case only: each case starts with a fresh strategy and a fresh scene.
+                let story = |context: &mut CaseContext<'_>| {
+                    stories::play(case, context)?;
+                    Ok(context.compared_frames)
+                };
+                match kit.attempt(gpu, &make, case, story) {
+                    Ok(frames) => cases.push(CaseReport {
+                        case,
+                        setup,
+                        frames,
+                    }),
+                    Err(violation) => violations.push(violation),
+                }
             }
         }
         if violations.is_empty() {
@@ -106,6 +138,7 @@ impl Kit {
                 adapter: gpu.title(),
                 seed: self.seed,
                 cases,
+                left_out,
             });
         }
         Err(self.failure(gpu, make().as_ref(), violations))
@@ -129,7 +162,7 @@ impl Kit {
             .map_err(|violation| self.failure(gpu, make().as_ref(), vec![violation]))
     }
 
-    /// Plays one case again, with the kit's seed and size, and keeps what there is to see: to look at a failure. The names of cases in messages are those of
+    /// Plays one case again, with the kit's seed, size and setup, and keeps what there is to see: to look at a failure. The names of cases in messages are those of
     /// [`Case::named`].
     ///
     /// ```no_run
@@ -195,6 +228,7 @@ impl Kit {
         };
         Err(Violation {
             case,
+            setup: self.setup,
             frame: context.frame,
             kind,
         })

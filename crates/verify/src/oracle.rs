@@ -1,10 +1,12 @@
-//! The oracle: renders which entity owns each pixel, with a graph of its own that no strategy takes part in.
+//! The oracle: renders which entity owns each sample, with a graph of its own that no strategy takes part in.
 //!
-//! Solid entities are drawn into an entity-id buffer in canonical order (by batch, then by slot). Transparent entities own no pixel: each
+//! Solid entities are drawn into an entity-id buffer in canonical order (by batch, then by slot). With several samples a pixel, each sample has a pass
+//! of its own: integers cannot be resolved, and not every device can read the samples of what it has drawn. Transparent entities own no sample: each
 //! pixel gets the order-independent sum of the mixed ids of its visible transparent fragments, and each slot gets their number.
 //! (Item buffers: Weghorst, Hooper and Greenberg, *Improved Computational Methods for Ray Tracing*, 1984.)
 
 mod id_buffer;
+mod owners;
 mod padded_rows;
 
 pub use id_buffer::{IdBuffer, TransparentSums};
@@ -12,17 +14,24 @@ pub use id_buffer::{IdBuffer, TransparentSums};
 use std::sync::Arc;
 
 use antumbra_cull::{
-    Alpha, Candidates, DEPTH_FORMAT, DrawList, Gpu, GpuView, IDENTITY_FORMAT, IdTargets, ListDraws,
-    SceneFrame, SceneLayout, SceneTable, StageError, StageScene, Verdicts, ViewFrame, ViewInputs,
+    Alpha, Candidates, DEPTH_FORMAT, DepthTest, DrawList, Gpu, GpuView, ListDraws, SceneFrame,
+    SceneLayout, SceneTable, StageError, StageScene, Verdicts, ViewFrame, ViewInputs,
 };
 use antumbra_draw::passes::{self, PassSpec, Signatures};
 use antumbra_draw::{PassPipelines, PipelineKind};
-use antumbra_graph::{
-    Buffer, BufferDesc, Clear, CompileOptions, Graph, Host, Plan, Texture, TextureDesc,
-};
+use antumbra_graph::{BufferDesc, Clear, Graph, Host, Plan, Texture, TextureDesc};
 use antumbra_scene::Camera;
 
-use padded_rows::PaddedRows;
+use owners::Owners;
+
+/// The shape of an image.
+#[derive(Debug, Clone, Copy)]
+struct Image {
+    /// Width and height in pixels.
+    size: [u32; 2],
+    /// Samples a pixel.
+    samples: u32,
+}
 
 /// Which entities the oracle draws.
 #[derive(Debug, Clone, Copy)]
@@ -35,11 +44,11 @@ pub enum EntitySet<'a> {
     Drawn(&'a Verdicts),
 }
 
-/// Renders which entity owns each pixel. Compiles its plan at the first call of [`Self::render`], and again when the scene's layout
+/// Renders which entity owns each sample. Compiles its plan at the first call of [`Self::render`], and again when the scene's layout
 /// changes.
 pub struct Oracle {
     gpu: Gpu,
-    size: [u32; 2],
+    image: Image,
     built: Option<Built>,
 }
 
@@ -79,24 +88,44 @@ struct Lists {
 impl std::fmt::Debug for Oracle {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Oracle")
-            .field("size", &self.size)
+            .field("image", &self.image)
             .finish_non_exhaustive()
     }
 }
 
 impl Oracle {
-    /// An oracle on the scene's device, for images of `size` pixels (width, height; each at least 1).
+    /// An oracle on the scene's device, for images of `size` pixels (width, height; each at least 1) with one sample each.
     pub fn new(scene: &dyn StageScene, size: [u32; 2]) -> Self {
         Self {
             gpu: scene.gpu().clone(),
-            size,
+            image: Image { size, samples: 1 },
             built: None,
+        }
+    }
+
+    /// For images with several samples a pixel: 4, or what else the device has. A scene with transparent entities then needs a device with
+    /// [`wgpu::Features::SHADER_EARLY_DEPTH_TEST`].
+    #[must_use]
+    pub fn with_samples(self, samples: u32) -> Self {
+        let image = Image {
+            samples,
+            ..self.image
+        };
+        Self {
+            image,
+            built: None,
+            ..self
         }
     }
 
     /// Width and height of the images in pixels.
     pub fn size(&self) -> [u32; 2] {
-        self.size
+        self.image.size
+    }
+
+    /// The samples a pixel of the images.
+    pub fn samples(&self) -> u32 {
+        self.image.samples
     }
 
     /// Renders `entities` from `camera` and waits for the result. The scene must be on the oracle's device and
@@ -120,7 +149,7 @@ impl Oracle {
             .built
             .take()
             .filter(|built| built.layout == layout)
-            .map_or_else(|| build(&self.gpu, self.size, layout), Ok)?;
+            .map_or_else(|| build(&self.gpu, self.image, layout), Ok)?;
         let built = self.built.insert(current);
         let entities = match entities {
             EntitySet::InFrustum => OwnedSet::InFrustum,
@@ -135,7 +164,7 @@ impl Oracle {
         };
         let plan = &mut built.plan;
         plan.set(built.scene, scene.frame())?;
-        plan.set(built.view, ViewFrame::new(*camera, self.size, 0))?;
+        plan.set(built.view, ViewFrame::new(*camera, self.image.size, 0))?;
         plan.set(built.entities, entities)?;
         plan.execute(&self.gpu.device, &self.gpu.queue)?;
         self.gpu.check()?;
@@ -144,32 +173,22 @@ impl Oracle {
     }
 }
 
-fn build(gpu: &Gpu, size: [u32; 2], layout: SceneLayout) -> Result<Built, StageError> {
+fn build(gpu: &Gpu, image: Image, layout: SceneLayout) -> Result<Built, StageError> {
     let mut graph = Graph::new("oracle");
     let g = &mut graph;
     let scene = g.import_host::<SceneFrame>("scene");
     let view = g.import_host::<ViewFrame>("camera");
     let entities = g.import_host::<OwnedSet>("entities");
     let (inputs, lists) = submit(g, &layout, scene, view, entities);
-    let [width, height] = size;
-    let texture = |format| TextureDesc::new(width, height, format);
-    let ids = g.texture(
-        "entity ids",
-        texture(IDENTITY_FORMAT).cleared(Clear::Colour(wgpu::Color::TRANSPARENT)),
-    );
-    let depth = g.texture("depth", texture(DEPTH_FORMAT).cleared(Clear::Depth(0.0)));
-    let spec = pass_spec(gpu, &layout, Blending::Solid);
-    let targets = IdTargets { ids, depth };
-    let IdTargets { ids, depth } = passes::identity_pass(g, &spec, inputs, lists.solid, targets);
-    let padded = PaddedRows::new(size);
-    let copied = copy_ids(g, ids, padded);
+    let solid = |kind| pass_spec(gpu, &layout, kind, image.samples);
+    let owners = Owners::draw(g, image, inputs, lists.solid, solid);
     let sums = lists
         .transparent
-        .map(|list| sum_transparent(g, gpu, &layout, inputs, list, depth, size));
-    let image = read_back(g, copied, padded, sums);
+        .map(|list| sum_transparent(g, gpu, &layout, inputs, list, owners.depth, image));
+    let image = read_back(g, owners, sums);
     g.output(image);
     let plan = graph
-        .compile(&CompileOptions::owned(&gpu.device))
+        .compile(&gpu.compile_options())
         .map_err(|errors| StageError::Compile {
             strategy: "oracle".to_owned(),
             errors,
@@ -255,40 +274,22 @@ fn live<'a>(
     occupied.filter(move |slot| table.is_transparent(*slot) == transparent)
 }
 
-fn pass_spec(gpu: &Gpu, layout: &SceneLayout, blending: Blending) -> PassSpec {
-    let (name, kind) = match blending {
-        Blending::Solid => ("entity ids", PipelineKind::Identity),
-        Blending::Transparent => ("signatures", PipelineKind::Signature),
+/// A pass with pipelines of a kind, for the classes that it draws.
+fn pass_spec(gpu: &Gpu, layout: &SceneLayout, kind: PipelineKind, samples: u32) -> PassSpec {
+    let transparent = matches!(kind, PipelineKind::Signature | PipelineKind::SignatureEarly);
+    let name = match (transparent, kind) {
+        (true, _) => "signatures".to_owned(),
+        (_, PipelineKind::SampleIdentity { sample }) => format!("entity ids of sample {sample}"),
+        _ => "entity ids".to_owned(),
     };
-    let transparent = blending == Blending::Transparent;
     let classes = layout
         .classes()
         .filter(|class| (class.alpha() == Alpha::Blend) == transparent);
     PassSpec {
-        name: name.to_owned(),
+        name,
         group: "oracle",
-        pipelines: Arc::new(PassPipelines::new(gpu, kind, classes)),
+        pipelines: Arc::new(PassPipelines::new(gpu, kind, samples, classes)),
     }
-}
-
-fn copy_ids(g: &mut Graph, ids: Texture, padded: PaddedRows) -> Buffer {
-    let buffer = g.buffer("copied ids", BufferDesc::new(padded.bytes()));
-    let mut node = g.copy("copy ids");
-    node.copy_src(ids);
-    let buffer = node.copy_dst(buffer);
-    node.run(move |ctx| {
-        let (from, to) = (ctx.texture(ids)?.clone(), ctx.buffer(buffer)?.clone());
-        ctx.encoder().copy_texture_to_buffer(
-            from.as_image_copy(),
-            wgpu::TexelCopyBufferInfo {
-                buffer: &to,
-                layout: padded.layout(),
-            },
-            padded.extent(),
-        );
-        Ok(())
-    });
-    buffer
 }
 
 /// Sums the transparent fragments that pass the depth test against the solid entities.
@@ -299,39 +300,42 @@ fn sum_transparent(
     inputs: ViewInputs,
     draws: ListDraws,
     depth: Texture,
-    [width, height]: [u32; 2],
+    image: Image,
 ) -> Signatures {
+    let [width, height] = image.size;
     let pixels = u64::from(width) * u64::from(height) * 4;
     let slots = u64::from(layout.slots.max(1)) * 4;
     let sums = Signatures {
         by_pixel: g.buffer("signatures", BufferDesc::new(pixels).zeroed()),
         by_slot: g.buffer("samples", BufferDesc::new(slots).zeroed()),
     };
-    let scratch = g.texture(
-        "scratch depth",
-        TextureDesc::new(width, height, DEPTH_FORMAT).cleared(Clear::Depth(0.0)),
-    );
-    let spec = pass_spec(gpu, layout, Blending::Transparent);
-    passes::signature_pass(g, &spec, inputs, draws, depth, scratch, sums)
+    let (kind, test) = match image.samples {
+        1 => {
+            let scratch = TextureDesc::new(width, height, DEPTH_FORMAT).cleared(Clear::Depth(0.0));
+            let scratch = g.texture("scratch depth", scratch);
+            (
+                PipelineKind::Signature,
+                DepthTest::InShader { depth, scratch },
+            )
+        }
+        _ => (PipelineKind::SignatureEarly, DepthTest::Early { depth }),
+    };
+    let spec = pass_spec(gpu, layout, kind, image.samples);
+    passes::signature_pass(g, &spec, inputs, draws, test, sums)
 }
 
 /// Reads the results back into an [`IdBuffer`]: the one sync point of the plan.
-fn read_back(
-    g: &mut Graph,
-    ids: Buffer,
-    padded: PaddedRows,
-    sums: Option<Signatures>,
-) -> Host<IdBuffer> {
+fn read_back(g: &mut Graph, owners: Owners, sums: Option<Signatures>) -> Host<IdBuffer> {
     let image = g.host::<IdBuffer>("image");
     let mut node = g.host_node("read");
-    node.read_back(ids);
+    owners.declare(&mut node);
     if let Some(sums) = sums {
         node.read_back(sums.by_pixel).read_back(sums.by_slot);
     }
     let image = node.write(image);
     node.run(move |ctx| {
         let mut image = ctx.get_mut(image)?;
-        padded.unpack(ctx.bytes(ids)?, &mut image);
+        owners.read(ctx, &mut image)?;
         image.transparent = match sums {
             Some(sums) => Some(TransparentSums {
                 signatures: bytemuck::pod_collect_to_vec(ctx.bytes(sums.by_pixel)?),

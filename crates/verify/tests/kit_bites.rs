@@ -4,10 +4,13 @@
 #[path = "kit_bites/faulty.rs"]
 mod faulty;
 
-use antumbra_cull::{Strategy, Tunable};
+use antumbra_cull::{StageOutput, Strategy, Tunable};
+use antumbra_graph::Mode;
 use antumbra_strategies::ThreePass;
-use antumbra_testing::{balls_with_proxies, look_at, perspective, vulkan};
-use antumbra_verify::kit::{Case, Kit, KitFailure, Violation, ViolationKind};
+use antumbra_testing::{balls_with_proxies, gl, look_at, perspective, vulkan};
+use antumbra_verify::kit::{
+    Case, Kit, KitFailure, OtherSetups, Setup, Shading, Violation, ViolationKind,
+};
 use faulty::*;
 use glam::DVec3;
 
@@ -15,6 +18,7 @@ fn kit(cases: &[Case]) -> Kit {
     Kit {
         cases: cases.to_vec(),
         random_scenes: 1,
+        other_setups: OtherSetups::LeftOut,
         ..Kit::default()
     }
 }
@@ -52,7 +56,10 @@ fn a_late_strategy_without_fault_passes() {
     let report = kit
         .check_on(vulkan(), || Box::new(Late::default()))
         .unwrap_or_else(|failure| panic!("{failure}"));
-    assert_eq!(report.cases.len(), Case::ALL.len());
+    assert_eq!(
+        report.cases.len(),
+        Case::ALL.len() + Setup::OTHERS.len() * Case::BRIEF.len()
+    );
     assert!(
         report.cases.iter().all(|played| played.frames >= 2),
         "{report:?}"
@@ -155,6 +162,84 @@ fn boxes_tested_across_the_near_plane_are_found() {
     assert_eq!(found(boxes, &[Case::InsideBox, Case::NearPlane]).len(), 0);
 }
 
+/// The violations that the kit finds in all setups.
+fn found_in_setups<S: Strategy + Clone + 'static>(strategy: S, case: Case) -> Vec<Violation> {
+    let kit = Kit {
+        other_setups: OtherSetups::Whole,
+        ..kit(&[case])
+    };
+    let make = || -> Box<dyn Strategy> { Box::new(strategy.clone()) };
+    match kit.check_on(vulkan(), make) {
+        Ok(_) => Vec::new(),
+        Err(KitFailure::Violations { violations, .. }) => violations,
+        Err(failure) => panic!("{failure}"),
+    }
+}
+
+#[test]
+fn what_is_true_of_pixels_is_found_wrong_of_samples() {
+    let violations = found_in_setups(AsManySamples, Case::Gaps);
+    let caught: Vec<Setup> = violations.iter().map(|found| found.setup).collect();
+    // It waits, so that it is not played in a host's frame.
+    let sampled = Setup {
+        samples: 4,
+        shading: Shading::Host,
+        ..Setup::PLAIN
+    };
+    assert_eq!(caught, [sampled]);
+    assert!(is_false_cull(&violations[0].kind), "{}", violations[0]);
+    assert!(violations[0].to_string().contains("4 samples a pixel"));
+}
+
+#[test]
+fn answers_that_are_not_what_the_verdicts_say_are_found() {
+    let violations = found_in_setups(Liar, Case::RandomScenes);
+    assert_eq!(violations.len(), 1 + Setup::OTHERS.len());
+    for Violation { setup, kind, .. } in &violations {
+        let answers = setup.output == StageOutput::Answers;
+        assert!(
+            match kind {
+                ViolationKind::FalseAnswers { slots } => answers && !slots.is_empty(),
+                ViolationKind::FalseVerdicts { pixels, .. } => !answers && *pixels > 0,
+                _ => false,
+            },
+            "{setup}: {kind}"
+        );
+    }
+}
+
+#[test]
+fn what_cannot_be_played_is_said() {
+    let kit = Kit {
+        other_setups: OtherSetups::Brief,
+        ..kit(&[Case::RandomScenes])
+    };
+    let check = |gpu, strategy: &str| {
+        let make = || antumbra_strategies::registry().parse(strategy).unwrap();
+        kit.check_on(gpu, make)
+            .unwrap_or_else(|failure| panic!("{failure}"))
+    };
+    // One that waits cannot be recorded into a host's frame; one that needs no wait is played everywhere.
+    let waits = check(vulkan(), "coherent:latency=same-frame");
+    assert_eq!(waits.left_out.len(), 2, "{:?}", waits.left_out);
+    for left in &waits.left_out {
+        assert_eq!(left.setup.mode, Mode::Embedded);
+        assert!(left.why.contains("sync point"), "{}", left.why);
+    }
+    let never = check(vulkan(), "coherent:latency=on-gpu");
+    assert_eq!(
+        (never.cases.len(), never.left_out.len()),
+        (1 + Setup::OTHERS.len(), 0)
+    );
+    // OpenGL cannot read the samples that it has drawn.
+    let lacks = check(gl(), "coherent:latency=on-gpu");
+    assert_eq!(lacks.left_out.len(), 2, "{:?}", lacks.left_out);
+    for left in &lacks.left_out {
+        assert_eq!(left.setup.samples, 4);
+        assert!(left.why.contains("read the samples"), "{}", left.why);
+    }
+}
+
 #[test]
 fn verdicts_that_are_not_what_was_drawn_are_found() {
     bites(Liar, &[Case::RandomScenes], |kind| {
@@ -230,6 +315,7 @@ fn a_failure_says_how_to_have_it_again() {
 fn a_failure_can_be_played_again_and_looked_at() {
     let kit = Kit {
         random_scenes: 1,
+        other_setups: OtherSetups::LeftOut,
         ..Kit::default()
     };
     for case in Case::ALL {

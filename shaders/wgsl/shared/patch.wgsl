@@ -53,8 +53,14 @@ fn is_there(in: TexturedVarying) -> bool {
     return base.a >= max(material.alpha_cutoff, 0.002);
 }
 
-fn mark(patch_number: u32, clip: vec4<f32>) {
-    let place = vec2<u32>(clip.xy) % PATCH;
+fn mark(numbered: u32, clip: vec4<f32>) {
+    let pixel = vec2<u32>(clip.xy);
+    // With several samples a pixel, llvmpipe's scissor lets in those of the pixels to the left and above.
+    if patch_parity(pixel) != (numbered & PARITY) {
+        return;
+    }
+    let patch_number = numbered & ~PARITY;
+    let place = pixel % PATCH;
     let bit = place.y * PATCH + place.x;
     atomicOr(&shown[patch_number * WORDS + bit / 32u], 1u << (bit % 32u));
 }

@@ -28,6 +28,9 @@ pub struct ViewArgs {
     /// The width and height of the image in pixels
     #[arg(long, value_name = "WxH")]
     pub size: Option<Size>,
+    /// The samples a pixel: 1, 4, or what else the adapter has
+    #[arg(long, default_value_t = 1, value_parser = samples)]
+    pub samples: u32,
     /// The graphics adapter: auto, cpu, gpu, or a part of its name or backend
     #[arg(long, default_value = "auto")]
     pub adapter: AdapterChoice,
@@ -52,6 +55,13 @@ pub struct VolumeArgs {
     /// A semi-transparent box of the volume: the first and last sample along the inline, crossline and time axis
     #[arg(long, value_name = "I..I,C..C,T..T")]
     pub lens: Vec<LensAt>,
+}
+
+fn samples(text: &str) -> Result<u32, String> {
+    match text.parse() {
+        Ok(samples @ (1 | 2 | 4 | 8 | 16)) => Ok(samples),
+        _ => Err("it takes 1, 2, 4, 8 or 16".to_owned()),
+    }
 }
 
 impl VolumeArgs {

@@ -57,9 +57,16 @@ fn describe(gpu: &Gpu) -> Result<(), Failure> {
         limits.max_storage_buffer_binding_size >> 20,
     ))?;
     for way in Counting::ALL {
-        match way.lacking(gpu) {
-            None => print(format_args!("  counting by {way}: yes"))?,
-            Some(lacking) => print(format_args!("  counting by {way}: no, it lacks {lacking}"))?,
+        let answer = |samples| match way.lacking(gpu, samples) {
+            None => "yes".to_owned(),
+            Some(lacking) => format!("no, it lacks {lacking}"),
+        };
+        let (one, many) = (answer(1), answer(4));
+        match one == many {
+            true => print(format_args!("  counting by {way}: {one}"))?,
+            false => print(format_args!(
+                "  counting by {way}: {one}; with 4 samples a pixel: {many}"
+            ))?,
         }
     }
     Ok(())

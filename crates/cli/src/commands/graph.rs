@@ -27,11 +27,13 @@ pub fn run(args: GraphArgs) -> Result<(), Failure> {
     let scene = GpuScene::new(&gpu, &mut input.scene)?;
     let options = StageOptions {
         timing: true,
+        samples: input.samples,
         ..StageOptions::default()
     };
     let mut stage = Stage::new(&scene, strategy, input.views(), options)?;
     let needs_reference = stage.strategy().needs_reference();
-    let mut oracle = needs_reference.then(|| Oracle::new(&scene, input.size));
+    let mut oracle =
+        needs_reference.then(|| Oracle::new(&scene, input.size).with_samples(input.samples));
     let views = inputs(oracle.as_mut(), &scene, &cameras)?;
     // The first frame compiles pipelines, and late answers come a frame later.
     for _ in 0..3 {

@@ -50,9 +50,15 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
     let strategy = chosen(&args, input.horizon.as_ref())?;
     let cameras = input.look(args.pose as usize)?;
     let scene = GpuScene::new(&gpu, &mut input.scene)?;
-    let mut stage = Stage::new(&scene, strategy, input.views(), StageOptions::default())?;
-    let mut oracle = Oracle::new(&scene, input.size);
+    let options = StageOptions {
+        samples: input.samples,
+        ..StageOptions::default()
+    };
+    let mut stage = Stage::new(&scene, strategy, input.views(), options)?;
+    let mut oracle = Oracle::new(&scene, input.size).with_samples(input.samples);
     let views = inputs(Some(&mut oracle), &scene, &cameras)?;
+    // Culled entities are shown by pixel.
+    let mut oracle = Oracle::new(&scene, input.size);
     // Late results need frames to arrive.
     for _ in 0..3 {
         stage.frame(&scene, &views)?;

@@ -23,7 +23,7 @@ pub(super) struct GpuSettings {
     padding_b: u32,
 }
 
-assert_layout!(GpuSettings, "cull_patches", "Settings", { count, threshold, padding_a, padding_b });
+assert_layout!(GpuSettings, "cull_patches_one", "Settings", { count, threshold, padding_a, padding_b });
 
 impl GpuSettings {
     /// For `count` entries. An entity with more visible samples than the threshold is drawn already.
@@ -83,7 +83,11 @@ impl FrameGraph<'_> {
         shown: Buffer,
         entries: u64,
     ) -> DepthCulled {
-        let pipeline = self.compute_pipeline(&jobs::cull_patches::JOB, "cull_patches");
+        let job = match self.samples() {
+            1 => &jobs::cull_patches_one::JOB,
+            _ => &jobs::cull_patches_many::JOB,
+        };
+        let pipeline = self.compute_pipeline(job, "cull_patches");
         let kept = self.graph().buffer(
             view.named("audit: kept"),
             BufferDesc::new(entries * KEPT_BYTES),

@@ -65,7 +65,7 @@ impl FrameGraph<'_> {
             self.choose_patches(view, set, options, AuditValues { audit, frame }, entries);
         let depth = view.targets.depth;
         let left = self.depth_cull(view, buffers, depth, shown, entries);
-        let way = Counting::by_fragments(self.gpu());
+        let way = Counting::by_fragments(self.gpu(), self.samples());
         let scratch = view.named("audit: scratch depth");
         let test = self.depth_test(way, depth, scratch, view.size());
         self.mark_patches(view, "audit", left.draws, test, left.shown);

@@ -50,7 +50,7 @@ pub struct GpuPatchEntry {
     greatest: u32,
 }
 
-assert_layout!(GpuPatchEntry, "cull_patches", "Entry", { slot, patch_number, draw, nearest, least, greatest });
+assert_layout!(GpuPatchEntry, "cull_patches_one", "Entry", { slot, patch_number, draw, nearest, least, greatest });
 
 /// An indexed indirect draw. Mirrors `Draw` of `compact.wgsl`.
 #[repr(C)]

@@ -34,8 +34,7 @@ impl JudgeView {
             Some(format!(
                 "it has {width} x {height} pixels, and each side must be 1 to {most}"
             ))
-        } else if self.depth.samples > 1 && gpu.info.backend == wgpu::Backend::Gl {
-            // What is drawn into such a texture is lost there, without an error (gfx-rs/wgpu#6084).
+        } else if self.depth.samples > 1 && !gpu.reads_drawn_samples() {
             Some(format!(
                 "its depth has {} samples a pixel, and wgpu's OpenGL backend cannot read such textures: write the farthest sample of each pixel into a depth of one sample, or take another backend",
                 self.depth.samples

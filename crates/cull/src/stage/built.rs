@@ -3,12 +3,14 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use antumbra_graph::{BufferDesc, Clear, CompileOptions, Graph, Host, Mode, Plan, TextureDesc};
+use antumbra_graph::{
+    BufferDesc, Clear, CompileOptions, Graph, Host, Mode, Plan, Texture, TextureDesc,
+};
 
 use super::{StageError, StageOptions, StageOutput, ViewSpec, draws};
 use crate::audit::{Audit, Lessons};
 use crate::draw_source::DrawSource;
-use crate::frame_graph::{CULL, FrameGraph, Shared, Shown};
+use crate::frame_graph::{CULL, DRAW, FrameGraph, Shared, Shown};
 use crate::narrowing::Narrowing;
 use crate::pipelines::Pipelines;
 use crate::renderer::{DEPTH_FORMAT, Renderer, Targets, ViewInputs};
@@ -130,6 +132,7 @@ pub(super) fn build(
         gpu: gpu.clone(),
         layout: layout.clone(),
         colour_format: options.colour_format,
+        samples: options.samples,
         output: options.output,
         pipelines: std::mem::take(inherited.pipelines),
         trees: HashMap::new(),
@@ -150,7 +153,7 @@ pub(super) fn build(
     let compile = CompileOptions {
         mode: options.mode,
         timing: options.timing,
-        ..CompileOptions::owned(&gpu.device)
+        ..gpu.compile_options()
     };
     let plan = graph
         .compile(&compile)
@@ -219,13 +222,15 @@ fn declare(
             .map(|options| declared.audit(&nodes, &set, options, lessons.clone()));
         match options.output {
             // An import keeps its writers anyway. As an output it would need more usages of the host's texture.
-            StageOutput::Image if imported.is_none() => graph.output(nodes.targets.colour),
+            StageOutput::Image if imported.is_none() => {
+                nodes.targets.colour = resolved(graph, &nodes, options);
+                graph.output(nodes.targets.colour);
+            }
             StageOutput::Image => {}
             StageOutput::Answers if nodes.shades_in_loop => {
-                return Err(StageError::Input(format!(
-                    "answers of strategy '{}', which draws step by step in a loop: give it another latency, or ask for an image",
-                    strategy.name()
-                )));
+                return Err(StageError::NoAnswers {
+                    strategy: strategy.name().to_owned(),
+                });
             }
             StageOutput::Answers => draws::output(graph, &nodes.shaded),
         }
@@ -279,8 +284,8 @@ fn targets(
     options: &StageOptions,
 ) -> (Targets, Option<Targets>) {
     let [width, height] = spec.size;
-    let colour = TextureDesc::new(width, height, options.colour_format);
-    let depth = TextureDesc::new(width, height, DEPTH_FORMAT);
+    let target = |format| TextureDesc::new(width, height, format).samples(options.samples);
+    let (colour, depth) = (target(options.colour_format), target(DEPTH_FORMAT));
     let (colour_name, depth_name) = (
         format!("{} colour", spec.name),
         format!("{} depth", spec.name),
@@ -307,6 +312,24 @@ fn targets(
             )
         }
     }
+}
+
+/// The view's colour with one sample a pixel.
+fn resolved(graph: &mut Graph, nodes: &ViewNodes, options: &StageOptions) -> Texture {
+    let drawn = nodes.targets.colour;
+    if options.samples == 1 {
+        return drawn;
+    }
+    let [width, height] = nodes.size;
+    let resolved = graph.texture(
+        nodes.named("resolved colour"),
+        TextureDesc::new(width, height, options.colour_format),
+    );
+    let mut node = graph.raster(nodes.named("resolve"));
+    node.group(DRAW).colour(drawn);
+    let resolved = node.resolve(resolved);
+    node.run(|_| Ok(()));
+    resolved
 }
 
 /// Uploads the view's uniforms.

@@ -22,6 +22,14 @@ pub enum StageError {
         /// All that is wrong.
         errors: CompileErrors,
     },
+    /// The strategy draws step by step in a loop, so that what it draws is never in one place.
+    #[error(
+        "strategy '{strategy}' draws step by step in a loop and has no answers alone: give it another latency, or ask for an image"
+    )]
+    NoAnswers {
+        /// The strategy.
+        strategy: String,
+    },
     /// A frame failed.
     #[error(transparent)]
     Execute(#[from] ExecuteError),

@@ -29,7 +29,7 @@ impl ViewInput<'_> {
     }
 }
 
-/// The host's textures, of the view's size, usable as render attachments. Depth is [`DEPTH_FORMAT`](crate::DEPTH_FORMAT), reversed.
+/// The host's textures, of the view's size and the stage's samples, usable as render attachments. Depth is [`DEPTH_FORMAT`](crate::DEPTH_FORMAT), reversed.
 #[derive(Debug, Clone, Copy)]
 pub struct ImportedTargets<'a> {
     /// Colour, of the stage's format.

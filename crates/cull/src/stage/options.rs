@@ -58,6 +58,9 @@ pub struct StageOptions {
     pub output: StageOutput,
     /// The format of the colour targets.
     pub colour_format: wgpu::TextureFormat,
+    /// Samples a pixel: 1, 4, or what else the device has. An entity is visible if it owns a *sample*, and tests count samples. A stage that draws on its own
+    /// resolves its colour; imported targets have as many samples, and their owner resolves them.
+    pub samples: u32,
     /// The clear colour; unused where targets are imported.
     pub background: wgpu::Color,
     /// Whether GPU time is measured per pass, on devices with timestamps.
@@ -74,6 +77,7 @@ impl Default for StageOptions {
             mode: Mode::Owned,
             output: StageOutput::Image,
             colour_format: wgpu::TextureFormat::Rgba8UnormSrgb,
+            samples: 1,
             background: wgpu::Color {
                 r: 0.02,
                 g: 0.025,

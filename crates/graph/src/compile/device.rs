@@ -14,6 +14,8 @@ pub(crate) struct Capabilities<'a> {
     limits: wgpu::Limits,
     downlevel: DownlevelFlags,
     adapter: Option<&'a wgpu::Adapter>,
+    /// Whether shaders can read a texture of several samples a texel that was drawn into: wgpu draws nothing into such a texture on OpenGL (gfx-rs/wgpu#6084).
+    reads_drawn_samples: bool,
 }
 
 impl<'a> Capabilities<'a> {
@@ -33,6 +35,7 @@ impl<'a> Capabilities<'a> {
             limits: device.limits(),
             downlevel,
             adapter,
+            reads_drawn_samples: device.adapter_info().backend != wgpu::Backend::Gl,
         }
     }
 
@@ -175,6 +178,13 @@ fn use_needs(
                     resource: resource.name.clone(),
                     access: used.access.word(),
                     format: desc.format,
+                });
+            }
+            let reads_samples = used.access == Access::Sample && desc.samples > 1;
+            if reads_samples && !capabilities.reads_drawn_samples {
+                errors.push(CompileError::MissingCapability {
+                    pass: pass.name.clone(),
+                    capability: format!("samples of `{}` in a shader", resource.name),
                 });
             }
         }

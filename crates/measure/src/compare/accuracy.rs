@@ -1,7 +1,7 @@
 //! Accuracy: compares every view of every pose with the reference.
 //!
 //! A strategy's visible set is drawn in the reference's order, so differences come only from missing entities and from entities drawn at a
-//! coarser level. A set that contains every owner of a pixel at full detail therefore has no wrong pixel, and is not drawn again.
+//! coarser level. A set that contains every owner of a sample at full detail therefore has no wrong pixel, and is not drawn again.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -29,7 +29,7 @@ pub struct Accuracy {
     pub owners: Vec<Owners>,
 }
 
-/// By view: the slots that own a pixel.
+/// By view: the slots that own a sample.
 pub type Owners = Vec<Arc<Vec<u32>>>;
 
 /// The errors of one strategy and what it drew: sums over all poses and views.
@@ -103,7 +103,7 @@ pub fn measure(
     progress: &mut dyn FnMut(CompareProgress),
 ) -> Result<Accuracy, MeasureError> {
     let path = scripted.path;
-    let mut comparer = Comparer::new(scripted.scene(), options.size)?;
+    let mut comparer = Comparer::new(scripted.scene(), options)?;
     let mut records: Vec<Record> = stages.iter().map(|_| Record::default()).collect();
     let mut owners = Vec::with_capacity(path.poses().len());
     let total = path.poses().len() as u64;
@@ -181,12 +181,17 @@ struct Comparer {
 }
 
 impl Comparer {
-    fn new(scene: &GpuScene, size: [u32; 2]) -> Result<Self, MeasureError> {
+    fn new(scene: &GpuScene, options: &CompareOptions) -> Result<Self, MeasureError> {
+        let CompareOptions { size, samples, .. } = *options;
         let [width, height] = size;
         let views = vec![ViewSpec::main(width, height)];
+        let painted = StageOptions {
+            samples,
+            ..StageOptions::default()
+        };
         Ok(Self {
-            oracle: Oracle::new(scene, size),
-            painter: Stage::new(scene, Box::new(FrustumOnly), views, StageOptions::default())?,
+            oracle: Oracle::new(scene, size).with_samples(samples),
+            painter: Stage::new(scene, Box::new(FrustumOnly), views, painted)?,
             size,
         })
     }

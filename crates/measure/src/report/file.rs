@@ -57,6 +57,9 @@ impl Report {
     /// [`MeasureError`] with the name of the first field that fails.
     pub fn check(&self) -> Result<(), MeasureError> {
         refuse_null(&self.to_value()?, "")?;
+        if self.scene.samples == 0 {
+            return Err(problem("scene.samples".to_owned(), "is 0"));
+        }
         if self.scene.size.contains(&0) {
             return Err(problem("scene.size".to_owned(), "has no pixels"));
         }

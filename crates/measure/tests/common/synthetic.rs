@@ -37,6 +37,7 @@ pub fn report() -> Report {
             triangles: 15_360_000,
             views: 1,
             stereo: None,
+            samples: 1,
             size: [960, 540],
             frames: FRAMES as u64,
         },

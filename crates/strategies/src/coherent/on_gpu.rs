@@ -8,10 +8,10 @@
 use std::sync::Arc;
 
 use antumbra_cull::{
-    CULL, Candidates, CountLayout, Counting, Counts, FrameGraph, IDENTITY_FORMAT, IndirectDraws,
-    MeshDetail, Queried, ViewNodes, VisibleSet,
+    CULL, Candidates, CountLayout, Counting, Counts, FrameGraph, IndirectDraws, MeshDetail,
+    Queried, ViewNodes, VisibleSet,
 };
-use antumbra_graph::{Bind, Buffer, Clear, Host, TextureDesc};
+use antumbra_graph::{Bind, Buffer, Host};
 use antumbra_shaders::jobs;
 
 use super::entity_test::{fill_with_tests, sorted_tests};
@@ -43,12 +43,7 @@ pub(super) fn first(
     settings: CoherentSettings,
 ) -> FirstOnGpu {
     let candidates = g.in_frustum(view);
-    let [width, height] = view.size();
-    let blank = Clear::Colour(wgpu::Color::TRANSPARENT);
-    let ids = g.graph().texture(
-        view.named("entity ids"),
-        TextureDesc::new(width, height, IDENTITY_FORMAT).cleared(blank),
-    );
+    let ids = g.id_texture(view.named("entity ids"), view.size());
     let owned = g.sample_counts(view);
     let seen = owned.previous();
     let all = opaque(
@@ -71,7 +66,7 @@ pub(super) fn first(
     let new = g.compact(view, "found visible", rest, found);
     let ids = g.shade_identified(view, "shade found visible", new, ids);
     shade_found_transparent(g, view, candidates, found);
-    let owned = g.histogram(view, ids, [width, height], owned);
+    let owned = g.histogram(view, ids, view.size(), owned);
     FirstOnGpu {
         set: verdicts(g, view, candidates, seen, found),
         owned,
@@ -188,7 +183,7 @@ fn test(
 /// Counts the visible samples of indirect draws, a u32 a slot.
 fn count(g: &mut FrameGraph<'_>, view: &ViewNodes, what: IndirectDraws) -> Buffer {
     let (size, depth) = (view.size(), view.targets.depth);
-    let way = Counting::by_fragments(g.gpu());
+    let way = Counting::by_fragments(g.gpu(), g.samples());
     let test = g.depth_test(way, depth, view.named("scratch depth"), size);
     let counts = g.sample_counts(view);
     g.count(view, "test last occluded", what.into(), test, counts)

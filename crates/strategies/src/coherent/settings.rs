@@ -1,7 +1,8 @@
 //! The settings of both coherent strategies: fields, parameters (key, range, unit, description), and steps from accurate to fast.
 
 use antumbra_cull::{
-    DeclareError, Latency, Parameter, Setting, SettingError, Step, Tunable, Value, assign, describe,
+    Counting, DeclareError, FrameGraph, Latency, Parameter, Setting, SettingError, Step, Tunable,
+    Value, assign, describe,
 };
 
 use super::fraction::FractionRule;
@@ -52,15 +53,30 @@ impl CoherentSettings {
         }
     }
 
-    /// Refuses settings that contradict each other.
-    pub(super) fn check(self, strategy: &str) -> Result<(), DeclareError> {
+    /// Refuses settings that contradict each other, and what the device cannot do.
+    pub(super) fn check(self, strategy: &str, g: &FrameGraph<'_>) -> Result<(), DeclareError> {
         if self.latency == Latency::OnGpu && self.late > 0.0 {
             return Err(DeclareError::Settings {
                 strategy: strategy.to_owned(),
                 conflict: "a fraction that adapts needs answers on the host: set late to 0, or latency to frame-late or same-frame".to_owned(),
             });
         }
-        Ok(())
+        if self.latency != Latency::OnGpu {
+            return Ok(());
+        }
+        // The owners of pixels are read from entity ids, and the others are counted.
+        let (gpu, samples) = (g.gpu(), g.samples());
+        let ways = [Counting::Identity, Counting::by_fragments(gpu, samples)];
+        let lacking = ways.iter().find_map(|way| way.lacking(gpu, samples));
+        match lacking {
+            None => Ok(()),
+            Some(lacking) => Err(DeclareError::Device {
+                strategy: strategy.to_owned(),
+                lacking: lacking.to_owned(),
+                instead: "set latency to frame-late or same-frame, or draw one sample a pixel"
+                    .to_owned(),
+            }),
+        }
     }
 
     /// Whether no visible entity is culled.

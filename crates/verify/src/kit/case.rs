@@ -36,6 +36,8 @@ pub enum Case {
     Still,
     /// Two views of one scene, left and right.
     Stereo,
+    /// Two views of different projections: one in perspective, one parallel.
+    Projections,
     /// A view that gets larger, then smaller, while the camera moves.
     Resize,
     /// Worlds of a millimetre and of a million kilometres, and one far from the origin.
@@ -50,7 +52,7 @@ pub enum Case {
 
 impl Case {
     /// All cases that bring their own scene, in the order in which the default kit plays them.
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 20] = [
         Self::RandomScenes,
         Self::Cut,
         Self::InsideBox,
@@ -66,10 +68,19 @@ impl Case {
         Self::Repeat,
         Self::Still,
         Self::Stereo,
+        Self::Projections,
         Self::Resize,
         Self::Worlds,
         Self::Lenses,
         Self::Gaps,
+    ];
+
+    /// The cases that are played in [other setups](super::OtherSetups::Brief): what they may break.
+    pub const BRIEF: [Self; 4] = [
+        Self::RandomScenes,
+        Self::Cut,
+        Self::Projections,
+        Self::Resize,
     ];
 
     /// The case with this name, as messages write it; `None` for another text.
@@ -95,6 +106,7 @@ impl Case {
             Self::Repeat => "the same input twice",
             Self::Still => "still scene",
             Self::Stereo => "two views",
+            Self::Projections => "two projections",
             Self::Resize => "resized view",
             Self::Worlds => "tiny and huge worlds",
             Self::Lenses => "narrow, wide and parallel views",

@@ -8,6 +8,7 @@ use antumbra_scene::{CameraError, SceneError};
 use thiserror::Error;
 
 use super::case::Case;
+use super::setup::Setup;
 
 /// Why a strategy does not conform, or could not be checked.
 #[derive(Debug, Error)]
@@ -57,6 +58,8 @@ impl KitFailure {
 pub struct Violation {
     /// The case.
     pub case: Case,
+    /// How the stage was run.
+    pub setup: Setup,
     /// The frame within the scene that the case was playing, from 0.
     pub frame: u32,
     /// What is wrong.
@@ -65,7 +68,16 @@ pub struct Violation {
 
 impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}, frame {}: {}", self.case, self.frame, self.kind)
+        let Self {
+            case,
+            setup,
+            frame,
+            kind,
+        } = self;
+        match *setup == Setup::PLAIN {
+            true => write!(f, "{case}, frame {frame}: {kind}"),
+            false => write!(f, "{case} ({setup}), frame {frame}: {kind}"),
+        }
     }
 }
 
@@ -75,29 +87,29 @@ impl fmt::Display for Violation {
 pub enum ViolationKind {
     /// A strategy that claims to be conservative culled a visible entity.
     #[error(
-        "it claims to be conservative but does not draw slots {}, which own pixels; {pixels} pixels are wrong",
+        "it claims to be conservative but does not draw slots {}, which own samples; {pixels} pixels are wrong",
         first_few(slots)
     )]
     FalseCull {
-        /// Slots that own a pixel and were not drawn.
+        /// Slots that own a sample and were not drawn.
         slots: Vec<u32>,
         /// Number of pixels whose owner is therefore wrong.
         pixels: usize,
     },
     /// A visible entity is still culled after late answers had time to settle.
     #[error(
-        "after {frames} frames without a change it does not draw slots {}, which own pixels",
+        "after {frames} frames without a change it does not draw slots {}, which own samples",
         first_few(slots)
     )]
     StillFalseCull {
         /// Number of frames since the last change.
         frames: u32,
-        /// Slots that own a pixel and were not drawn.
+        /// Slots that own a sample and were not drawn.
         slots: Vec<u32>,
     },
     /// A visible entity was culled although no answer covers it.
     #[error(
-        "it does not draw slots {}, which own pixels and which no answer covers: first frame, cut, new in the slot, or new in the frustum",
+        "it does not draw slots {}, which own samples and which no answer covers: first frame, cut, new in the slot, or new in the frustum",
         first_few(slots)
     )]
     CulledWithoutAnswer {
@@ -115,7 +127,7 @@ pub enum ViolationKind {
     },
     /// A visible entity that crosses the near plane was culled.
     #[error(
-        "it does not draw slots {}, which own pixels and cross the near plane",
+        "it does not draw slots {}, which own samples and cross the near plane",
         first_few(slots)
     )]
     NearPlane {
@@ -151,6 +163,15 @@ pub enum ViolationKind {
         pixels: usize,
         /// Column and row of the first of them, from the upper left.
         first: [u32; 2],
+    },
+    /// What its answers draw is not what the verdicts say.
+    #[error(
+        "its answers and its verdicts disagree about slots {}",
+        first_few(slots)
+    )]
+    FalseAnswers {
+        /// Slots that one of the two draws and the other does not.
+        slots: Vec<u32>,
     },
     /// The verdicts do not settle.
     #[error("after {frames} frames without a change the verdicts still change")]

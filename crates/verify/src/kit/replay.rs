@@ -34,11 +34,14 @@ pub struct ReplayFrame {
 }
 
 impl ReplayFrame {
-    /// The view as an image: RGBA, four bytes a pixel, row by row. Entities have one of 128 greys, nothing is black, and a wrong pixel is red.
+    /// The view as an image: RGBA, four bytes a pixel, row by row. Entities have one of 128 greys (that of a pixel's first sample), nothing is black, and a wrong pixel is red.
     pub fn rgba(&self) -> Vec<u8> {
         let wrong = self.reference.wrong_pixel_mask(&self.drawn);
-        let pixels = self.reference.ids.iter().zip(wrong);
-        let colours = pixels.map(|(id, wrong)| match (id, wrong) {
+        let firsts = self
+            .reference
+            .pixels()
+            .map(|samples| samples.first().copied().unwrap_or(0));
+        let colours = firsts.zip(wrong).map(|(id, wrong)| match (id, wrong) {
             (_, true) => [255, 0, 0, 255],
             (0, false) => [0, 0, 0, 255],
             (id, false) => {

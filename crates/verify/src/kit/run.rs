@@ -1,20 +1,23 @@
 //! One run of a strategy on one scene, with the oracle beside it. Every frame is checked before the next one starts.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::sync::Arc;
 
 use antumbra_cull::{
-    Candidates, Gpu, Ideal, Latency, Stage, StageOptions, Strategy, Verdict, Verdicts, ViewFrame,
-    ViewInput, ViewSpec, read_back,
+    Candidates, Gpu, Ideal, Latency, Renderer, Stage, StageOutput, StageScene, Strategy, Verdict,
+    Verdicts, ViewFrame, ViewInput, ViewSpec, WithRenderer, read_back,
 };
-use antumbra_draw::GpuScene;
+use antumbra_draw::{BuiltinRenderer, GpuScene};
 use antumbra_scene::{Camera, EntityKey, Scene};
 use rand::SeedableRng;
 use rand_pcg::Pcg32;
 
 use super::failure::ViolationKind;
+use super::host_frame::{HostFrame, listed};
+use super::host_renderer::HostRenderer;
 use super::replay::ReplayFrame;
 use super::settings::Kit;
+use super::setup::{Setup, Shading};
 use crate::oracle::{EntitySet, IdBuffer, Oracle};
 
 /// What a case works with, and how far it has come.
@@ -65,11 +68,13 @@ pub(super) struct Run<'b, 'k> {
     context: &'b mut CaseContext<'k>,
     /// Stories change it between frames.
     pub scene: Scene,
-    gpu_scene: GpuScene,
+    gpu_scene: WithRenderer<GpuScene>,
     /// Width and height of the views in pixels.
     size: [u32; 2],
     /// Draws what the strategy chooses.
     stage: Stage,
+    /// Runs that stage.
+    host: HostFrame,
     /// Draws the slots that it is given: the image to compare with.
     expected: Stage,
     oracle: Oracle,
@@ -120,7 +125,9 @@ impl<'b, 'k> Run<'b, 'k> {
         mut scene: Scene,
         names: &[&str],
     ) -> Result<Self, ViolationKind> {
+        let setup = context.kit.setup;
         let gpu_scene = GpuScene::new(context.gpu, &mut scene)?;
+        let gpu_scene = WithRenderer::new(gpu_scene, move |scene| renderer(scene, setup));
         let specs: Vec<ViewSpec> = names
             .iter()
             .map(|name| ViewSpec {
@@ -134,19 +141,25 @@ impl<'b, 'k> Run<'b, 'k> {
             late: strategy.latency() == Some(Latency::FrameLate),
             needs_reference: strategy.needs_reference(),
         };
-        let options = StageOptions::default();
+        let size = context.kit.size;
+        // What to compare with has an image in any case.
+        let plain = Setup {
+            samples: setup.samples,
+            ..Setup::PLAIN
+        };
         context.frame = 0;
         context.runs += 1;
         Ok(Self {
-            stage: Stage::new(&gpu_scene, strategy, specs.clone(), options.clone())?,
-            expected: Stage::new(&gpu_scene, Box::new(Ideal), specs, options)?,
-            oracle: Oracle::new(&gpu_scene, context.kit.size),
+            stage: Stage::new(&gpu_scene, strategy, specs.clone(), setup.options())?,
+            host: HostFrame::new(context.gpu, setup, names.len(), size),
+            expected: Stage::new(&gpu_scene, Box::new(Ideal), specs, plain.options())?,
+            oracle: oracle(&gpu_scene, setup, size),
             seen: vec![HashSet::new(); names.len()],
             next_frame: 0,
             still_frames: 0,
             last: Vec::new(),
             history: Vec::new(),
-            size: context.kit.size,
+            size,
             context,
             scene,
             gpu_scene,
@@ -160,7 +173,9 @@ impl<'b, 'k> Run<'b, 'k> {
             self.stage.resize(view, size)?;
             self.expected.resize(view, size)?;
         }
-        self.oracle = Oracle::new(&self.gpu_scene, size);
+        let setup = self.context.kit.setup;
+        self.oracle = oracle(&self.gpu_scene, setup, size);
+        self.host = HostFrame::new(self.context.gpu, setup, self.seen.len(), size);
         self.size = size;
         Ok(())
     }
@@ -203,7 +218,7 @@ impl<'b, 'k> Run<'b, 'k> {
         self.context.frame = self.next_frame;
         self.next_frame += 1;
         self.still_frames = 0;
-        self.gpu_scene.sync(&mut self.scene)?;
+        self.gpu_scene.scene_mut().sync(&mut self.scene)?;
         let references = views
             .iter()
             .map(|view| self.reference(&view.camera))
@@ -220,7 +235,7 @@ impl<'b, 'k> Run<'b, 'k> {
                 ..ViewInput::new(view.camera)
             })
             .collect();
-        self.stage.frame(&self.gpu_scene, &inputs)?;
+        self.host.play(&mut self.stage, &self.gpu_scene, &inputs)?;
         // Late answers have arrived before the next frame reads them, so that a run is the same each time.
         self.context.gpu.wait()?;
         self.last = (0..views.len())
@@ -319,7 +334,7 @@ impl<'b, 'k> Run<'b, 'k> {
         self.check_contradictions(verdicts, reference)?;
         if let Some(seen) = self.seen.get_mut(view) {
             let inside = reference.candidates.inside().iter();
-            seen.extend(inside.filter_map(|slot| occupancy(&self.gpu_scene, *slot)));
+            seen.extend(inside.filter_map(|slot| occupancy(self.gpu_scene.scene(), *slot)));
         }
         Ok(())
     }
@@ -335,7 +350,7 @@ impl<'b, 'k> Run<'b, 'k> {
     ) -> Result<(), ViolationKind> {
         let seen = self.seen.get(view);
         let covered = |slot: u32| {
-            occupancy(&self.gpu_scene, slot)
+            occupancy(self.gpu_scene.scene(), slot)
                 .is_some_and(|occupancy| seen.is_some_and(|seen| seen.contains(&occupancy)))
         };
         let slots: Vec<u32> = missed.iter().copied().filter(|s| !covered(*s)).collect();
@@ -382,6 +397,21 @@ impl<'b, 'k> Run<'b, 'k> {
         Ok(())
     }
 
+    /// Compares what the answers draw with what the verdicts say.
+    fn compare_answers(&self) -> Result<(), ViolationKind> {
+        for (view, verdicts) in self.last.iter().enumerate() {
+            let listed: BTreeSet<u32> = listed(self.context.gpu, &self.stage, view)?
+                .into_iter()
+                .collect();
+            let drawn: BTreeSet<u32> = verdicts.drawn().collect();
+            let slots: Vec<u32> = listed.symmetric_difference(&drawn).copied().collect();
+            if !slots.is_empty() {
+                return Err(ViolationKind::FalseAnswers { slots });
+            }
+        }
+        Ok(())
+    }
+
     /// Compares the strategy's image with that of drawing everything, or, if it does not claim to be conservative, of drawing what its
     /// verdicts say.
     fn compare_images(
@@ -389,6 +419,9 @@ impl<'b, 'k> Run<'b, 'k> {
         views: &[ViewCamera],
         references: &[Reference],
     ) -> Result<(), ViolationKind> {
+        if self.context.kit.setup.output == StageOutput::Answers {
+            return self.compare_answers();
+        }
         let conservative = self.claims.conservative;
         let inputs: Vec<ViewInput<'_>> = views
             .iter()
@@ -405,12 +438,10 @@ impl<'b, 'k> Run<'b, 'k> {
             .collect();
         self.expected.frame(&self.gpu_scene, &inputs)?;
         for view in 0..views.len() {
-            let (Some(drawn), Some(expected)) =
-                (self.stage.colour(view), self.expected.colour(view))
-            else {
+            let Some(expected) = self.expected.colour(view) else {
                 return Err(ViolationKind::Failed(format!("view {view} has no image")));
             };
-            let drawn = read_back::texture(self.context.gpu, drawn)?;
+            let drawn = self.host.image(self.context.gpu, &self.stage, view)?;
             let expected = read_back::texture(self.context.gpu, expected)?;
             let pixels = drawn.as_chunks::<4>().0.iter();
             let pixels = pixels.zip(expected.as_chunks::<4>().0);
@@ -429,6 +460,18 @@ impl<'b, 'k> Run<'b, 'k> {
         }
         Ok(())
     }
+}
+
+/// Who shades a scene.
+fn renderer(scene: &GpuScene, setup: Setup) -> Box<dyn Renderer> {
+    match setup.shading {
+        Shading::Builtin => scene.renderer(),
+        Shading::Host => Box::new(HostRenderer(BuiltinRenderer::new(scene.gpu()))),
+    }
+}
+
+fn oracle(scene: &dyn StageScene, setup: Setup, size: [u32; 2]) -> Oracle {
+    Oracle::new(scene, size).with_samples(setup.samples)
 }
 
 fn occupancy(scene: &GpuScene, slot: u32) -> Option<Occupancy> {

@@ -22,6 +22,7 @@ pub(super) fn play(case: Case, context: &mut CaseContext<'_>) -> Result<(), Viol
         Case::Repeat => random::repeat(context),
         Case::Still => random::still(context),
         Case::Stereo => random::stereo(context),
+        Case::Projections => random::projections(context),
         Case::Resize => random::resize(context),
         Case::Cut => cameras::cut(context),
         Case::InsideBox => cameras::inside_box(context),

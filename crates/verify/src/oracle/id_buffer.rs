@@ -1,11 +1,11 @@
-//! What the oracle renders: the entity that owns each pixel, and order-independent sums for the transparent entities.
+//! What the oracle renders: the entity that owns each sample, and order-independent sums for the transparent entities.
 
-/// An entity-id buffer: the owners of an image's pixels, row by row from the top.
+/// An entity-id buffer: the owners of an image's samples, row by row from the top, the samples of a pixel one after the other.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct IdBuffer {
     /// Width and height in pixels.
     pub size: [u32; 2],
-    /// One value a pixel: the slot of the solid entity that owns it plus 1, or 0 for none.
+    /// One value a sample: the slot of the solid entity that owns it plus 1, or 0 for none.
     pub ids: Vec<u32>,
     /// The transparent entities; `None` in a scene that has none.
     pub transparent: Option<TransparentSums>,
@@ -21,7 +21,7 @@ pub struct TransparentSums {
 }
 
 impl IdBuffer {
-    /// The visible entities: slots that own a pixel or, if transparent, have a visible fragment; ascending.
+    /// The visible entities: slots that own a sample or, if transparent, have a visible fragment; ascending.
     pub fn owners(&self) -> Vec<u32> {
         let most = self.ids.iter().max().map_or(0, |most| *most as usize);
         let samples = self.samples();
@@ -43,7 +43,7 @@ impl IdBuffer {
             .collect()
     }
 
-    /// One value a slot: the number of pixels that a solid entity owns, or of visible fragments that a transparent one has. Ends with the
+    /// One value a slot: the number of samples that a solid entity owns, or of visible fragments that a transparent one has. Ends with the
     /// last slot that has any.
     pub fn samples_by_slot(&self) -> Vec<u32> {
         let mut counts = self.samples().to_vec();
@@ -63,13 +63,24 @@ impl IdBuffer {
         counts
     }
 
-    /// One value a pixel, row by row: whether its owner or its sum of transparent fragments differs from that in `other`. All are `true` if
-    /// the sizes differ.
+    /// The samples of a pixel; 1 for an image without pixels.
+    pub fn samples_a_pixel(&self) -> usize {
+        let [width, height] = self.size.map(|side| side as usize);
+        (self.ids.len() / (width * height).max(1)).max(1)
+    }
+
+    /// The owners of the samples of each pixel, row by row.
+    pub fn pixels(&self) -> impl Iterator<Item = &[u32]> {
+        self.ids.chunks(self.samples_a_pixel())
+    }
+
+    /// One value a pixel, row by row: whether the owner of any of its samples or its sum of transparent fragments differs from that in `other`. All are `true` if
+    /// the sizes or the numbers of samples differ.
     pub fn wrong_pixel_mask(&self, other: &Self) -> Vec<bool> {
-        if self.size != other.size {
-            return vec![true; self.ids.len()];
+        if self.size != other.size || self.ids.len() != other.ids.len() {
+            return vec![true; self.pixels().count()];
         }
-        let pairs = self.ids.iter().zip(&other.ids).enumerate();
+        let pairs = self.pixels().zip(other.pixels()).enumerate();
         pairs
             .map(|(pixel, (a, b))| a != b || self.signature(pixel) != other.signature(pixel))
             .collect()

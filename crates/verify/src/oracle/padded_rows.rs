@@ -1,8 +1,6 @@
 //! The buffer that an id texture is copied into: wgpu pads each row to a multiple of 256 bytes.
 
-use super::id_buffer::IdBuffer;
-
-/// The layout of an image of four bytes a pixel in such a buffer.
+/// The layout of an image in such a buffer.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PaddedRows {
     size: [u32; 2],
@@ -10,9 +8,9 @@ pub(super) struct PaddedRows {
 }
 
 impl PaddedRows {
-    /// The layout of an image of `size` pixels (width, height).
-    pub fn new(size: [u32; 2]) -> Self {
-        let row_bytes = size[0].saturating_mul(4);
+    /// The layout of an image of `size` pixels (width, height) with so many bytes each.
+    pub fn new(size: [u32; 2], texel_bytes: usize) -> Self {
+        let row_bytes = size[0].saturating_mul(texel_bytes as u32);
         let align = wgpu::COPY_BYTES_PER_ROW_ALIGNMENT;
         Self {
             size,
@@ -43,18 +41,9 @@ impl PaddedRows {
         }
     }
 
-    /// Takes the ids out of the buffer's bytes, without the padding.
-    pub fn unpack(self, bytes: &[u8], image: &mut IdBuffer) {
-        image.size = self.size;
-        image.ids.clear();
-        for row in bytes.chunks(self.row_bytes.max(1) as usize) {
-            let (texels, _) = row.as_chunks::<4>();
-            image.ids.extend(
-                texels
-                    .iter()
-                    .take(self.size[0] as usize)
-                    .map(|texel| u32::from_le_bytes(*texel)),
-            );
-        }
+    /// The texels in the buffer's bytes, row by row, without the padding. `N`: the bytes of each.
+    pub fn texels<const N: usize>(self, bytes: &[u8]) -> impl Iterator<Item = &[u8; N]> {
+        let rows = bytes.chunks(self.row_bytes.max(1) as usize);
+        rows.flat_map(move |row| row.as_chunks::<N>().0.iter().take(self.size[0] as usize))
     }
 }

@@ -349,6 +349,38 @@ impl Strategy for Small {
     }
 }
 
+/// Claims to be conservative. With several samples a pixel it tests an image of half the size: that has as many samples, elsewhere.
+#[derive(Clone, Copy)]
+pub struct AsManySamples;
+
+impl Strategy for AsManySamples {
+    fn name(&self) -> &str {
+        "as many samples"
+    }
+
+    fn summary(&self) -> &str {
+        "tests an image of half the size with four samples a pixel"
+    }
+
+    fn conservative(&self) -> bool {
+        true
+    }
+
+    fn declare(
+        &mut self,
+        g: &mut FrameGraph<'_>,
+        view: &mut ViewNodes,
+    ) -> Result<VisibleSet, DeclareError> {
+        let inside = g.in_frustum(view);
+        let full = MeshDetail::Level(0);
+        let proxies = g.proxies(view, inside, full, full);
+        let side = if g.samples() > 1 { 2 } else { 1 };
+        let size = view.size().map(|pixels| pixels / side);
+        let counts = g.count_samples(view, proxies, Counting::Identity, size);
+        Ok(g.visible_samples(view, inside, counts, Latency::SameFrame, 0))
+    }
+}
+
 /// Claims to be conservative at any `scale`, also where its test image has a quarter of the view's width and height.
 #[derive(Clone)]
 pub struct Coarse(pub ThreePass);

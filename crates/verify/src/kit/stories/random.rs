@@ -1,7 +1,7 @@
-//! Stories on random scenes: a moving camera, the same input twice, a still camera, and two views.
+//! Stories on random scenes: a moving camera, the same input twice, a still camera, two views, and two projections.
 
 use antumbra_cull::Verdicts;
-use antumbra_scene::Camera;
+use antumbra_scene::{Camera, Projection};
 use glam::DVec3;
 
 use crate::kit::failure::ViolationKind;
@@ -100,6 +100,26 @@ pub(super) fn stereo(context: &mut CaseContext<'_>) -> Result<(), ViolationKind>
             ViewCamera::continuous(orbit(angle + 0.3)?)
         };
         run.frame_of_views(&[ViewCamera::continuous(orbit(angle)?), right])?;
+    }
+    Ok(())
+}
+
+pub(super) fn projections(context: &mut CaseContext<'_>) -> Result<(), ViolationKind> {
+    let mut test = TestScene::new()?;
+    test.scatter(&mut context.random(400), ENTITIES)?;
+    let mut run = Run::with_views(context, test.scene, &["main", "plan"])?;
+    for step in 0..3 {
+        let angle = 0.5 + f64::from(step) * 0.06;
+        let main = orbit(angle)?;
+        let plan = Camera {
+            projection: Projection::Orthographic {
+                height: 9.0,
+                near: 0.05,
+                far: 100.0,
+            },
+            ..orbit(angle + 0.8)?
+        };
+        run.frame_of_views(&[ViewCamera::continuous(main), ViewCamera::continuous(plan)])?;
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
-// Counts visible samples in an entity-id buffer: a histogram of ids. A run of equal ids in a row is added with one atomic operation, since
-// atomics dominate the cost and neighbouring pixels mostly belong to the same entity.
+//!import packed_id
+// A histogram of entity ids. A run of equal ids in a row is added with one atomic operation, since atomics dominate the cost and neighbouring
+// pixels mostly belong to the same entity.
 
-@group(0) @binding(0) var ids: texture_2d<u32>;
 @group(0) @binding(1) var<storage, read_write> counts: array<atomic<u32>>;
 
 // Pixels that one thread reads.
@@ -22,15 +22,17 @@ fn count(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgroups) 
     var current = 0u;
     var length = 0u;
     for (var x = first; x < last; x++) {
-        let id = textureLoad(ids, vec2<u32>(x, y), 0).x;
-        if id != current {
-            if current != 0u {
-                atomicAdd(&counts[current - 1u], length);
+        for (var number = 0u; number < samples(); number++) {
+            let id = unpacked_id(texel(vec2<u32>(x, y), number));
+            if id != current {
+                if current != 0u {
+                    atomicAdd(&counts[current - 1u], length);
+                }
+                current = id;
+                length = 0u;
             }
-            current = id;
-            length = 0u;
+            length++;
         }
-        length++;
     }
     if current != 0u {
         atomicAdd(&counts[current - 1u], length);

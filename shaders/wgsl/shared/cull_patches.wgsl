@@ -38,9 +38,7 @@ struct Draw {
 @group(0) @binding(1) var<storage, read> entries: array<Entry>;
 // Visible samples by slot. A short buffer where the host has left out the drawn entities already.
 @group(0) @binding(2) var<storage, read> counts: array<u32>;
-// A plain float texture, not a depth texture: GL cannot load from depth textures.
-@group(0) @binding(3) var finished_depth: texture_2d<f32>;
-// Slot and patch number of each kept entry, at its draw's instances.
+// Slot, and patch number with `patch_parity`, of each kept entry, at its draw's instances.
 @group(0) @binding(4) var<storage, read_write> kept: array<vec2<u32>>;
 @group(0) @binding(5) var<storage, read_write> draws: array<Draw>;
 // Words a patch, see `shared/marks.wgsl`; the last word of the buffer takes the visible samples that an adapted threshold leaves out.
@@ -53,7 +51,7 @@ fn may_show(entry: Entry) -> bool {
     for (var y = least.y; y <= greatest.y; y++) {
         for (var x = least.x; x <= greatest.x; x++) {
             // Reversed depth: greater or equal is at or in front of what was drawn.
-            if entry.nearest >= textureLoad(finished_depth, vec2<u32>(x, y), 0).x {
+            if entry.nearest >= farthest(vec2<u32>(x, y)) {
                 return true;
             }
         }
@@ -77,7 +75,8 @@ fn cull_patches(@builtin(global_invocation_id) at: vec3<u32>) {
         return;
     }
     // The order of kept entries varies from run to run; the marks do not depend on it.
+    let corner = vec2<u32>(entry.least & 0xffffu, entry.least >> 16u);
     let place = atomicAdd(&draws[entry.draw].instance_count, 1u);
-    kept[draws[entry.draw].first_instance + place] = vec2<u32>(entry.slot, entry.patch_number);
+    kept[draws[entry.draw].first_instance + place] = vec2<u32>(entry.slot, entry.patch_number | patch_parity(corner));
     atomicAdd(&shown[entry.patch_number * WORDS + MARK_WORDS], draws[entry.draw].index_count);
 }
