@@ -203,6 +203,52 @@ fn broken_files_are_named_with_what_is_wrong() {
 }
 
 #[test]
+fn several_samples_a_pixel_are_compared_and_drawn() {
+    let dir = tempfile::tempdir().unwrap();
+    let at = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let out = at("out");
+    let shared = ["grid:5", "--size", "96x72", "--samples"];
+    let compare = [
+        "--frames",
+        "3",
+        "--strategies",
+        "coherent:latency=on-gpu,ideal",
+        "--out",
+        &out,
+    ];
+    let output = antumbra(&[&["compare"], &shared[..], &["4"], &compare].concat());
+    assert!(output.status.success(), "{}", stderr(&output));
+    let report = report(Path::new(&out));
+    assert_eq!(report["scene"]["samples"], 4);
+    for strategy in report["strategies"].as_array().unwrap() {
+        let error = &strategy["error"];
+        assert_eq!(error["wrong_pixels_percent"]["max"], 0.0, "{strategy}");
+        assert_eq!(error["false_culls"]["entities"], 0, "{strategy}");
+    }
+    // With four samples the silhouettes have shades between those of the spheres and of the background.
+    let shades = |samples: &str| {
+        let file = at("image.png");
+        let output = antumbra(&[&["render"], &shared[..], &[samples, "-o", &file]].concat());
+        assert!(output.status.success(), "{}", stderr(&output));
+        let image = image::open(&file).unwrap().into_rgb8();
+        image
+            .pixels()
+            .map(|pixel| pixel.0)
+            .collect::<std::collections::HashSet<_>>()
+            .len()
+    };
+    let (one, four) = (shades("1"), shades("4"));
+    assert!(four > one + 100, "{one} and {four} colours");
+    let refused = ["render", "grid:2", "-o", &at("none.png"), "--samples"];
+    refuses(&[&refused[..], &["3"]].concat(), 2, &["1, 2, 4, 8 or 16"]);
+    refuses(
+        &[&refused[..], &["16"]].concat(),
+        1,
+        &["16 samples a pixel", "[1, 4]"],
+    );
+}
+
+#[test]
 fn an_image_is_drawn() {
     let dir = tempfile::tempdir().unwrap();
     let file = dir.path().join("grid.png");

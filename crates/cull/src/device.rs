@@ -10,6 +10,8 @@ use std::sync::{Arc, Mutex};
 use antumbra_graph::CompileOptions;
 use thiserror::Error;
 
+use crate::renderer::{DEPTH_FORMAT, IDENTITY_FORMAT};
+
 /// The choice of an adapter.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub enum AdapterChoice {
@@ -230,6 +232,22 @@ impl Gpu {
             Some(adapter) => options.adapter(adapter),
             None => options,
         }
+    }
+
+    /// The samples a pixel that a stage may draw with: 1 and 4 on every device. Others are known of devices that [`Self::open`] and [`Self::from_adapter`] opened.
+    pub fn sample_counts(&self) -> Vec<u32> {
+        let features = self.device.features();
+        let adapter = self.adapter.as_ref().filter(|_| {
+            features.contains(wgpu::Features::TEXTURE_ADAPTER_SPECIFIC_FORMAT_FEATURES)
+        });
+        let counts = |format: wgpu::TextureFormat| match adapter {
+            Some(adapter) => adapter.get_texture_format_features(format).flags,
+            None => format.guaranteed_format_features(features).flags,
+        };
+        let ids = counts(IDENTITY_FORMAT);
+        let mut both = counts(DEPTH_FORMAT).supported_sample_counts();
+        both.retain(|samples| *samples == 1 || ids.sample_count_supported(*samples));
+        both
     }
 
     /// Whether shaders can read a texture of several samples a pixel that was drawn into. wgpu draws nothing into such a texture on OpenGL (gfx-rs/wgpu#6084).

@@ -132,7 +132,7 @@ impl Oracle {
     /// synced.
     ///
     /// # Errors
-    /// [`StageError::Camera`] for an invalid camera, [`StageError::Compile`] for a size that the device cannot draw,
+    /// [`StageError::Camera`] for an invalid camera, [`StageError::Samples`] and [`StageError::Compile`] for a size that the device cannot draw,
     /// [`StageError::Execute`] or [`StageError::Device`] when the device fails.
     pub fn render(
         &mut self,
@@ -144,6 +144,13 @@ impl Oracle {
             view: "oracle".to_owned(),
             error,
         })?;
+        let allowed = self.gpu.sample_counts();
+        if !allowed.contains(&self.image.samples) {
+            return Err(StageError::Samples {
+                samples: self.image.samples,
+                allowed,
+            });
+        }
         let layout = scene.layout();
         let current = self
             .built

@@ -101,13 +101,13 @@ impl Setup {
 /// Whether an error says that something cannot be had.
 fn lacks(error: &StageError) -> bool {
     match error {
-        StageError::NoAnswers { .. } | StageError::Declare(DeclareError::Device { .. }) => true,
+        StageError::NoAnswers { .. }
+        | StageError::Samples { .. }
+        | StageError::Declare(DeclareError::Device { .. }) => true,
         StageError::Compile { errors, .. } => errors.errors.iter().all(|error| {
             matches!(
                 error,
-                CompileError::SyncInEmbedded { .. }
-                    | CompileError::LoopInEmbedded { .. }
-                    | CompileError::SampleCount { .. }
+                CompileError::SyncInEmbedded { .. } | CompileError::LoopInEmbedded { .. }
             )
         }),
         _ => false,
