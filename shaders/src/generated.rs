@@ -31,6 +31,7 @@ pub static ALL: &[&crate::Job] = &[
 &shaded::JOB,
 &signature::JOB,
 &signature_early::JOB,
+&signature_many::JOB,
 ];
 /// The shared texts for `//!import`, by name.
 pub static SHARED: &[crate::SharedSource<'static>] = &[
@@ -340,7 +341,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/cull_patches_many.wgsl"),
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("cull_patches_many"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/cull_patches_many.wgsl"), first_line: 1, lines: 12 }, crate::SourcePart { file: Borrowed("wgsl/shared/cull_patches.wgsl"), first_line: 13, lines: 82 }, crate::SourcePart { file: Borrowed("wgsl/shared/marks.wgsl"), first_line: 95, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 111, lines: 10 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/cull_patches_many.wgsl"), first_line: 1, lines: 12 }, crate::SourcePart { file: Borrowed("wgsl/shared/cull_patches.wgsl"), first_line: 13, lines: 83 }, crate::SourcePart { file: Borrowed("wgsl/shared/marks.wgsl"), first_line: 96, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 112, lines: 10 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("settings"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -355,7 +356,7 @@ bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("settings"), entr
 structs: Borrowed(&[crate::StructLayout { name: Borrowed("AdaptedThreshold"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("padding_a"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("threshold"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("left_out"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 12, size: 4 }, ]),
 tail: None }, crate::StructLayout { name: Borrowed("Draw"), kind: crate::LayoutKind::Memory, size: 20, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("index_count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("instance_count"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("first_index"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("base_vertex"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("first_instance"), offset: 16, size: 4 }, ]),
 tail: None }, crate::StructLayout { name: Borrowed("Entry"), kind: crate::LayoutKind::Memory, size: 24, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("slot"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("patch_number"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("draw"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("nearest"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("least"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("greatest"), offset: 20, size: 4 }, ]),
-tail: None }, crate::StructLayout { name: Borrowed("Settings"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("threshold"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 12, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Settings"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("threshold"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 12, size: 4 }, ]),
 tail: None }, ]),
 overrides: Borrowed(&[]),
 immediate_size: 0,
@@ -399,7 +400,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/cull_patches_one.wgsl"), 
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("cull_patches_one"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/cull_patches_one.wgsl"), first_line: 1, lines: 9 }, crate::SourcePart { file: Borrowed("wgsl/shared/cull_patches.wgsl"), first_line: 10, lines: 82 }, crate::SourcePart { file: Borrowed("wgsl/shared/marks.wgsl"), first_line: 92, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 108, lines: 10 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/cull_patches_one.wgsl"), first_line: 1, lines: 9 }, crate::SourcePart { file: Borrowed("wgsl/shared/cull_patches.wgsl"), first_line: 10, lines: 83 }, crate::SourcePart { file: Borrowed("wgsl/shared/marks.wgsl"), first_line: 93, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 109, lines: 10 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("settings"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("cull_patches"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -414,7 +415,7 @@ bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("settings"), entr
 structs: Borrowed(&[crate::StructLayout { name: Borrowed("AdaptedThreshold"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("padding_a"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("threshold"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("left_out"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 12, size: 4 }, ]),
 tail: None }, crate::StructLayout { name: Borrowed("Draw"), kind: crate::LayoutKind::Memory, size: 20, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("index_count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("instance_count"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("first_index"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("base_vertex"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("first_instance"), offset: 16, size: 4 }, ]),
 tail: None }, crate::StructLayout { name: Borrowed("Entry"), kind: crate::LayoutKind::Memory, size: 24, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("slot"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("patch_number"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("draw"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("nearest"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("least"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("greatest"), offset: 20, size: 4 }, ]),
-tail: None }, crate::StructLayout { name: Borrowed("Settings"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("threshold"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 12, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Settings"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("threshold"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 12, size: 4 }, ]),
 tail: None }, ]),
 overrides: Borrowed(&[]),
 immediate_size: 0,
@@ -495,7 +496,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/histogram_many.wgsl"), in
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("histogram_many"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/histogram_many.wgsl"), first_line: 1, lines: 12 }, crate::SourcePart { file: Borrowed("wgsl/shared/histogram.wgsl"), first_line: 13, lines: 40 }, crate::SourcePart { file: Borrowed("wgsl/shared/packed_id.wgsl"), first_line: 53, lines: 10 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/histogram_many.wgsl"), first_line: 1, lines: 8 }, crate::SourcePart { file: Borrowed("wgsl/shared/histogram.wgsl"), first_line: 9, lines: 38 }, crate::SourcePart { file: Borrowed("wgsl/shared/packed_id.wgsl"), first_line: 47, lines: 10 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("count"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("ids"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Uint, view_dimension: wgpu::TextureViewDimension::D2, multisampled: true }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("count"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -532,7 +533,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/histogram_one.wgsl"), inc
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("histogram_one"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/histogram_one.wgsl"), first_line: 1, lines: 12 }, crate::SourcePart { file: Borrowed("wgsl/shared/histogram.wgsl"), first_line: 13, lines: 40 }, crate::SourcePart { file: Borrowed("wgsl/shared/packed_id.wgsl"), first_line: 53, lines: 10 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/histogram_one.wgsl"), first_line: 1, lines: 8 }, crate::SourcePart { file: Borrowed("wgsl/shared/histogram.wgsl"), first_line: 9, lines: 38 }, crate::SourcePart { file: Borrowed("wgsl/shared/packed_id.wgsl"), first_line: 47, lines: 10 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("count"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("ids"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Uint, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("count"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -1518,6 +1519,65 @@ pub const BASE_COLOUR_SAMPLER: crate::BindingPlace = crate::BindingPlace { group
 pub const SIGNATURES: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 0 };
 /// `samples`.
 pub const SAMPLES: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 1 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+}
+}
+/// `wgsl/signature_many.wgsl`.
+pub mod signature_many {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/signature_many.wgsl"), include_str!("../wgsl/shared/transparent_sums.wgsl"), include_str!("../wgsl/shared/position.wgsl"), include_str!("../wgsl/shared/clip.wgsl"), include_str!("../wgsl/shared/view.wgsl"), include_str!("../wgsl/shared/instance.wgsl"), include_str!("../wgsl/shared/material.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("signature_many"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/signature_many.wgsl"), first_line: 1, lines: 12 }, crate::SourcePart { file: Borrowed("wgsl/shared/transparent_sums.wgsl"), first_line: 13, lines: 48 }, crate::SourcePart { file: Borrowed("wgsl/shared/position.wgsl"), first_line: 61, lines: 16 }, crate::SourcePart { file: Borrowed("wgsl/shared/clip.wgsl"), first_line: 77, lines: 14 }, crate::SourcePart { file: Borrowed("wgsl/shared/view.wgsl"), first_line: 91, lines: 13 }, crate::SourcePart { file: Borrowed("wgsl/shared/instance.wgsl"), first_line: 104, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/material.wgsl"), first_line: 114, lines: 34 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), workgroup_size: [0, 0, 0], forces_early_depth: false, vertex_inputs: Borrowed(&[crate::VertexInput { location: 0, name: Borrowed("local"), format: wgpu::VertexFormat::Float32x3 }, crate::VertexInput { location: 1, name: Borrowed("slot"), format: wgpu::VertexFormat::Uint32 }, crate::VertexInput { location: 2, name: Borrowed("normal"), format: wgpu::VertexFormat::Float32x4 }, crate::VertexInput { location: 3, name: Borrowed("uv"), format: wgpu::VertexFormat::Float32x2 }, crate::VertexInput { location: 4, name: Borrowed("colour"), format: wgpu::VertexFormat::Float32x4 }, ]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(96) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX).union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, crate::BindingUse { entry_point: Borrowed("vertex"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::VERTEX), filters: false }, ]),
+}, crate::Binding { group: 1, name: Borrowed("materials"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_texture"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: true }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: true }, ]),
+}, crate::Binding { group: 2, name: Borrowed("base_colour_sampler"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering), count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 3, name: Borrowed("signatures"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 3, name: Borrowed("samples"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, crate::Binding { group: 3, name: Borrowed("opaque_depth"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: false }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: true }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("fragment_of_samples"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::FRAGMENT), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Instance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("origin_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("material"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Material"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("base_colour"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("uv_u"), offset: 16, size: 12 }, crate::FieldLayout { name: Borrowed("alpha_cutoff"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("uv_v"), offset: 32, size: 12 }, crate::FieldLayout { name: Borrowed("unlit"), offset: 44, size: 4 }, crate::FieldLayout { name: Borrowed("metallic"), offset: 48, size: 4 }, crate::FieldLayout { name: Borrowed("roughness"), offset: 52, size: 4 }, crate::FieldLayout { name: Borrowed("environment_level"), offset: 56, size: 4 }, crate::FieldLayout { name: Borrowed("environment_inset"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("View"), kind: crate::LayoutKind::Memory, size: 96, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[crate::Override { key: Borrowed("textured"), required: false }, ]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::FRAGMENT_WRITABLE_STORAGE).union(wgpu::DownlevelFlags::VERTEX_STORAGE).union(wgpu::DownlevelFlags::FRAGMENT_STORAGE).union(wgpu::DownlevelFlags::MULTISAMPLED_SHADING), };
+/// Names of the entry points.
+pub mod entry {
+/// `fragment_of_samples`.
+pub const FRAGMENT_OF_SAMPLES: &str = "fragment_of_samples";
+/// `vertex`.
+pub const VERTEX: &str = "vertex";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `materials`.
+pub const MATERIALS: crate::BindingPlace = crate::BindingPlace { group: 1, binding: 0 };
+/// `base_colour_texture`.
+pub const BASE_COLOUR_TEXTURE: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 0 };
+/// `base_colour_sampler`.
+pub const BASE_COLOUR_SAMPLER: crate::BindingPlace = crate::BindingPlace { group: 2, binding: 1 };
+/// `signatures`.
+pub const SIGNATURES: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 0 };
+/// `samples`.
+pub const SAMPLES: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 1 };
+/// `opaque_depth`.
+pub const OPAQUE_DEPTH: crate::BindingPlace = crate::BindingPlace { group: 3, binding: 2 };
 }
 /// Workgroup sizes of the compute entry points.
 pub mod workgroup {

@@ -198,7 +198,16 @@ fn wgpu_accepts_every_job_and_its_reflected_layouts() {
             .iter()
             .filter(|e| e.stage == wgpu::ShaderStages::VERTEX)
         {
-            render_pipeline(&device, job, &shader, entry);
+            let fragment = entry.name.replace("vertex", "fragment");
+            let of_samples = format!("{fragment}_of_samples");
+            let (once, many) = (job.entry_point(&fragment), job.entry_point(&of_samples));
+            // Jobs for several samples alone have no other.
+            if once.is_some() || many.is_none() {
+                render_pipeline(&device, job, &shader, entry, once, 1);
+            }
+            if many.is_some() {
+                render_pipeline(&device, job, &shader, entry, many, 4);
+            }
         }
         if let Some(error) = pollster::block_on(scope.pop()) {
             panic!("{label}: {error}");
@@ -214,12 +223,21 @@ fn targets(job: &Job, name: &str) -> Vec<Option<wgpu::ColorTargetState>> {
         return Vec::new();
     };
     let outputs = match &module.types[result.ty].inner {
-        naga::TypeInner::Struct { members, .. } => members.iter().map(|member| member.ty).collect(),
+        naga::TypeInner::Struct { members, .. } => {
+            let located = |member: &&naga::StructMember| {
+                matches!(member.binding, Some(naga::Binding::Location { .. }))
+            };
+            members
+                .iter()
+                .filter(located)
+                .map(|member| member.ty)
+                .collect()
+        }
         _ => vec![result.ty],
     };
     let format = |output| match module.types[output].inner.scalar_kind() {
         Some(naga::ScalarKind::Float) => wgpu::TextureFormat::Rgba8Unorm,
-        Some(naga::ScalarKind::Uint) => wgpu::TextureFormat::R32Uint,
+        Some(naga::ScalarKind::Uint) => wgpu::TextureFormat::Rg16Uint,
         other => panic!("{name}: an output of {other:?}, extend this test"),
     };
     outputs
@@ -228,17 +246,17 @@ fn targets(job: &Job, name: &str) -> Vec<Option<wgpu::ColorTargetState>> {
         .collect()
 }
 
-/// A pipeline of a vertex entry point, with the fragment one of the matching name if there is one, from the reflected
-/// layouts and attributes, one buffer an attribute.
+/// A pipeline of a vertex entry point and a fragment one, if there is one, from the reflected layouts and attributes, one buffer an attribute.
 fn render_pipeline(
     device: &wgpu::Device,
     job: &Job,
     shader: &wgpu::ShaderModule,
     entry: &EntryPoint,
+    partner: Option<&EntryPoint>,
+    samples: u32,
 ) {
     let label = job.name.as_ref();
-    let partner = entry.name.replace("vertex", "fragment");
-    let partner = job.entry_point(&partner).map(|found| found.name.as_ref());
+    let partner = partner.map(|found| found.name.as_ref());
     let mut parts = vec![job.entry(&entry.name)];
     parts.extend(partner.map(|name| job.entry(name)));
     let groups = BindGroups::of(&parts).unwrap();
@@ -284,7 +302,10 @@ fn render_pipeline(
             stencil: Default::default(),
             bias: Default::default(),
         }),
-        multisample: Default::default(),
+        multisample: wgpu::MultisampleState {
+            count: samples,
+            ..Default::default()
+        },
         fragment: partner.map(|name| wgpu::FragmentState {
             module: shader,
             entry_point: Some(name),

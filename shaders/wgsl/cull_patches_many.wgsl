@@ -5,7 +5,7 @@
 
 fn farthest(at: vec2<u32>) -> f32 {
     var least = textureLoad(finished_depth, at, 0u).x;
-    for (var number = 1u; number < textureNumSamples(finished_depth); number++) {
+    for (var number = 1u; number < settings.samples; number++) {
         least = min(least, textureLoad(finished_depth, at, number).x);
     }
     return least;

@@ -3,10 +3,6 @@
 
 @group(0) @binding(0) var ids: texture_multisampled_2d<u32>;
 
-fn samples() -> u32 {
-    return textureNumSamples(ids);
-}
-
 fn texel(at: vec2<u32>, number: u32) -> vec4<u32> {
     return textureLoad(ids, at, number);
 }

@@ -4,7 +4,7 @@
 //! fraction of a pixel as seen from the eye, and by no more.
 
 use antumbra_graph::{Bind, Buffer, Graph, Host, HostBuilder, Texture};
-use antumbra_scene::{Aabb, Projection};
+use antumbra_scene::Aabb;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 
@@ -36,9 +36,9 @@ pub enum BoxContents {
 #[derive(Debug, Clone, Copy)]
 pub struct Widening {
     eye: DVec3,
-    /// Metres of widening at a distance of one metre; in a parallel view, at any distance.
+    /// Metres of widening for each metre of distance, and at no distance.
     share: f64,
-    parallel: bool,
+    constant: f64,
 }
 
 /// Widening in pixels: sixteen times the distance by which snapping to 1/256 of a pixel moves two vertices apart.
@@ -55,22 +55,18 @@ impl Widening {
             BoxContents::Triangles => TRIANGLE_PIXELS,
             BoxContents::AnyTopology => LINE_PIXELS,
         };
-        let pixels_a_metre = f64::from(view.camera.projection_matrix(view.aspect()).y_axis.y)
-            * 0.5
-            * f64::from(view.size[1]);
+        let scale = view.pixel_scale();
+        let metres = |reach: f64| scale.most_divisor(reach) * pixels / scale.least;
         Self {
             eye: view.camera.position,
-            share: pixels / pixels_a_metre + ROUNDING,
-            parallel: matches!(view.camera.projection, Projection::Orthographic { .. }),
+            share: metres(1.0) - metres(0.0) + ROUNDING,
+            constant: metres(0.0),
         }
     }
 
     /// By how many metres a box is widened whose farthest point is `reach` metres from the eye.
     pub fn margin(&self, reach: f64) -> f64 {
-        match self.parallel {
-            true => self.share + reach * ROUNDING,
-            false => reach * self.share,
-        }
+        self.constant + reach * self.share
     }
 
     /// The widened box; `None` where f32 cannot hold it.

@@ -50,11 +50,21 @@ impl ComputePipeline {
         binds: &[Bind],
         [wide, rows]: [u32; 2],
     ) -> Result<(), BodyError> {
+        self.dispatch_layers(ctx, binds, [wide, rows, 1])
+    }
+
+    /// The same, in so many layers.
+    pub(crate) fn dispatch_layers(
+        &self,
+        ctx: &mut ComputeContext<'_>,
+        binds: &[Bind],
+        [wide, rows, layers]: [u32; 3],
+    ) -> Result<(), BodyError> {
         let group = ctx.bind_group(0, &self.layout, binds)?;
         let pass = ctx.pass();
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &group, &[]);
-        pass.dispatch_workgroups(wide, rows, 1);
+        pass.dispatch_workgroups(wide, rows, layers);
         Ok(())
     }
 

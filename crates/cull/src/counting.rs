@@ -225,7 +225,8 @@ impl FrameGraph<'_> {
         [width, height]: [u32; 2],
         counts: Buffer,
     ) -> Buffer {
-        let job = match self.samples() {
+        let samples = self.samples();
+        let job = match samples {
             1 => &jobs::histogram_one::JOB,
             _ => &jobs::histogram_many::JOB,
         };
@@ -237,7 +238,8 @@ impl FrameGraph<'_> {
         let groups = (width.div_ceil(16) * height).div_ceil(64);
         node.run(move |ctx| {
             let binds = [Bind::Texture(0, ids), Bind::Buffer(1, counts)];
-            pipeline.dispatch(ctx, &binds, rows_of(groups))
+            let [wide, rows] = rows_of(groups);
+            pipeline.dispatch_layers(ctx, &binds, [wide, rows, samples])
         });
         counts
     }

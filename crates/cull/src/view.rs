@@ -44,6 +44,24 @@ pub struct ViewAxes {
     pub forward: DVec3,
 }
 
+/// How large a metre is in an image.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct PixelScale {
+    /// Pixels a metre across the line of sight, where the [divisor](Camera::divisor) is 1: at least, anywhere in the image.
+    pub least: f64,
+    /// At most.
+    pub most: f64,
+    divides: DVec3,
+    at_eye: f64,
+}
+
+impl PixelScale {
+    /// The largest divisor within so many metres of the eye.
+    pub fn most_divisor(&self, reach: f64) -> f64 {
+        self.divides.length() * reach + self.at_eye
+    }
+}
+
 impl ViewFrame {
     /// A view of a camera with an image of `size` pixels, width and height.
     pub fn new(camera: Camera, size: [u32; 2], cuts: u64) -> Self {
@@ -63,7 +81,7 @@ impl ViewFrame {
 
     /// The matrix from world coordinates relative to the camera to clip coordinates.
     pub fn clip_from_relative(&self) -> Mat4 {
-        self.camera.projection_matrix(self.aspect()) * self.camera.view_rotation()
+        self.camera.clip_from_relative(self.aspect())
     }
 
     /// The uniform that shaders read.
@@ -81,39 +99,40 @@ impl ViewFrame {
 
     /// A lower bound of the pixels that a length, in metres, covers anywhere within these bounds, seen from the side.
     pub fn min_pixels(&self, length: f64, bounds: &Aabb) -> f64 {
-        let scale = self.pixels_a_metre();
-        match self.camera.projection {
-            Projection::Orthographic { .. } => length * scale,
-            _ => {
-                let middle = bounds.centre().distance(self.camera.position);
-                length * scale / (middle + bounds.half_extents().length())
-            }
-        }
+        let scale = self.pixel_scale();
+        let reach = bounds.centre().distance(self.camera.position) + bounds.half_extents().length();
+        length * scale.least / scale.most_divisor(reach)
     }
 
     /// An upper bound of the pixels that a length across the line of sight, in metres, covers anywhere within these bounds; infinite where
     /// they are partly beside or behind the eye.
     pub fn max_pixels(&self, length: f64, bounds: &Aabb) -> f64 {
-        let scale = self.pixels_a_metre();
-        match self.camera.projection {
-            Projection::Orthographic { .. } => length * scale,
-            _ => {
-                let forward = self.camera.forward();
-                let middle = forward.dot(bounds.centre() - self.camera.position);
-                let nearest = middle - forward.abs().dot(bounds.half_extents());
-                match nearest > 0.0 {
-                    true => length * scale / nearest,
-                    false => f64::INFINITY,
-                }
-            }
+        let scale = self.pixel_scale();
+        let centre = bounds.centre() - self.camera.position;
+        let nearest = scale.divides.dot(centre) + scale.at_eye
+            - scale.divides.abs().dot(bounds.half_extents());
+        match nearest > 0.0 {
+            true => length * scale.most / nearest,
+            false => f64::INFINITY,
         }
     }
 
-    /// Pixels a metre at a distance of one metre; in a parallel view, at any distance.
-    fn pixels_a_metre(&self) -> f64 {
-        f64::from(self.camera.projection_matrix(self.aspect()).y_axis.y)
-            * 0.5
-            * f64::from(self.size[1])
+    /// How large a metre is in the image.
+    pub(crate) fn pixel_scale(&self) -> PixelScale {
+        let [least, most] = match self.camera.projection {
+            Projection::Matrix(matrix) => matrix.pixels_a_metre(self.size),
+            _ => {
+                let scale = self.camera.projection_matrix(self.aspect()).y_axis.y;
+                [f64::from(scale) * 0.5 * f64::from(self.size[1]); 2]
+            }
+        };
+        let (divides, at_eye) = self.camera.divisor();
+        PixelScale {
+            least,
+            most,
+            divides,
+            at_eye,
+        }
     }
 
     /// The camera's directions in world space.

@@ -4,7 +4,7 @@
 
 use antumbra_cull::{
     AUDIT, AuditOptions, DeclareError, Estimate, FrameAudit, FrameGraph, Gpu, Stage, StageOptions,
-    Strategy, Verdict, ViewInput, ViewNodes, VisibleSet, read_back,
+    StageOutput, Strategy, Verdict, ViewInput, ViewNodes, VisibleSet, read_back,
 };
 use antumbra_draw::GpuScene;
 use antumbra_graph::Mode;
@@ -137,6 +137,61 @@ fn a_census_counts_what_the_oracle_counts() {
         }
         assert!(wrong_somewhere > 30, "{wrong_somewhere} frames with errors");
     }
+}
+
+#[test]
+fn answers_alone_are_audited_by_what_the_host_gave() {
+    let gpu = vulkan();
+    let scene = GpuScene::new(gpu, &mut balls_with_proxies(7)).unwrap();
+    let options = StageOptions {
+        mode: Mode::Embedded,
+        output: StageOutput::Answers,
+        audit: Some(CENSUS),
+        ..StageOptions::default()
+    };
+    let mut wrong_somewhere = 0;
+    for strategy in AGGRESSIVE
+        .iter()
+        .filter(|text| !text.contains("same-frame"))
+    {
+        let mut stage = stage_with(
+            &scene,
+            named(strategy),
+            views(&["main"], SIZE),
+            options.clone(),
+        );
+        let mut oracle = Oracle::new(&scene, SIZE);
+        let mut truths = Vec::new();
+        for frame in 0..12 {
+            let camera = camera(frame, 9.0);
+            let mut encoder = gpu.device.create_command_encoder(&Default::default());
+            stage
+                .record(&scene, &[ViewInput::new(camera)], &mut encoder)
+                .unwrap();
+            gpu.queue.submit([encoder.finish()]);
+            gpu.wait().unwrap();
+            let verdicts = stage.verdicts(0, &scene).unwrap();
+            truths.push(wrong_pixels_percent(
+                &mut oracle,
+                &scene,
+                &camera,
+                &verdicts,
+            ));
+        }
+        let audit = stage.audit(0).unwrap();
+        assert!(audit.audited() >= 9, "{strategy}: {}", audit.audited());
+        for found in audit.frames() {
+            let truth = truths[found.frame as usize];
+            let said = found.wrong_pixels_percent();
+            assert!(
+                said.holds(truth),
+                "{strategy}, frame {}: {said:?}, not {truth}",
+                found.frame
+            );
+            wrong_somewhere += u32::from(truth > 0.0);
+        }
+    }
+    assert!(wrong_somewhere > 10, "{wrong_somewhere} frames with errors");
 }
 
 #[test]

@@ -6,6 +6,7 @@ use antumbra_shaders::Job;
 use antumbra_shaders::jobs::{
     count_atomic, count_compare, count_compare_many, depth, identity, patch_compare,
     patch_compare_many, patch_early, sample_identity, shaded, signature, signature_early,
+    signature_many,
 };
 
 use crate::mesh::{ATTRIBUTE_LAYOUT, POSITION_LAYOUT, SLOT_LAYOUT, SLOT_PATCH_LAYOUT};
@@ -52,7 +53,7 @@ pub enum PipelineKind {
     },
     /// Adds up the hashed ids of visible transparent fragments, by pixel, and their number by slot.
     Signature,
-    /// The same, under a forced early depth test: for several samples a pixel.
+    /// The same, under a forced early depth test, for several samples a pixel.
     SignatureEarly,
     /// Marks the pixels of image patches in which anything passes a forced early depth test.
     PatchEarly,
@@ -72,6 +73,7 @@ impl PipelineKind {
             Self::Identity | Self::Hide { identified: true } => &identity::JOB,
             Self::SampleIdentity { .. } => &sample_identity::JOB,
             Self::Shaded { .. } => &shaded::JOB,
+            Self::Signature if many => &signature_many::JOB,
             Self::Signature => &signature::JOB,
             Self::SignatureEarly => &signature_early::JOB,
             Self::PatchEarly => &patch_early::JOB,
@@ -116,7 +118,8 @@ impl PipelineKind {
     /// Whether the fragment stage runs once a sample, since it counts samples or marks what is visible in any.
     fn runs_by_sample(self, samples: u32, gpu: &Gpu) -> bool {
         match self {
-            Self::CountAtomic | Self::CountCompare | Self::SignatureEarly => samples > 1,
+            Self::CountAtomic | Self::CountCompare => samples > 1,
+            Self::Signature | Self::SignatureEarly => samples > 1,
             Self::PatchEarly | Self::PatchCompare => samples > 1,
             // naga's GLSL for a sample mask that a shader writes does not compile.
             Self::SampleIdentity { .. } => gpu.info.backend == wgpu::Backend::Gl,

@@ -1,18 +1,22 @@
 //! Cameras: a pose in f64 and a projection.
 //!
-//! A camera looks down -Z, with +Y up. Depth is reversed: 1 at the near plane. A perspective camera has no far plane.
+//! A camera looks down -Z, with +Y up. Depth is reversed: 1 at the near plane. A perspective camera has no far plane. A projection may also be
+//! [any matrix](ClipMatrix).
 //! Coordinates on the GPU are relative to the camera, so the view matrix is a rotation.
 
+mod clip_matrix;
 mod error;
 mod projection;
 
+pub use clip_matrix::{ClipMatrix, is_invertible};
 pub use error::CameraError;
 pub use projection::Projection;
 
 use crate::bounds::Aabb;
 use crate::frustum::{Frustum, Plane};
+use clip_matrix::turned;
 use error::finite;
-use glam::{DMat3, DQuat, DVec2, DVec3, Mat4};
+use glam::{DMat3, DMat4, DQuat, DVec2, DVec3, DVec4, Mat4};
 
 /// A camera: a pose and a projection.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,7 +117,52 @@ impl Camera {
             Projection::Perspective { near, .. }
             | Projection::OffAxis { near, .. }
             | Projection::Orthographic { near, .. } => near,
+            Projection::Matrix(_) => {
+                let plane = self.near_plane();
+                -plane.distance(self.position) / plane.normal.dot(self.forward())
+            }
         }
+    }
+
+    /// The near plane; what is in front of it is inside.
+    #[must_use]
+    pub fn near_plane(&self) -> Plane {
+        match self.projection {
+            Projection::Perspective { near, .. }
+            | Projection::OffAxis { near, .. }
+            | Projection::Orthographic { near, .. } => {
+                let forward = self.forward();
+                Plane::through(self.position + forward * near, forward)
+            }
+            Projection::Matrix(matrix) => self.plane(matrix.near_row()).unwrap_or(Plane {
+                normal: self.forward(),
+                offset: f64::INFINITY,
+            }),
+        }
+    }
+
+    /// How far a point is from the eye as the projection divides by it, linear in the point's place: the direction in which it grows, of any length, and its value at
+    /// the eye. The distance along the view direction in perspective, 1 everywhere in a parallel view.
+    #[must_use]
+    pub fn divisor(&self) -> (DVec3, f64) {
+        match self.projection {
+            Projection::Perspective { .. } | Projection::OffAxis { .. } => (self.forward(), 0.0),
+            Projection::Orthographic { .. } => (DVec3::ZERO, 1.0),
+            Projection::Matrix(matrix) => turned(matrix.rows()[3], self.rotation),
+        }
+    }
+
+    /// The plane on which a row of a matrix is 0, inside where it is positive; `None` where it is the same everywhere.
+    fn plane(&self, row: DVec4) -> Option<Plane> {
+        let (direction, offset) = turned(row, self.rotation);
+        let length = direction.length();
+        (length > 0.0).then(|| {
+            let normal = direction / length;
+            Plane {
+                normal,
+                offset: offset / length - normal.dot(self.position),
+            }
+        })
     }
 
     /// The rotation from camera-relative world coordinates to view coordinates. It is the view matrix without its
@@ -121,6 +170,18 @@ impl Camera {
     #[must_use]
     pub fn view_rotation(&self) -> Mat4 {
         Mat4::from_quat(self.rotation.conjugate().as_quat())
+    }
+
+    /// The matrix from world coordinates relative to the camera to clip coordinates. `aspect` is width divided by height.
+    #[must_use]
+    pub fn clip_from_relative(&self, aspect: f64) -> Mat4 {
+        match self.projection {
+            // A host's matrix may have numbers that differ by more than f32 tells apart before they are turned.
+            Projection::Matrix(matrix) => {
+                (matrix.matrix() * DMat4::from_quat(self.rotation.conjugate())).as_mat4()
+            }
+            _ => self.projection_matrix(aspect) * self.view_rotation(),
+        }
     }
 
     /// The projection from view to clip coordinates. Depth is 1 at the near plane and 0 at infinity (perspective) or
@@ -141,10 +202,12 @@ impl Camera {
     /// normalised device coordinates: -1 to 1, rightwards and upwards.
     #[must_use]
     pub fn window(&self, aspect: f64, low: DVec2, high: DVec2) -> Frustum {
-        let sides = self.sides(aspect, low, high);
+        if let Projection::Matrix(matrix) = self.projection {
+            return Frustum::new(self.matrix_window(&matrix, low, high));
+        }
+        let mut planes = self.sides(aspect, low, high);
         let forward = self.forward();
         let near = self.near();
-        let mut planes: Vec<Plane> = sides.to_vec();
         let slack = |depth: f64| depth.abs() * OPENING + self.rounding();
         planes.push(Plane::through(
             self.position + forward * (near - slack(near)),
@@ -171,6 +234,9 @@ impl Camera {
         let reach = (bounds.min - self.position)
             .abs()
             .max((bounds.max - self.position).abs());
+        if let Projection::Matrix(_) = self.projection {
+            return self.matrix_crosses_near(bounds, aspect);
+        }
         let near = self.near();
         let margin = reach.max_element() * OPENING + near.abs() * 1e-3 + self.rounding();
         let bounds = bounds.grown(DVec3::splat(margin));
@@ -181,7 +247,7 @@ impl Camera {
         let forward = self.forward();
         let sides = self.sides(aspect, DVec2::NEG_ONE, DVec2::ONE);
         let near_point = self.position + forward * near;
-        let mut planes: Vec<Plane> = sides.to_vec();
+        let mut planes = sides;
         planes.push(Plane::through(near_point, -forward));
         if parallel {
             // The volume in front of the near plane is unbounded. The near plane cuts only boxes on both sides of it.
@@ -198,8 +264,71 @@ impl Camera {
         squared.into_iter().fold(f64::INFINITY, f64::min).sqrt()
     }
 
-    /// The four side planes of a part of the image, with inward normals.
-    fn sides(&self, aspect: f64, low: DVec2, high: DVec2) -> [Plane; 4] {
+    /// [`Self::window`] for a matrix.
+    fn matrix_window(&self, matrix: &ClipMatrix, low: DVec2, high: DVec2) -> Vec<Plane> {
+        let [_, _, z, w] = matrix.rows();
+        let mut planes = self.matrix_sides(matrix, low, high);
+        let slack = self.rounding();
+        let near = self.plane(matrix.near_row()).map(|plane| Plane {
+            offset: plane.offset + plane.distance(self.position).abs() * OPENING,
+            ..plane
+        });
+        let far = self.plane(z + w * OPENING);
+        let grown = |plane: Plane| Plane {
+            offset: plane.offset + slack,
+            ..plane
+        };
+        planes.extend([near, far].into_iter().flatten().map(grown));
+        planes
+    }
+
+    /// The side planes of a matrix, opened. Where the window is off the axis, by as much more as its middle is.
+    fn matrix_sides(&self, matrix: &ClipMatrix, low: DVec2, high: DVec2) -> Vec<Plane> {
+        let [x, y, _, w] = matrix.rows();
+        let along = w.truncate();
+        let off = |row: DVec4| {
+            let shift = row.truncate().dot(along) / along.length_squared();
+            if shift.is_finite() { shift.abs() } else { 0.0 }
+        };
+        let opening = |row: DVec4| w * (OPENING * (1.0 + off(row)));
+        let rows = [
+            x - w * low.x + opening(x),
+            w * high.x - x + opening(x),
+            y - w * low.y + opening(y),
+            w * high.y - y + opening(y),
+        ];
+        let slack = self.rounding();
+        let planes = rows.into_iter().filter_map(|row| self.plane(row));
+        let grown = |plane: Plane| Plane {
+            offset: plane.offset + slack,
+            ..plane
+        };
+        planes.map(grown).collect()
+    }
+
+    /// [`Self::crosses_near`] for a matrix. An oblique near plane may have points in front of it that are beside or behind the eye.
+    fn matrix_crosses_near(&self, bounds: &Aabb, aspect: f64) -> bool {
+        let near = self.near_plane();
+        let reach = (bounds.min - self.position)
+            .abs()
+            .max((bounds.max - self.position).abs());
+        let clear = near.distance(self.position).abs();
+        let margin = reach.max_element() * OPENING + clear * 1e-3 + self.rounding();
+        let bounds = bounds.grown(DVec3::splat(margin));
+        let (centre, half) = (bounds.centre(), bounds.half_extents());
+        let (divides, at_eye) = self.divisor();
+        let least = divides.dot(centre - self.position) + at_eye - divides.abs().dot(half);
+        if least <= 0.0 {
+            return true;
+        }
+        let (middle, around) = (near.distance(centre), near.normal.abs().dot(half));
+        let cut = middle - around <= 0.0 && middle + around >= 0.0;
+        let sides = self.sides(aspect, DVec2::NEG_ONE, DVec2::ONE);
+        cut && Frustum::new(sides).intersects(&bounds)
+    }
+
+    /// The side planes of a part of the image, with inward normals.
+    fn sides(&self, aspect: f64, low: DVec2, high: DVec2) -> Vec<Plane> {
         let (right, up) = (self.right(), self.up());
         let slack = self.rounding();
         match self.projection {
@@ -212,13 +341,14 @@ impl Camera {
             Projection::Orthographic { height, .. } => {
                 let y = height * 0.5 * (1.0 + OPENING) + slack;
                 let x = height * 0.5 * aspect * (1.0 + OPENING) + slack;
-                [
+                vec![
                     Plane::through(self.position + right * (x * low.x), right),
                     Plane::through(self.position + right * (x * high.x), -right),
                     Plane::through(self.position + up * (y * low.y), up),
                     Plane::through(self.position + up * (y * high.y), -up),
                 ]
             }
+            Projection::Matrix(matrix) => self.matrix_sides(&matrix, low, high),
         }
     }
 
@@ -229,7 +359,7 @@ impl Camera {
         shift: DVec2,
         aspect: f64,
         (low, high): (DVec2, DVec2),
-    ) -> [Plane; 4] {
+    ) -> Vec<Plane> {
         let (right, up, forward) = (self.right(), self.up(), self.forward());
         let slack = self.rounding();
         let y = (fov_y * 0.5).tan() * (1.0 + OPENING);
@@ -240,7 +370,7 @@ impl Camera {
             let normal = normal.normalize();
             Plane::through(self.position - normal * slack, normal)
         };
-        [
+        vec![
             side(right + forward * low.x),
             side(forward * high.x - right),
             side(up + forward * low.y),
@@ -266,6 +396,8 @@ impl Camera {
                     height * 0.5 * diagonal,
                 )
             }
+            // Not bounded by a ball.
+            Projection::Matrix(_) => (self.position, f64::INFINITY),
         }
     }
 

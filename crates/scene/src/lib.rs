@@ -49,7 +49,7 @@ mod simplify;
 mod stereo;
 
 pub use bounds::{Aabb, BoxArray};
-pub use camera::{Camera, CameraError, Projection};
+pub use camera::{Camera, CameraError, ClipMatrix, Projection, is_invertible};
 pub use environment::Environment;
 pub use error::SceneError;
 pub use frustum::Frustum;

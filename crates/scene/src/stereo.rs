@@ -37,6 +37,11 @@ pub enum StereoError {
         "an orthographic camera has no stereo pair: its image does not depend on its position beside its axis; use a perspective camera"
     )]
     Orthographic,
+    /// The camera's projection is a matrix.
+    #[error(
+        "a camera with a matrix has no stereo pair that follows from it: give each eye its own camera"
+    )]
+    Matrix,
     /// The camera, or one of the eyes, is invalid.
     #[error(transparent)]
     Camera(#[from] CameraError),
@@ -88,7 +93,7 @@ impl Stereo {
     /// ```
     ///
     /// # Errors
-    /// As for [`Stereo::validate`]; [`StereoError::Orthographic`]; [`StereoError::Camera`] for a camera that
+    /// As for [`Stereo::validate`]; [`StereoError::Orthographic`] and [`StereoError::Matrix`]; [`StereoError::Camera`] for a camera that
     /// [`Camera::validate`] refuses, or distances so extreme that it refuses an eye.
     pub fn eyes(&self, camera: &Camera) -> Result<[Camera; 2], StereoError> {
         self.validate()?;
@@ -97,6 +102,7 @@ impl Stereo {
             Projection::Perspective { fov_y, near } => (fov_y, near, DVec2::ZERO),
             Projection::OffAxis { fov_y, near, shift } => (fov_y, near, shift),
             Projection::Orthographic { .. } => return Err(StereoError::Orthographic),
+            Projection::Matrix(_) => return Err(StereoError::Matrix),
         };
         if self.interocular == 0.0 {
             return Ok([*camera; 2]);

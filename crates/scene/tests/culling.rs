@@ -65,6 +65,8 @@ fn side_limit(camera: &Camera, ahead: f64) -> f64 {
             ahead * (fov_y * 0.5).tan()
         }
         Projection::Orthographic { height, .. } => height * 0.5,
+        // `matrices.rs` has those.
+        Projection::Matrix(_) => unreachable!(),
     }
 }
 

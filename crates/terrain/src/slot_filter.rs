@@ -179,13 +179,16 @@ fn observers<'a>(tiles: &'a TerrainTiles, view: &ViewFrame) -> Vec<Option<Observ
     tiles.observers(at, azimuths, clearance).collect()
 }
 
-/// The tangents of half the horizontal and half the vertical field of view; `None` for a parallel projection.
+/// The tangents of half the horizontal and half the vertical field of view; `None` for a parallel projection, and for one that is a matrix.
 fn half_view_tangents(view: &ViewFrame) -> Option<[f64; 2]> {
     let matrix = view.camera.projection_matrix(view.aspect());
-    let parallel = matches!(view.camera.projection, Projection::Orthographic { .. });
+    let unknown = matches!(
+        view.camera.projection,
+        Projection::Orthographic { .. } | Projection::Matrix(_)
+    );
     let off = [matrix.z_axis.x, matrix.z_axis.y].map(|off| f64::from(off).abs());
     let scale = [matrix.x_axis.x, matrix.y_axis.y].map(|scale| f64::from(scale).abs());
-    (!parallel).then(|| [(1.0 + off[0]) / scale[0], (1.0 + off[1]) / scale[1]])
+    (!unknown).then(|| [(1.0 + off[0]) / scale[0], (1.0 + off[1]) / scale[1]])
 }
 
 /// The directions in the plan that a view sees.

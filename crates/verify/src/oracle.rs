@@ -14,8 +14,8 @@ pub use id_buffer::{IdBuffer, TransparentSums};
 use std::sync::Arc;
 
 use antumbra_cull::{
-    Alpha, Candidates, DEPTH_FORMAT, DepthTest, DrawList, Gpu, GpuView, ListDraws, SceneFrame,
-    SceneLayout, SceneTable, StageError, StageScene, Verdicts, ViewFrame, ViewInputs,
+    Alpha, Candidates, Counting, DEPTH_FORMAT, DepthTest, DrawList, Gpu, GpuView, ListDraws,
+    SceneFrame, SceneLayout, SceneTable, StageError, StageScene, Verdicts, ViewFrame, ViewInputs,
 };
 use antumbra_draw::passes::{self, PassSpec, Signatures};
 use antumbra_draw::{PassPipelines, PipelineKind};
@@ -103,8 +103,8 @@ impl Oracle {
         }
     }
 
-    /// For images with several samples a pixel: 4, or what else the device has. A scene with transparent entities then needs a device with
-    /// [`wgpu::Features::SHADER_EARLY_DEPTH_TEST`].
+    /// For images with several samples a pixel: 4, or what else the device has. A scene with transparent entities then needs a device that counts by
+    /// [`Counting::Atomics`] or [`Counting::Compare`] with as many.
     #[must_use]
     pub fn with_samples(self, samples: u32) -> Self {
         let image = Image {
@@ -316,16 +316,18 @@ fn sum_transparent(
         by_pixel: g.buffer("signatures", BufferDesc::new(pixels).zeroed()),
         by_slot: g.buffer("samples", BufferDesc::new(slots).zeroed()),
     };
-    let (kind, test) = match image.samples {
-        1 => {
-            let scratch = TextureDesc::new(width, height, DEPTH_FORMAT).cleared(Clear::Depth(0.0));
+    let early = image.samples > 1 && Counting::Atomics.lacking(gpu, image.samples).is_none();
+    let (kind, test) = match early {
+        true => (PipelineKind::SignatureEarly, DepthTest::Early { depth }),
+        false => {
+            let scratch = TextureDesc::new(width, height, DEPTH_FORMAT).samples(image.samples);
+            let scratch = scratch.cleared(Clear::Depth(0.0));
             let scratch = g.texture("scratch depth", scratch);
             (
                 PipelineKind::Signature,
                 DepthTest::InShader { depth, scratch },
             )
         }
-        _ => (PipelineKind::SignatureEarly, DepthTest::Early { depth }),
     };
     let spec = pass_spec(gpu, layout, kind, image.samples);
     passes::signature_pass(g, &spec, inputs, draws, test, sums)

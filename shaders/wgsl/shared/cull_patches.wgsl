@@ -12,7 +12,8 @@ struct Settings {
     // fixed threshold binds these words as its `AdaptedThreshold`.
     threshold: u32,
     padding_a: u32,
-    padding_b: u32,
+    // Samples a pixel.
+    samples: u32,
 }
 
 // An entity in a patch: the reversed depth of its box's nearest point, and the pixels of the patch that the box covers, both ends included; x in

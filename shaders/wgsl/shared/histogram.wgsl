@@ -1,5 +1,5 @@
 //!import packed_id
-// A histogram of entity ids. A run of equal ids in a row is added with one atomic operation, since atomics dominate the cost and neighbouring
+// A histogram of entity ids; each layer of workgroups takes one sample of all pixels. A run of equal ids in a row is added with one atomic operation, since atomics dominate the cost and neighbouring
 // pixels mostly belong to the same entity.
 
 @group(0) @binding(1) var<storage, read_write> counts: array<atomic<u32>>;
@@ -22,17 +22,15 @@ fn count(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgroups) 
     var current = 0u;
     var length = 0u;
     for (var x = first; x < last; x++) {
-        for (var number = 0u; number < samples(); number++) {
-            let id = unpacked_id(texel(vec2<u32>(x, y), number));
-            if id != current {
-                if current != 0u {
-                    atomicAdd(&counts[current - 1u], length);
-                }
-                current = id;
-                length = 0u;
+        let id = unpacked_id(texel(vec2<u32>(x, y), at.z));
+        if id != current {
+            if current != 0u {
+                atomicAdd(&counts[current - 1u], length);
             }
-            length++;
+            current = id;
+            length = 0u;
         }
+        length++;
     }
     if current != 0u {
         atomicAdd(&counts[current - 1u], length);

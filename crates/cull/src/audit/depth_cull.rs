@@ -20,19 +20,19 @@ pub(super) struct GpuSettings {
     count: u32,
     threshold: u32,
     padding_a: u32,
-    padding_b: u32,
+    samples: u32,
 }
 
-assert_layout!(GpuSettings, "cull_patches_one", "Settings", { count, threshold, padding_a, padding_b });
+assert_layout!(GpuSettings, "cull_patches_one", "Settings", { count, threshold, padding_a, samples });
 
 impl GpuSettings {
-    /// For `count` entries. An entity with more visible samples than the threshold is drawn already.
-    pub fn new(count: usize, threshold: u32) -> Self {
+    /// For `count` entries and so many samples a pixel. An entity with more visible samples than the threshold is drawn already.
+    pub fn new(count: usize, threshold: u32, samples: u32) -> Self {
         Self {
             count: count as u32,
             threshold,
             padding_a: 0,
-            padding_b: 0,
+            samples,
         }
     }
 }

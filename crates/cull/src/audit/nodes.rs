@@ -121,6 +121,7 @@ impl FrameGraph<'_> {
         let draws = buffer("draws", draw_bytes(entries));
         let none = buffer("no counts", 16);
         let source = set.verdicts;
+        let samples = self.samples();
         let mut node = self.graph().host_node(view.named("audit: choose patches"));
         node.group(AUDIT)
             .read(inputs.scene)
@@ -179,7 +180,7 @@ impl FrameGraph<'_> {
                 Some(adapted) => Some(ctx.get(adapted.allowed)?.pixels),
                 None => None,
             };
-            let settings = GpuSettings::new(list.entries().len(), threshold);
+            let settings = GpuSettings::new(list.entries().len(), threshold, samples);
             ctx.upload(buffers.settings, 0, bytemuck::bytes_of(&settings))?;
             let [width, height] = frame.size;
             *ctx.get_mut(audited)? = AuditedFrame {

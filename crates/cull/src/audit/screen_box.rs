@@ -41,7 +41,7 @@ impl ScreenBox {
     }
 }
 
-/// The error of an f32 depth: relative, and where depth is linear absolute. A hundred times that of one operation.
+/// The error of an f32 depth: relative, and with a far plane absolute. A hundred times that of one operation.
 const ROUNDING: f64 = 1e-5;
 
 impl ScreenProjector {
@@ -75,9 +75,9 @@ impl ScreenProjector {
             least = least.min(at);
             greatest = greatest.max(at);
         }
-        // In a parallel view depth is linear, and w is 1 everywhere.
-        let linear = self.clip_from_relative.row(3).truncate() == DVec3::ZERO;
-        let lost = if linear { ROUNDING } else { 0.0 };
+        // With a far plane, depth is a sum, and its error that of the larger part.
+        let summed = self.clip_from_relative.row(2).truncate() != DVec3::ZERO;
+        let lost = if summed { ROUNDING } else { 0.0 };
         // Upwards in clip space is downwards in pixels.
         let pixels = |x: f64, y: f64| (DVec2::new(x, -y) * 0.5 + 0.5) * size;
         ScreenBox {

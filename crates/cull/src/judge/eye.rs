@@ -1,6 +1,6 @@
 //! The eye of a judged view: any matrix, and the point that positions are relative to.
 
-use antumbra_scene::{Aabb, Camera, Frustum, frustum::Plane};
+use antumbra_scene::{Aabb, Camera, Frustum, frustum::Plane, is_invertible};
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, DVec4, Mat4};
@@ -33,10 +33,7 @@ impl Eye {
     /// The eye of a camera of ours, with an image of `size` pixels. Its depth is [`DepthRange::Reversed`].
     pub fn of(camera: &Camera, size: [u32; 2]) -> Self {
         let aspect = f64::from(size[0].max(1)) / f64::from(size[1].max(1));
-        Self::new(
-            camera.projection_matrix(aspect) * camera.view_rotation(),
-            camera.position,
-        )
+        Self::new(camera.clip_from_relative(aspect), camera.position)
     }
 
     /// Why it gives no image; `None` where it does.
@@ -52,12 +49,7 @@ impl Eye {
                 "its matrix holds numbers that are not finite: give finite ones".to_owned(),
             );
         }
-        let matrix = self.clip_from_relative.as_dmat4();
-        // Held against the sum of the same products without their signs: a determinant that is only small belongs to a near plane close by, or to a large volume.
-        let most = permanent(&matrix.to_cols_array_2d().map(|column| column.map(f64::abs)));
-        // Written so that what is not a number is singular.
-        let inverts = matrix.determinant().abs() > most * 1e-12;
-        (!inverts).then(|| {
+        (!is_invertible(&self.clip_from_relative.as_dmat4())).then(|| {
             "its matrix is singular, so that points at different places look the same: give one that can be inverted".to_owned()
         })
     }
@@ -112,18 +104,6 @@ impl Eye {
     }
 }
 
-/// The determinant with every sign positive.
-fn permanent([a, b, c, d]: &[[f64; 4]; 4]) -> f64 {
-    // By the rows that the first two columns take, and those that are left.
-    let pairs = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
-    let of_two = |one: &[f64; 4], other: &[f64; 4], (i, j): (usize, usize)| {
-        one[i] * other[j] + one[j] * other[i]
-    };
-    let products = pairs.iter().zip(pairs.iter().rev());
-    let products = products.map(|(rows, rest)| of_two(a, b, *rows) * of_two(c, d, *rest));
-    products.sum()
-}
-
 /// By how much the view volume is opened, as a part of w.
 const OPENING: f64 = 4e-6;
 
@@ -162,36 +142,5 @@ impl GpuJudgedView {
             count,
             flags,
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use glam::Vec3;
-
-    #[test]
-    fn a_matrix_is_singular_only_where_it_cannot_be_inverted() {
-        let identity = Mat4::IDENTITY
-            .to_cols_array_2d()
-            .map(|column| column.map(f64::from));
-        assert_eq!(permanent(&identity), 1.0);
-        assert_eq!(permanent(&[[1.0; 4]; 4]), 24.0);
-        let fault = |matrix: Mat4| Eye::new(matrix, DVec3::ZERO).fault().is_some();
-        let near = Mat4::from_cols_array_2d(&[
-            [1.0, 0.0, 0.0, 0.0],
-            [0.0, 1.0, 0.0, 0.0],
-            [0.0, 0.0, 0.0, -1.0],
-            [0.0, 0.0, 1e-4, 0.0],
-        ]);
-        // A near plane of a tenth of a millimetre, also a thousand kilometres from the origin, and a volume of a million kilometres.
-        assert!(!fault(near));
-        assert!(!fault(
-            near * Mat4::from_rotation_y(0.7) * Mat4::from_translation(Vec3::splat(1e6))
-        ));
-        assert!(!fault(Mat4::from_scale(Vec3::splat(1e-9))));
-        assert!(fault(Mat4::ZERO));
-        assert!(fault(near * Mat4::from_scale(Vec3::new(1.0, 0.0, 1.0))));
-        assert!(fault(Mat4::from_scale(Vec3::new(1.0, f32::NAN, 1.0))));
     }
 }

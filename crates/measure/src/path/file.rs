@@ -8,16 +8,17 @@
 //! ```
 //!
 //! The projection is a `perspective`; one through a window off the axis, `{ "off_axis": { "fov_y_degrees": 45, "near": 0.1,
-//! "shift": [0.02, 0] } }` with the tangents (right, up) of the window's middle; or `{ "orthographic": { "height": 20,
-//! "near": 0, "far": 100 } }`.
+//! "shift": [0.02, 0] } }` with the tangents (right, up) of the window's middle; `{ "orthographic": { "height": 20,
+//! "near": 0, "far": 100 } }`; or any `{ "matrix": { "columns": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, -1], [0, 0, 0.1, 0]] } }` of reversed depth,
+//! which has an aspect of its own.
 //!
 //! A pose looks at a `target` or has a `rotation` (a unit quaternion x, y, z, w). Paths are saved with rotations, so that they are read back
 //! bit by bit.
 
 use std::fmt;
 
-use antumbra_scene::Projection;
-use glam::{DQuat, DVec2, DVec3};
+use antumbra_scene::{ClipMatrix, Projection};
+use glam::{DMat4, DQuat, DVec2, DVec3};
 use serde::de::{self, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -129,6 +130,10 @@ enum ProjectionFile {
         near: f64,
         far: f64,
     },
+    /// Column by column, of reversed depth.
+    Matrix {
+        columns: [[f64; 4]; 4],
+    },
 }
 
 impl ProjectionFile {
@@ -155,6 +160,12 @@ impl ProjectionFile {
             Self::Orthographic { height, near, far } => {
                 Ok(Projection::Orthographic { height, near, far })
             }
+            Self::Matrix { columns } => {
+                let matrix = ClipMatrix::reversed(DMat4::from_cols_array_2d(&columns));
+                Ok(Projection::Matrix(
+                    matrix.map_err(|error| error.to_string())?,
+                ))
+            }
         }
     }
 
@@ -175,6 +186,9 @@ impl ProjectionFile {
             Projection::Orthographic { height, near, far } => {
                 Self::Orthographic { height, near, far }
             }
+            Projection::Matrix(matrix) => Self::Matrix {
+                columns: matrix.matrix().to_cols_array_2d(),
+            },
         }
     }
 }

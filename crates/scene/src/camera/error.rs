@@ -41,6 +41,16 @@ pub enum CameraError {
         /// Metres.
         far: f64,
     },
+    /// The matrix cannot be inverted.
+    #[error(
+        "the matrix is singular, so that points at different places look the same: give one that can be inverted"
+    )]
+    Singular,
+    /// The matrix exchanges right and left, or up and down.
+    #[error(
+        "the matrix shows a mirror image, in which front faces turn their backs: mirror the scene's transforms instead, or flip the image afterwards"
+    )]
+    Mirrored,
     /// The rotation is not of unit length.
     #[error("the rotation's length is {length}: it must be 1; normalise it")]
     Rotation {

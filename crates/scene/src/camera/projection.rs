@@ -1,5 +1,6 @@
 //! Projections and their matrices. Depth is reversed: 1 at the near plane, 0 at infinity or at the far plane.
 
+use super::clip_matrix::ClipMatrix;
 use super::error::{CameraError, finite};
 use glam::camera::rh::proj::directx;
 use glam::{DVec2, Mat4};
@@ -37,6 +38,8 @@ pub enum Projection {
         /// The distance of the far plane along the view direction in metres, beyond `near`.
         far: f64,
     },
+    /// Any other, as a matrix. It knows its own aspect: that of the image is not used.
+    Matrix(ClipMatrix),
 }
 
 impl Projection {
@@ -60,6 +63,7 @@ impl Projection {
                 }
                 Ok(())
             }
+            Self::Matrix(matrix) => matrix.validate(),
         }
     }
 
@@ -82,6 +86,7 @@ impl Projection {
                 let (y, x) = ((height * 0.5) as f32, (height * aspect * 0.5) as f32);
                 directx::orthographic(-x, x, -y, y, far as f32, near as f32)
             }
+            Self::Matrix(matrix) => matrix.matrix().as_mat4(),
         }
     }
 }

@@ -11,8 +11,10 @@ use super::map::BlockRect;
 #[derive(Debug, Clone)]
 pub struct Screen {
     eye: DVec3,
-    forward: DVec3,
-    near: f64,
+    /// The near plane relative to the eye: what is in front of it is positive.
+    near: Plane,
+    /// What the projection divides by; not above 0 beside and behind the eye.
+    divisor: Plane,
     clip_from_relative: Mat4,
     size: Vec2,
     planes: Vec<Plane>,
@@ -21,12 +23,31 @@ pub struct Screen {
     blocks: [u32; 2],
 }
 
-/// A plane of the frustum. Points inside have `normal . point + offset >= 0`.
+/// A plane, of the frustum or relative to the eye. Points inside have `normal . point + offset >= 0`.
 #[derive(Debug, Clone, Copy)]
 struct Plane {
     normal: DVec3,
     abs_normal: DVec3,
     offset: f64,
+}
+
+impl Plane {
+    fn new(normal: DVec3, offset: f64) -> Self {
+        Self {
+            normal,
+            abs_normal: normal.abs(),
+            offset,
+        }
+    }
+
+    fn at(&self, point: DVec3) -> f64 {
+        self.normal.dot(point) + self.offset
+    }
+
+    /// The least value in a box of this centre and these half extents.
+    fn least(&self, centre: DVec3, half: DVec3) -> f64 {
+        self.at(centre) - self.abs_normal.dot(half)
+    }
 }
 
 /// How much of a box lies in the frustum.
@@ -68,18 +89,16 @@ impl Screen {
     pub fn new(view: &ViewFrame, block: u32, contents: BoxContents) -> Self {
         let camera = &view.camera;
         let block = block.max(1);
+        let near = camera.near_plane();
+        let (divides, at_eye) = camera.divisor();
         Self {
             eye: camera.position,
-            forward: camera.forward(),
-            near: camera.near(),
+            near: Plane::new(near.normal, near.distance(camera.position)),
+            divisor: Plane::new(divides, at_eye),
             clip_from_relative: view.clip_from_relative(),
             size: Vec2::new(view.size[0] as f32, view.size[1] as f32),
             planes: (view.frustum.planes().iter())
-                .map(|plane| Plane {
-                    normal: plane.normal,
-                    abs_normal: plane.normal.abs(),
-                    offset: plane.offset,
-                })
+                .map(|plane| Plane::new(plane.normal, plane.offset))
                 .collect(),
             widening: Widening::new(view, contents),
             block: block as f32,
@@ -116,7 +135,7 @@ impl Screen {
         !self
             .planes
             .iter()
-            .any(|plane| plane.normal.dot(centre) + plane.offset + plane.abs_normal.dot(half) < 0.0)
+            .any(|plane| plane.at(centre) + plane.abs_normal.dot(half) < 0.0)
     }
 
     /// Places a box. `parent`: how much of an enclosing box lies in the frustum; with [`Containment::Inside`] the planes need no test.
@@ -128,7 +147,7 @@ impl Screen {
             Containment::Partial => self.planes.as_slice(),
         };
         for plane in planes {
-            let distance = plane.normal.dot(centre) + plane.offset;
+            let distance = plane.at(centre);
             let reach = plane.abs_normal.dot(half);
             if distance + reach < 0.0 {
                 return BoxPlacement::Outside;
@@ -139,11 +158,13 @@ impl Screen {
             }
         }
         let centre = centre - self.eye;
-        let depth = self.forward.dot(centre) - self.forward.abs().dot(half);
+        let clearance = self.near.least(centre, half);
         let reach = centre.length() + half.length();
-        let margin = self.widening.margin(reach) * 2.0 + self.near.abs() * 1e-3;
-        // A depth that is NaN counts as near.
-        if depth <= self.near + margin || depth.is_nan() {
+        let margin = self.widening.margin(reach) * 2.0 + self.near.offset.abs() * 1e-3;
+        // In front of an oblique near plane, points may be beside the eye.
+        let beside = self.divisor.least(centre, half) <= 0.0;
+        // What is NaN counts as near.
+        if clearance <= margin || clearance.is_nan() || beside {
             return BoxPlacement::Near;
         }
         let pixels = self.pixels(centre.as_vec3(), half.as_vec3());
@@ -156,10 +177,10 @@ impl Screen {
     /// The pixels under the part of a box in front of the near plane; an empty rectangle where the box lies behind it.
     pub fn clipped(&self, bounds: &Aabb) -> PixelRect {
         let corners = bounds.corners().map(|corner| corner - self.eye);
-        let depths = corners.map(|corner| self.forward.dot(corner));
+        let depths = corners.map(|corner| self.near.at(corner));
         let mut points = Vec::with_capacity(16);
         for (at, (corner, depth)) in corners.iter().zip(depths).enumerate() {
-            if depth >= self.near {
+            if depth >= 0.0 {
                 points.push(*corner);
             }
             for other in [at ^ 1, at ^ 2, at ^ 4]
@@ -167,10 +188,14 @@ impl Screen {
                 .filter(|other| *other > at)
             {
                 let (to, beyond) = (corners[other], depths[other]);
-                if (depth < self.near) != (beyond < self.near) {
-                    points.push(corner.lerp(to, (self.near - depth) / (beyond - depth)));
+                if (depth < 0.0) != (beyond < 0.0) {
+                    points.push(corner.lerp(to, depth / (depth - beyond)));
                 }
             }
+        }
+        if points.iter().any(|point| self.divisor.at(*point) <= 0.0) {
+            // Beside or behind the eye there is no place on the screen.
+            return self.rect(Vec2::NEG_INFINITY, Vec2::INFINITY);
         }
         let on_screen = points.iter().map(|point| {
             let clip = self.clip_from_relative * point.as_vec3().extend(1.0);

@@ -3,8 +3,8 @@
 use std::fmt;
 
 use antumbra_cull::{
-    DeclareError, FrustumOnly, Gpu, Stage, StageError, StageOptions, StageOutput, Strategy,
-    ViewSpec,
+    Counting, DeclareError, FrustumOnly, Gpu, Stage, StageError, StageOptions, StageOutput,
+    Strategy, ViewSpec,
 };
 use antumbra_draw::GpuScene;
 use antumbra_graph::{CompileError, Mode};
@@ -85,6 +85,12 @@ impl Setup {
         gpu: &Gpu,
         strategy: Box<dyn Strategy>,
     ) -> Result<Option<String>, ViolationKind> {
+        if self.samples > 1
+            && let Some(lacking) =
+                Counting::by_fragments(gpu, self.samples).lacking(gpu, self.samples)
+        {
+            return Ok(Some(format!("the oracle lacks {lacking}")));
+        }
         let mut scene = TestScene::new()?.scene;
         let scene = GpuScene::new(gpu, &mut scene)?;
         let stage = |strategy| {

@@ -101,7 +101,7 @@ pub(super) fn camera(camera: &Camera) -> Option<PlacedCamera> {
                 znear: near,
             },
         },
-        Projection::OffAxis { .. } => return None,
+        Projection::OffAxis { .. } | Projection::Matrix(_) => return None,
         Projection::Orthographic { height, near, far } => {
             // In glTF the near plane may not be behind the eye, so the eye is moved back.
             let back = (-near).max(0.0);
