@@ -141,6 +141,11 @@ impl<'g> FrameGraph<'g> {
         });
     }
 
+    /// Whether there is an image, or answers alone.
+    pub fn output(&self) -> StageOutput {
+        self.shared.output
+    }
+
     /// The samples a pixel of the views' targets, and of everything that the renderer draws.
     pub fn samples(&self) -> u32 {
         self.shared.samples

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use antumbra_cull::{
     CULL, Candidates, CountLayout, Counting, Counts, FrameGraph, IndirectDraws, MeshDetail,
-    Queried, ViewNodes, VisibleSet,
+    Queried, StageOutput, ViewNodes, VisibleSet,
 };
 use antumbra_graph::{Bind, Buffer, Host};
 use antumbra_shaders::jobs;
@@ -153,6 +153,7 @@ fn test(
     // A batch may be tested by boxes, by meshes, or by both.
     let most = g.scene_layout().batches * 2;
     let mut schedule = TestSchedule::default();
+    let output = g.output();
     let layout = g.lay_out(
         view,
         "last occluded",
@@ -166,9 +167,12 @@ fn test(
         move |ctx, table, frame, laid| {
             let candidates = ctx.get(candidates)?;
             schedule.begin(table, &candidates);
-            let due = |slot: &u32| {
-                schedule.is_due(*slot, settings.fraction) || table.is_transparent(*slot)
+            // What is never drawn with an id owns no pixel, so that only a test says whether it is seen.
+            let owns_none = |slot: u32| match output {
+                StageOutput::Image => table.is_transparent(slot),
+                StageOutput::Answers => !table.is_occluder(slot),
             };
+            let due = |slot: &u32| schedule.is_due(*slot, settings.fraction) || owns_none(*slot);
             let due = candidates.testable().filter(due);
             let tests = sorted_tests(table, frame, due, |_| false);
             fill_with_tests(laid.list, table, &tests);

@@ -76,9 +76,10 @@ impl Case {
     ];
 
     /// The cases that are played in [other setups](super::OtherSetups::Brief): what they may break.
-    pub const BRIEF: [Self; 4] = [
+    pub const BRIEF: [Self; 5] = [
         Self::RandomScenes,
         Self::Cut,
+        Self::Still,
         Self::Projections,
         Self::Resize,
     ];
