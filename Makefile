@@ -25,9 +25,10 @@ test: ## run every test, on Vulkan and on OpenGL (installs Mesa's software drive
 	scripts/vulkan.sh --with-egl
 	$(CARGO) test --workspace --locked
 
-kit: ## play the whole conformance kit to all strategies, and two thousand random views of random worlds to the judge
+kit: ## play the whole conformance kit to all strategies, two thousand random views to the judge, and depths of every size to its pyramid
 	scripts/vulkan.sh --with-egl
 	KIT=whole JUDGE_TRIALS=2000 $(CARGO) test --workspace --locked --test conformance --test judge
+	PYRAMID_SIZES=whole $(CARGO) test --package antumbra-cull --locked --lib pyramid
 
 lint: ## formatting, clippy and rustdoc, warnings as errors
 	$(CARGO) fmt --all --check

@@ -2,6 +2,9 @@
 //!
 //! A texel stands for its block exactly. (Greene, Kass, Miller, *Hierarchical Z-Buffer Visibility*, 1993.)
 
+#[cfg(test)]
+mod exactness;
+
 use antumbra_graph::{Bind, Buffer, BufferDesc, Graph, Texture};
 use antumbra_shaders::{Job, assert_layout, jobs};
 use bytemuck::{Pod, Zeroable};
