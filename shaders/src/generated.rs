@@ -32,9 +32,12 @@ pub static ALL: &[&crate::Job] = &[
 &signature::JOB,
 &signature_early::JOB,
 &signature_many::JOB,
+&test_slots_many::JOB,
+&test_slots_one::JOB,
 ];
 /// The shared texts for `//!import`, by name.
 pub static SHARED: &[crate::SharedSource<'static>] = &[
+crate::SharedSource { name: "box_test", text: include_str!("../wgsl/shared/box_test.wgsl") },
 crate::SharedSource { name: "clip", text: include_str!("../wgsl/shared/clip.wgsl") },
 crate::SharedSource { name: "counted", text: include_str!("../wgsl/shared/counted.wgsl") },
 crate::SharedSource { name: "cull_patches", text: include_str!("../wgsl/shared/cull_patches.wgsl") },
@@ -56,6 +59,7 @@ crate::SharedSource { name: "position", text: include_str!("../wgsl/shared/posit
 crate::SharedSource { name: "prefix_sum", text: include_str!("../wgsl/shared/prefix_sum.wgsl") },
 crate::SharedSource { name: "pyramid", text: include_str!("../wgsl/shared/pyramid.wgsl") },
 crate::SharedSource { name: "reduce", text: include_str!("../wgsl/shared/reduce.wgsl") },
+crate::SharedSource { name: "test_slots", text: include_str!("../wgsl/shared/test_slots.wgsl") },
 crate::SharedSource { name: "threshold", text: include_str!("../wgsl/shared/threshold.wgsl") },
 crate::SharedSource { name: "transparent_sums", text: include_str!("../wgsl/shared/transparent_sums.wgsl") },
 crate::SharedSource { name: "view", text: include_str!("../wgsl/shared/view.wgsl") },
@@ -723,11 +727,11 @@ pub mod judge_many {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_many.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_many.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_many.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_many.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("judge_many"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 140 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 144, lines: 131 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 275, lines: 17 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 292, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 314, lines: 11 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 43 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 100 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 147, lines: 131 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 278, lines: 17 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 295, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 317, lines: 11 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -784,11 +788,11 @@ pub mod judge_one {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_one.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_one.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_one.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_one.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("judge_one"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 140 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 144, lines: 131 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 275, lines: 17 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 292, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 314, lines: 7 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 43 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 100 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 147, lines: 131 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 278, lines: 17 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 295, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 317, lines: 7 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -1581,5 +1585,127 @@ pub const OPAQUE_DEPTH: crate::BindingPlace = crate::BindingPlace { group: 3, bi
 }
 /// Workgroup sizes of the compute entry points.
 pub mod workgroup {
+}
+}
+/// `wgsl/test_slots_many.wgsl`.
+pub mod test_slots_many {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/test_slots_many.wgsl"), include_str!("../wgsl/shared/test_slots.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_many.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("test_slots_many"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/test_slots_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 4, lines: 36 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 40, lines: 100 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 140, lines: 131 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 271, lines: 17 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 288, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 310, lines: 11 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("seen"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("found"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("rest"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("depth"), entry: wgpu::BindGroupLayoutEntry { binding: 7, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: false }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: true }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("drawn"), entry: wgpu::BindGroupLayoutEntry { binding: 8, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("JudgedInstance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("centre_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("traits"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("JudgedView"), kind: crate::LayoutKind::Memory, size: 112, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 96, size: 4 }, crate::FieldLayout { name: Borrowed("depth_step"), offset: 100, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 104, size: 4 }, crate::FieldLayout { name: Borrowed("flags"), offset: 108, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `test_slots`.
+pub const TEST_SLOTS: &str = "test_slots";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `seen`.
+pub const SEEN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `found`.
+pub const FOUND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `rest`.
+pub const REST: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `depth`.
+pub const DEPTH: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 7 };
+/// `drawn`.
+pub const DRAWN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 8 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `test_slots`.
+pub const TEST_SLOTS: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/test_slots_one.wgsl`.
+pub mod test_slots_one {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/test_slots_one.wgsl"), include_str!("../wgsl/shared/test_slots.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_one.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("test_slots_one"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/test_slots_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 4, lines: 36 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 40, lines: 100 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 140, lines: 131 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 271, lines: 17 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 288, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 310, lines: 7 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("seen"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("found"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("rest"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("depth"), entry: wgpu::BindGroupLayoutEntry { binding: 7, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: false }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("drawn"), entry: wgpu::BindGroupLayoutEntry { binding: 8, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("JudgedInstance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("centre_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("traits"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("JudgedView"), kind: crate::LayoutKind::Memory, size: 112, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 96, size: 4 }, crate::FieldLayout { name: Borrowed("depth_step"), offset: 100, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 104, size: 4 }, crate::FieldLayout { name: Borrowed("flags"), offset: 108, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `test_slots`.
+pub const TEST_SLOTS: &str = "test_slots";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `seen`.
+pub const SEEN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `found`.
+pub const FOUND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `rest`.
+pub const REST: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `depth`.
+pub const DEPTH: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 7 };
+/// `drawn`.
+pub const DRAWN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 8 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `test_slots`.
+pub const TEST_SLOTS: [u32; 3] = [64, 1, 1];
 }
 }

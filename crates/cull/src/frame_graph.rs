@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use antumbra_graph::{
-    BodyError, BufferDesc, Clear, Graph, Host, HostBuilder, HostContext, LoopOptions, Texture,
-    TextureDesc,
+    BodyError, Buffer, BufferDesc, Clear, Graph, Host, HostBuilder, HostContext, LoopOptions,
+    Texture, TextureDesc,
 };
 
 use antumbra_scene::hierarchy::HierarchyShape;
@@ -61,6 +61,8 @@ pub(crate) struct Shared {
     pub pipelines: Pipelines,
     /// The trees, one a shape, for all views.
     pub trees: HashMap<HierarchyShape, Host<Tree>>,
+    /// The boxes of all slots, for all views.
+    pub boxes: Option<Buffer>,
     /// What the strategy shows.
     pub shown: Vec<Shown>,
 }

@@ -60,10 +60,12 @@ pub use record::{JudgedInstance, Part};
 pub use view::JudgeView;
 
 use answers::Asked;
-use eye::{FORGET, FRAME_LATE, GpuJudgedView};
+pub(crate) use eye::GpuJudgedView;
+use eye::{FORGET, FRAME_LATE};
 use list::List;
 use masks::Masks;
 use passes::{FirstNodes, TestDesc, TestNodes, prefix};
+pub(crate) use pyramid::{PyramidNodes, depth_pyramid};
 use submitted::Submitted;
 
 use crate::device::Gpu;

@@ -12,6 +12,7 @@
 
 mod adaptive_threshold;
 mod audit;
+mod box_test;
 pub mod boxes;
 mod budget;
 mod candidates;
@@ -52,6 +53,7 @@ mod visible_samples;
 mod yardsticks;
 
 pub use audit::{AUDIT, Audit, AuditOptions, Estimate, FrameAudit};
+pub use box_test::BoxTest;
 pub use budget::{Budget, BudgetError, BudgetState};
 pub use candidates::{Candidates, Queried, Query, Stamp};
 pub use chain::Chain;

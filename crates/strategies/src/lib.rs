@@ -6,6 +6,7 @@
 //! | `stop-and-wait` | [`StopAndWait`] | Bartz, Meissner, Huettner 1999 |
 //! | `three-pass` | [`ThreePass`] | Plate, Grundhoefer, Schmidt, Froehlich 2004 |
 //! | `coherent`, `stereo-coherent` | [`Coherent`], [`StereoCoherent`] | Mansa, Amundarain, Garcia-Alonso, Matey 2007 |
+//! | `depth-pyramid` | [`DepthPyramid`] | Haar, Aaltonen 2015 |
 //! | `occupancy-map`, `occupancy-map-single` | [`OccupancyMapBatched`], [`OccupancyMapSingle`] | Staneker, Bartz, Strasser 2004 |
 //!
 //! [`registry`] makes a strategy from its name and settings, as the command line writes them:
@@ -37,6 +38,8 @@
 //! the hierarchical strategies that other strategies can reuse.
 
 mod coherent;
+mod depth_pyramid;
+mod found_on_gpu;
 pub mod occupancy;
 mod occupancy_map;
 mod query_results;
@@ -49,6 +52,7 @@ pub mod traversal;
 use antumbra_cull::{Everything, FrustumOnly, Ideal, Registry};
 
 pub use coherent::{Coherent, CoherentSettings, StereoCoherent};
+pub use depth_pyramid::DepthPyramid;
 pub use occupancy_map::{OccupancyMapBatched, OccupancyMapSingle, OccupancySettings};
 pub use sketch::{NodeOutcome, Sketch, SketchNode};
 pub use stop_and_wait::StopAndWait;
@@ -64,6 +68,7 @@ pub fn registry() -> Registry {
     registry.register(|| Box::new(ThreePass::default()));
     registry.register(|| Box::new(Coherent::default()));
     registry.register(|| Box::new(StereoCoherent::default()));
+    registry.register(|| Box::new(DepthPyramid));
     registry.register(|| Box::new(OccupancyMapBatched::default()));
     registry.register(|| Box::new(OccupancyMapSingle::default()));
     registry

@@ -166,6 +166,20 @@ fn walks(gpu: &Gpu) {
     conform(gpu, &fewer, named(&single));
 }
 
+fn depth_pyramid(gpu: &Gpu) {
+    conform(gpu, &small(), named(&["depth-pyramid"]));
+}
+
+#[test]
+fn depth_pyramid_conforms_on_vulkan() {
+    depth_pyramid(vulkan());
+}
+
+#[test]
+fn depth_pyramid_conforms_on_gl() {
+    depth_pyramid(gl());
+}
+
 #[test]
 fn walks_conform_on_vulkan() {
     walks(vulkan());

@@ -110,7 +110,7 @@ const OPENING: f64 = 4e-6;
 /// Mirrors `JudgedView` of `shared/judged.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
-pub(super) struct GpuJudgedView {
+pub(crate) struct GpuJudgedView {
     clip_from_relative: [f32; 16],
     eye_high: [f32; 3],
     pixels_wide: f32,

@@ -79,7 +79,7 @@ impl GpuPyramid {
 
 /// A pyramid in the graph.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct PyramidNodes {
+pub(crate) struct PyramidNodes {
     /// [`GpuPyramid`], uploaded.
     pub layout: Buffer,
     /// The texels.
@@ -87,7 +87,7 @@ pub(super) struct PyramidNodes {
 }
 
 /// Adds the nodes that make the pyramid of a depth.
-pub(super) fn depth_pyramid(
+pub(crate) fn depth_pyramid(
     graph: &mut Graph,
     gpu: &Gpu,
     pipelines: &mut Pipelines,

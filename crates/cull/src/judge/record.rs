@@ -3,8 +3,9 @@
 use antumbra_scene::Aabb;
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DVec3, Vec3};
 
+use crate::entities::OrientedBox;
 use crate::split_point::SplitPoint;
 
 /// What an instance is in visibility tests.
@@ -52,24 +53,35 @@ impl JudgedInstance {
     /// The record of an instance with these bounds in its own space.
     pub fn new(bounds: &Aabb, at: &DAffine3, part: Part, generation: u32) -> Self {
         let half = bounds.half_extents();
-        let SplitPoint { high, low } = SplitPoint::new(at.transform_point3(bounds.centre()));
         let edges = [
             at.matrix3.x_axis * half.x,
             at.matrix3.y_axis * half.y,
             at.matrix3.z_axis * half.z,
-        ]
-        .map(|edge| edge.as_vec3());
-        let row = |axis: usize| {
-            let [x, y, z] = edges;
-            [x[axis], y[axis], z[axis], high[axis]]
-        };
+        ];
+        let centre = at.transform_point3(bounds.centre());
+        Self::of_edges(
+            centre,
+            edges.map(|edge| edge.as_vec3()),
+            Self::traits(part, generation),
+        )
+    }
+
+    fn of_edges(centre: DVec3, [x, y, z]: [Vec3; 3], traits: u32) -> Self {
+        let SplitPoint { high, low } = SplitPoint::new(centre);
+        let row = |axis: usize| [x[axis], y[axis], z[axis], high[axis]];
         Self {
             row_x: row(0),
             row_y: row(1),
             row_z: row(2),
             centre_low: low,
-            traits: Self::traits(part, generation),
+            traits,
         }
+    }
+
+    /// The record of a box of ours.
+    pub(crate) fn oriented(what: &OrientedBox, part: Part) -> Self {
+        let edges = [0, 1, 2].map(|axis| what.axes[axis] * what.half[axis]);
+        Self::of_edges(what.centre, edges, Self::traits(part, 0))
     }
 
     /// The traits of a live instance.

@@ -136,6 +136,7 @@ pub(super) fn build(
         output: options.output,
         pipelines: std::mem::take(inherited.pipelines),
         trees: HashMap::new(),
+        boxes: None,
         shown: Vec::new(),
     };
     let declared = declare(

@@ -5,35 +5,24 @@
 //! exact, while the answer of a query around a mesh depends on the drawing order. (Drawing the last frame's visible set first, on the GPU alone:
 //! Haar and Aaltonen, *GPU-Driven Rendering Pipelines*, 2015.)
 
-use std::sync::Arc;
-
+use antumbra_cull::indirect::{LayoutSize, SampleBounds};
 use antumbra_cull::{
-    CULL, Candidates, CountLayout, Counting, Counts, FrameGraph, IndirectDraws, MeshDetail,
-    Queried, StageOutput, ViewNodes, VisibleSet,
+    Candidates, Counting, FrameGraph, IndirectDraws, StageOutput, ViewNodes, VisibleSet,
 };
-use antumbra_graph::{Bind, Buffer, Host};
-use antumbra_shaders::jobs;
+use antumbra_graph::{Buffer, Host};
 
 use super::entity_test::{fill_with_tests, sorted_tests};
 use super::schedule::TestSchedule;
 use super::settings::CoherentSettings;
-use antumbra_cull::indirect::{IndirectLayout, LayoutSize, SampleBounds};
-use antumbra_cull::order::back_to_front;
+use crate::found_on_gpu::{
+    ExemptEntities, larger_counts, opaque, shade_found_transparent, verdicts,
+};
 
 /// The first view of a stereo pair, or the only view.
 pub(super) struct FirstOnGpu {
     pub set: VisibleSet,
     /// The pixels that each slot owns in this frame, a u32 a slot.
     pub owned: Buffer,
-}
-
-/// Whether a layout holds the candidates that no test may cull.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum ExemptEntities {
-    /// They are laid out, and drawn whatever their counts.
-    Included,
-    /// They are not laid out: an earlier pass has drawn them.
-    LeftOut,
 }
 
 /// Declares the first view.
@@ -68,7 +57,7 @@ pub(super) fn first(
     shade_found_transparent(g, view, candidates, found);
     let owned = g.histogram(view, ids, view.size(), owned);
     FirstOnGpu {
-        set: verdicts(g, view, candidates, seen, found),
+        set: drawn_of(g, view, candidates, seen, found),
         owned,
     }
 }
@@ -102,44 +91,7 @@ pub(super) fn next(
     let new = g.compact(view, "found visible", rest, found);
     g.shade_indirect(view, "shade found visible", new);
     shade_found_transparent(g, view, candidates, found);
-    verdicts(g, view, candidates, owned, found)
-}
-
-/// Lays out the full meshes of the opaque candidates. The compaction keeps those with any sample.
-fn opaque(
-    g: &mut FrameGraph<'_>,
-    view: &ViewNodes,
-    name: &str,
-    candidates: Host<Candidates>,
-    exempt: ExemptEntities,
-) -> IndirectLayout {
-    let most = g.scene_layout().batches;
-    g.lay_out(
-        view,
-        name,
-        LayoutSize {
-            runs: most,
-            entries_a_slot: 1,
-        },
-        |node| {
-            node.read(candidates);
-        },
-        move |ctx, table, _, laid| {
-            let candidates = ctx.get(candidates)?;
-            let wanted = |slot: &u32| {
-                !table.is_transparent(*slot)
-                    && (exempt == ExemptEntities::Included || !candidates.is_exempt(*slot))
-            };
-            let members = candidates.inside().iter().copied().filter(wanted);
-            laid.list.fill(table, members, MeshDetail::Level(0));
-            laid.bound(
-                table,
-                |_| SampleBounds::SEEN,
-                |slot| candidates.is_exempt(slot),
-            );
-            Ok(())
-        },
-    )
+    drawn_of(g, view, candidates, owned, found)
 }
 
 /// Tests the entities without a sample in `seen`: counts the visible samples of their test geometry against the depth so far.
@@ -193,91 +145,14 @@ fn count(g: &mut FrameGraph<'_>, view: &ViewNodes, what: IndirectDraws) -> Buffe
     g.count(view, "test last occluded", what.into(), test, counts)
 }
 
-/// Shades the transparent entities with samples in `found`, and those that no test may cull.
-fn shade_found_transparent(
-    g: &mut FrameGraph<'_>,
-    view: &mut ViewNodes,
-    candidates: Host<Candidates>,
-    found: Buffer,
-) {
-    if !g.scene_layout().transparent {
-        return;
-    }
-    let most = g.scene_layout().slots.max(1);
-    let name = "transparent candidates";
-    let layout = g.lay_out(
-        view,
-        name,
-        LayoutSize {
-            runs: most,
-            entries_a_slot: 1,
-        },
-        |node| {
-            node.read(candidates);
-        },
-        move |ctx, table, frame, laid| {
-            let candidates = ctx.get(candidates)?;
-            let transparent = |slot: &u32| table.is_transparent(*slot);
-            let members = candidates.inside().iter().copied().filter(transparent);
-            back_to_front(laid.list, table, frame, members.map(|slot| (slot, 0)));
-            laid.bound(
-                table,
-                |_| SampleBounds::SEEN,
-                |slot| candidates.is_exempt(slot),
-            );
-            Ok(())
-        },
-    );
-    let kept = g.compact(view, "visible transparent set", layout, found);
-    g.shade_indirect(view, "transparent", kept);
-}
-
-/// The verdicts for measurements: an entity is drawn if it has samples in `seen` or in `found`.
-fn verdicts(
+/// The verdicts: what was seen is drawn, and what was found.
+fn drawn_of(
     g: &mut FrameGraph<'_>,
     view: &ViewNodes,
     candidates: Host<Candidates>,
     seen: Buffer,
     found: Buffer,
 ) -> VisibleSet {
-    let queried = g.graph().host::<Queried>(view.named("queried slots"));
-    let mut node = g.graph().host_node(view.named("list queried slots"));
-    node.group(CULL).read(candidates);
-    let queried = node.write(queried);
-    node.run(move |ctx| {
-        let candidates = ctx.get(candidates)?;
-        *ctx.get_mut(queried)? = Queried {
-            stamp: candidates.stamp(),
-            slots: Arc::new(candidates.inside().to_vec()),
-            ends: Arc::default(),
-        };
-        Ok(())
-    });
-    let counts = Counts {
-        buffer: larger_counts(g, view, seen, found),
-        layout: CountLayout::BySlot,
-        queried,
-    };
-    VisibleSet::on_gpu(candidates, counts, 0)
-}
-
-/// The larger of two counts, a slot.
-fn larger_counts(g: &mut FrameGraph<'_>, view: &ViewNodes, one: Buffer, other: Buffer) -> Buffer {
-    let pipeline = g.compute_pipeline(&jobs::max_counts::JOB, "max_counts");
-    let groups = g.scene_layout().slots.div_ceil(64).max(1);
-    let joined = g.sample_counts(view);
-    let mut node = g.graph().compute(view.named("join counts"));
-    node.group(CULL).storage_read(one).storage_read(other);
-    let joined = node.storage_write(joined);
-    node.run(move |ctx| {
-        let binds = [
-            Bind::Buffer(0, one),
-            Bind::Buffer(1, other),
-            Bind::Buffer(2, joined),
-        ];
-        // A dispatch may have at most 65,535 workgroups along a dimension.
-        let wide = groups.min(65_535);
-        pipeline.dispatch(ctx, &binds, [wide, groups.div_ceil(wide)])
-    });
-    joined
+    let drawn = larger_counts(g, view, seen, found);
+    verdicts(g, view, candidates, drawn)
 }

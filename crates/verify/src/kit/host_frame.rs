@@ -116,9 +116,14 @@ impl HostTargets {
         let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT;
         let read = drawn | wgpu::TextureUsages::COPY_SRC;
         let many = setup.samples > 1;
+        // Strategies may read the depth, where the device can.
+        let depth = match !many || gpu.reads_drawn_samples() {
+            true => drawn | wgpu::TextureUsages::TEXTURE_BINDING,
+            false => drawn,
+        };
         Self {
             colour: texture(format, setup.samples, if many { drawn } else { read }),
-            depth: texture(DEPTH_FORMAT, setup.samples, drawn),
+            depth: texture(DEPTH_FORMAT, setup.samples, depth),
             resolved: many.then(|| texture(format, 1, read)),
         }
     }

@@ -1,0 +1,61 @@
+//! Two phases with a depth pyramid. What was visible in the last frame is drawn first; its depth becomes a pyramid; the boxes of all entities are tested against that, and
+//! what is found is drawn. No query, no prepass, nothing read back, no sync point.
+//!
+//! Haar and Aaltonen, *GPU-Driven Rendering Pipelines*, 2015, after Greene, Kass and Miller, *Hierarchical Z-Buffer Visibility*, 1993. It is right by construction: whatever
+//! the first phase draws, an entity that is not drawn at the end was tested against depth that is in the image, in this frame and from this camera. So cuts, moved
+//! and new entities need no care. Transparent entities are tested, and hide nothing; those with a mask hide by what is left of them.
+
+use antumbra_cull::{Counting, DeclareError, FrameGraph, Latency, Strategy, ViewNodes, VisibleSet};
+
+use crate::found_on_gpu::{ExemptEntities, opaque, shade_found_transparent, verdicts};
+
+/// The strategy `depth-pyramid`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct DepthPyramid;
+
+impl Strategy for DepthPyramid {
+    fn name(&self) -> &str {
+        "depth-pyramid"
+    }
+
+    fn summary(&self) -> &str {
+        "draws last frame's visible first, tests all boxes against a pyramid of its depth, and draws what it finds (Haar and Aaltonen 2015)"
+    }
+
+    fn conservative(&self) -> bool {
+        true
+    }
+
+    fn latency(&self) -> Option<Latency> {
+        Some(Latency::OnGpu)
+    }
+
+    fn declare(
+        &mut self,
+        g: &mut FrameGraph<'_>,
+        view: &mut ViewNodes,
+    ) -> Result<VisibleSet, DeclareError> {
+        // The same as for ids: compute shaders, and samples that they can read.
+        if let Some(lacking) = Counting::Identity.lacking(g.gpu(), g.samples()) {
+            return Err(DeclareError::Device {
+                strategy: self.name().to_owned(),
+                lacking: lacking.to_owned(),
+                instead: "draw one sample a pixel, or take another strategy".to_owned(),
+            });
+        }
+        let candidates = g.in_frustum(view);
+        let history = g.sample_counts(view);
+        let seen = history.previous();
+        let name = "last visible";
+        let all = opaque(g, view, name, candidates, ExemptEntities::Included);
+        let last = g.compact(view, name, all, seen);
+        g.shade_indirect(view, "shade last visible", last);
+        let tested = g.test_boxes(view, seen, history);
+        let name = "found visible";
+        let rest = opaque(g, view, name, candidates, ExemptEntities::LeftOut);
+        let new = g.compact(view, name, rest, tested.rest);
+        g.shade_indirect(view, "shade found visible", new);
+        shade_found_transparent(g, view, candidates, tested.found);
+        Ok(verdicts(g, view, candidates, tested.drawn))
+    }
+}
