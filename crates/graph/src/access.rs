@@ -10,6 +10,7 @@ pub(crate) enum Access {
     Depth,
     DepthRead,
     Sample,
+    StorageTextureRead,
     StorageTextureWrite,
     StorageRead,
     StorageWrite,
@@ -79,7 +80,9 @@ impl Access {
                 wgpu::TextureUsages::RENDER_ATTACHMENT
             }
             Self::Sample => wgpu::TextureUsages::TEXTURE_BINDING,
-            Self::StorageTextureWrite => wgpu::TextureUsages::STORAGE_BINDING,
+            Self::StorageTextureRead | Self::StorageTextureWrite => {
+                wgpu::TextureUsages::STORAGE_BINDING
+            }
             Self::CopySrc => wgpu::TextureUsages::COPY_SRC,
             Self::CopyDst => wgpu::TextureUsages::COPY_DST,
             _ => wgpu::TextureUsages::empty(),
@@ -110,6 +113,7 @@ impl Access {
             Self::Depth => "depth",
             Self::DepthRead => "depth (read)",
             Self::Sample => "sample",
+            Self::StorageTextureRead => "storage texture (read)",
             Self::StorageTextureWrite => "storage texture (write)",
             Self::StorageRead => "storage (read)",
             Self::StorageWrite => "storage (write)",

@@ -78,6 +78,17 @@ macro_rules! shader_builder {
                 self
             }
 
+            /// Reads the texture in a shader as a storage texture. So a node may read one mip and write the next on every device: OpenGL cannot sample one mip of a
+            /// texture while it writes another.
+            pub fn storage_texture_read(&mut self, texture: crate::Texture) -> &mut Self {
+                self.graph.read(
+                    self.pass,
+                    texture,
+                    crate::access::Access::StorageTextureRead,
+                );
+                self
+            }
+
             /// Writes the texture from a shader as a storage texture.
             pub fn storage_texture_write(&mut self, texture: crate::Texture) -> crate::Texture {
                 self.graph.write(

@@ -108,6 +108,16 @@ pub enum CompileError {
         /// The downlevel flag.
         capability: String,
     },
+    /// A pass samples one mip of a texture and writes another as a storage texture. On OpenGL the write would be lost.
+    #[error(
+        "pass `{pass}` samples one mip of `{resource}` and writes another, which OpenGL cannot do; read the mip with `storage_texture_read`"
+    )]
+    SampledBesideWrite {
+        /// The pass.
+        pass: String,
+        /// The texture.
+        resource: String,
+    },
     /// Something is larger than the device allows.
     #[error("`{resource}` asks for {asked} {what}; this device allows {limit}")]
     Limit {

@@ -16,6 +16,9 @@ pub(crate) struct Capabilities<'a> {
     adapter: Option<&'a wgpu::Adapter>,
     /// Whether shaders can read a texture of several samples a texel that was drawn into: wgpu draws nothing into such a texture on OpenGL (gfx-rs/wgpu#6084).
     reads_drawn_samples: bool,
+    /// Whether a shader can sample one mip of a texture while it writes another. On OpenGL a texture has only the mips that it was last sampled with, and writes of others are
+    /// dropped in silence (WebGPU's compatibility mode forbids it, too: gpuweb/gpuweb#5224).
+    samples_beside_writes: bool,
 }
 
 impl<'a> Capabilities<'a> {
@@ -36,6 +39,7 @@ impl<'a> Capabilities<'a> {
             downlevel,
             adapter,
             reads_drawn_samples: device.adapter_info().backend != wgpu::Backend::Gl,
+            samples_beside_writes: device.adapter_info().backend != wgpu::Backend::Gl,
         }
     }
 
@@ -187,6 +191,20 @@ fn use_needs(
                     capability: format!("samples of `{}` in a shader", resource.name),
                 });
             }
+            let written = |other: &Use| {
+                other.access == Access::StorageTextureWrite && other.raw.index == used.raw.index
+            };
+            // The last frame's value is another texture.
+            if used.access == Access::Sample
+                && !used.raw.is_previous()
+                && !capabilities.samples_beside_writes
+                && pass.uses.iter().any(written)
+            {
+                errors.push(CompileError::SampledBesideWrite {
+                    pass: pass.name.clone(),
+                    resource: resource.name.clone(),
+                });
+            }
         }
         Kind::Buffer(desc) => {
             let usages = used.access.buffer_usages();
@@ -230,6 +248,13 @@ fn texture_use_allowed(desc: TextureDesc, access: Access, capabilities: &Capabil
                     .contains(TextureFormatFeatureFlags::MULTISAMPLE_RESOLVE);
         }
         Access::Depth | Access::DepthRead => allowed &= desc.format.has_depth_aspect(),
+        Access::StorageTextureRead => {
+            allowed &= desc.samples == 1
+                && features.flags.intersects(
+                    TextureFormatFeatureFlags::STORAGE_READ_ONLY
+                        | TextureFormatFeatureFlags::STORAGE_READ_WRITE,
+                );
+        }
         Access::StorageTextureWrite => {
             allowed &= desc.samples == 1
                 && features.flags.intersects(

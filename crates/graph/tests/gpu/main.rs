@@ -9,6 +9,7 @@ mod history;
 mod late;
 mod lifecycle;
 mod loops;
+mod mips;
 mod queries;
 mod sync;
 mod timing;
