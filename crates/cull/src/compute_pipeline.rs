@@ -12,13 +12,20 @@ pub struct ComputePipeline {
 }
 
 impl ComputePipeline {
-    /// Compiles an entry point of a shader.
+    /// Compiles an entry point of a shader. It is bound to what this entry point uses, so that others of the same shader may have bindings of their own.
     pub fn new(gpu: &Gpu, job: &antumbra_shaders::Job, entry: &'static str) -> Self {
+        let entries: Vec<_> = job
+            .bindings
+            .iter()
+            .filter(|binding| binding.group == 0)
+            .filter(|binding| binding.uses.iter().any(|used| used.entry_point == entry))
+            .map(|binding| binding.entry)
+            .collect();
         let layout = gpu
             .device
             .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
                 label: Some(job.name.as_ref()),
-                entries: &job.layout_entries(0),
+                entries: &entries,
             });
         let pipeline_layout = gpu
             .device
@@ -101,9 +108,9 @@ impl ComputePipeline {
 /// The most workgroups in a dimension of a dispatch: WebGPU's default limit.
 const MOST_WORKGROUPS: u32 = 65_535;
 
-/// Workgroups in rows, as [`ComputePipeline::dispatch`] takes them. The last row may have some too many: a shader goes by the number of workgroups in a row and returns where
-/// nothing is left.
-pub(crate) fn rows_of(groups: u32) -> [u32; 2] {
+/// Workgroups in rows, as [`ComputePipeline::dispatch`] takes them: a dispatch may have at most 65,535 along a dimension. The last row may have some too many: a shader goes by the number
+/// of workgroups in a row and returns where nothing is left.
+pub fn rows_of(groups: u32) -> [u32; 2] {
     let wide = groups.clamp(1, MOST_WORKGROUPS);
     [wide, groups.div_ceil(wide)]
 }

@@ -191,7 +191,7 @@ impl<'g> FrameGraph<'g> {
         pipelines.boxes(gpu, *samples)
     }
 
-    /// A compute pipeline of one bind group, made once a stage.
+    /// A compute pipeline of one bind group, of the bindings that the entry point uses. It is made once a stage.
     pub fn compute_pipeline(&mut self, job: &Job, entry: &'static str) -> Arc<ComputePipeline> {
         let Shared { gpu, pipelines, .. } = &mut *self.shared;
         pipelines.compute(gpu, job, entry)

@@ -57,7 +57,7 @@ pub use box_test::BoxTest;
 pub use budget::{Budget, BudgetError, BudgetState};
 pub use candidates::{Candidates, Queried, Query, Stamp};
 pub use chain::Chain;
-pub use compute_pipeline::ComputePipeline;
+pub use compute_pipeline::{ComputePipeline, rows_of};
 pub use count_layout::CountLayout;
 pub use counting::{Counting, Counts};
 pub use device::{AdapterChoice, DeviceError, Gpu, WANTED_FEATURES, adapter_title, adapters};

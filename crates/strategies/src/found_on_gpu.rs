@@ -9,6 +9,7 @@ use antumbra_cull::indirect::{IndirectLayout, LayoutSize, SampleBounds};
 use antumbra_cull::order::back_to_front;
 use antumbra_cull::{
     CULL, Candidates, CountLayout, Counts, FrameGraph, MeshDetail, Queried, ViewNodes, VisibleSet,
+    rows_of,
 };
 use antumbra_graph::{Bind, Buffer, Host};
 use antumbra_shaders::jobs;
@@ -145,9 +146,7 @@ pub(crate) fn larger_counts(
             Bind::Buffer(1, other),
             Bind::Buffer(2, joined),
         ];
-        // A dispatch may have at most 65,535 workgroups along a dimension.
-        let wide = groups.min(65_535);
-        pipeline.dispatch(ctx, &binds, [wide, groups.div_ceil(wide)])
+        pipeline.dispatch(ctx, &binds, rows_of(groups))
     });
     joined
 }
