@@ -29,7 +29,8 @@ impl ViewInput<'_> {
     }
 }
 
-/// The host's textures, of the view's size and the stage's samples, usable as render attachments. Depth is [`DEPTH_FORMAT`](crate::DEPTH_FORMAT), reversed.
+/// The host's textures, of the view's size and the stage's samples, usable as render attachments. Depth is [`DEPTH_FORMAT`](crate::DEPTH_FORMAT), reversed. Where an audit or the
+/// strategy reads it in a shader, it needs the usage `TEXTURE_BINDING` too; a frame without it is refused.
 #[derive(Debug, Clone, Copy)]
 pub struct ImportedTargets<'a> {
     /// Colour, of the stage's format.

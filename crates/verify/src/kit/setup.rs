@@ -15,7 +15,7 @@ use super::test_scene::TestScene;
 /// A way to run stages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Setup {
-    /// Whether they submit on their own, or record into a host's encoder and draw into a host's textures.
+    /// Whether they submit on their own, or record into a host's encoder and draw into a host's textures, whose depth shaders may read.
     pub mode: Mode,
     /// An image, or answers alone: then what the kit draws is what the answers say.
     pub output: StageOutput,
