@@ -11,7 +11,9 @@ mod embed;
 #[path = "../examples/explore_subsurface.rs"]
 #[allow(dead_code, reason = "its main is run by hand")]
 mod explore_subsurface;
-
+#[path = "../examples/gpu_strategy.rs"]
+#[allow(dead_code, reason = "its main is run by hand")]
+mod gpu_strategy;
 #[path = "../examples/judge/main.rs"]
 #[allow(dead_code, reason = "its main is run by hand")]
 mod judge;
@@ -21,11 +23,13 @@ mod own_renderer;
 
 use antumbra::cull::MeshDetail;
 use antumbra::cull::{FrustumOnly, Strategy};
+use antumbra::glam::{DVec2, DVec3};
 use antumbra::measure::compare::{CompareOptions, Contender, compare};
 use antumbra::measure::path::CameraPath;
 use antumbra::verify::kit::{self, Kit};
-use antumbra_testing::{auto, balls, gl};
+use antumbra_testing::{SceneBuilder, auto, balls, gl, over_pixels};
 use custom_strategy::LargestOccluders;
+use gpu_strategy::MipPyramid;
 
 #[test]
 fn the_strategy_from_outside_conforms() {
@@ -67,6 +71,88 @@ fn the_strategy_from_outside_is_compared() {
     assert_eq!(ours.name, "largest-occluders");
     assert_eq!(ours.error.false_culls.entities, 0);
     assert!(ours.drawn.entities < 0.9 * frustum.drawn.entities);
+}
+
+#[test]
+fn the_strategy_on_the_gpu_conforms() {
+    let strategy = MipPyramid::new().unwrap();
+    assert!(strategy.conservative());
+    for gpu in [auto(), gl()] {
+        let make = || Box::new(strategy.clone()) as Box<dyn Strategy>;
+        let report = Kit::default().check_on(gpu, make);
+        let report = report.unwrap_or_else(|failure| panic!("{failure}"));
+        // Four samples a pixel too, except where shaders cannot read them.
+        let left_out = report.left_out.iter().map(|left| left.setup.samples);
+        let expected: &[u32] = if gpu.reads_drawn_samples() {
+            &[]
+        } else {
+            &[4, 4]
+        };
+        assert_eq!(left_out.collect::<Vec<_>>(), expected, "{}", gpu.title());
+    }
+}
+
+#[test]
+fn the_strategy_on_the_gpu_culls_what_is_hidden() {
+    let options = CompareOptions {
+        // Both sides are odd, and so are those of most levels.
+        size: [251, 175],
+        least_seconds: 0.0,
+        ..CompareOptions::default()
+    };
+    for gpu in [auto(), gl()] {
+        let comparison = gpu_strategy::run(gpu, 8, 24, &options).unwrap();
+        let strategies = comparison.report.strategies;
+        let [frustum, ideal, ours] = strategies.as_slice() else {
+            panic!("three contenders, three entries");
+        };
+        assert_eq!(ours.error.false_culls.entities, 0);
+        let culls = |drawn: f64| frustum.drawn.entities - drawn;
+        let share = culls(ours.drawn.entities) / culls(ideal.drawn.entities);
+        assert!(share > 0.3, "{share} of what could be culled");
+    }
+}
+
+/// Sides whose halves are odd, too. A texel of the pyramid that lost its last column or row would hide what shows there alone.
+#[test]
+fn the_strategy_on_the_gpu_sees_the_last_column_and_row() {
+    let size = [251, 175];
+    let corner = DVec2::new(125.5, -87.5);
+    let mut built = SceneBuilder::new();
+    // A box behind another, by two corners in pixels.
+    let mut cube = |depth: f64, one: DVec2, other: DVec2| {
+        let middle = (one + other) * 0.5;
+        built.cube(middle.extend(-depth), (one - other).abs().extend(1.0));
+    };
+    cube(
+        10.0,
+        DVec2::new(-130.0, 90.0),
+        corner + DVec2::new(-1.0, 1.0),
+    );
+    cube(20.0, DVec2::ZERO, DVec2::splat(5.0));
+    let lengths = [0.8, 3.0, 7.0, 15.0, 40.0, 80.0, 160.0];
+    for (length, place) in lengths.into_iter().zip(1u32..) {
+        let place = f64::from(place) * 20.0;
+        let across = DVec2::new(125.4, place - 80.0);
+        cube(20.0, across, across - DVec2::new(length, 0.8));
+        let upright = DVec2::new(place - 90.0, -87.4);
+        cube(20.0, upright, upright + DVec2::new(0.8, length));
+    }
+    let mut scene = built.scene;
+    scene.update();
+    let kit = Kit {
+        size,
+        ..Kit::default()
+    };
+    let strategy = MipPyramid::new().unwrap();
+    let frames = vec![vec![over_pixels(DVec3::ZERO, size)]; 4];
+    for gpu in [auto(), gl()] {
+        let make = || Box::new(strategy.clone()) as Box<dyn Strategy>;
+        let verdicts = kit.check_scene(gpu, make, &scene, &frames).unwrap();
+        // The wall and the bars, and not the box that nothing shows.
+        let drawn = verdicts[3][0].drawn().count();
+        assert_eq!(drawn, 1 + 2 * lengths.len(), "{}", gpu.title());
+    }
 }
 
 #[test]
