@@ -76,6 +76,11 @@ pub use antumbra_terrain as terrain;
 pub use antumbra_verify as verify;
 pub use {glam, wgpu};
 
+/// The programs of the page on strategies compile as they stand there.
+#[cfg(all(doctest, feature = "measure", feature = "demo-scenes"))]
+#[doc = include_str!("../docs/writing-a-strategy.md")]
+mod writing_a_strategy {}
+
 /// What a program that culls names most.
 pub mod prelude {
     pub use antumbra_cull::{

@@ -1,4 +1,5 @@
-//! The strategy in the README compiles as shown, and passes the kit.
+//! What pages show of strategies is real: the one in the README compiles and passes the kit, and excerpts are from the example. (Whole programs of the page on strategies are
+//! documentation tests of the facade.)
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra::cull::{
@@ -30,4 +31,30 @@ fn the_readme_shows_a_strategy_that_passes_the_kit() {
     let (shown, _) = shown.split_once("// README: end").unwrap();
     assert!(include_str!("../README.md").contains(shown), "{shown}");
     kit::assert_conforms(|| Box::new(Sampled));
+}
+
+/// Lines without what indents them.
+fn lines(text: &str) -> String {
+    text.lines().flat_map(|line| [line.trim(), "\n"]).collect()
+}
+
+#[test]
+fn excerpts_on_the_page_on_strategies_are_from_the_example() {
+    let page = include_str!("../docs/writing-a-strategy.md");
+    let mut found = 0;
+    for (fence, example) in [
+        (
+            "```rust,ignore\n",
+            include_str!("../examples/gpu_strategy.rs"),
+        ),
+        ("```wgsl\n", include_str!("../examples/gpu_strategy.wgsl")),
+    ] {
+        let example = lines(example);
+        for block in page.split(fence).skip(1) {
+            let (excerpt, _) = block.split_once("```").unwrap();
+            assert!(example.contains(&lines(excerpt)), "{excerpt}");
+            found += 1;
+        }
+    }
+    assert_eq!(found, 4);
 }
