@@ -9,7 +9,7 @@ use crate::compute_pipeline::rows_of;
 use crate::entities::SceneTable;
 use crate::frame_graph::{CULL, FrameGraph, Shared};
 use crate::judge::{
-    Eye, GpuJudgedView, HostDepth, JudgedInstance, Part, PyramidNodes, depth_pyramid,
+    AT_MIDDLES, Eye, GpuJudgedView, HostDepth, JudgedInstance, Part, PyramidNodes, depth_pyramid,
 };
 use crate::renderer::DEPTH_FORMAT;
 use crate::view_nodes::ViewNodes;
@@ -55,7 +55,8 @@ impl FrameGraph<'_> {
         node.run(move |ctx| {
             let (scene, frame) = (ctx.get(inputs.scene)?, ctx.get(inputs.view)?);
             let eye = Eye::of(&frame.camera, size);
-            let made = GpuJudgedView::new(&eye, size, host, scene.table.slots(), 0);
+            let flags = if host.samples == 1 { AT_MIDDLES } else { 0 };
+            let made = GpuJudgedView::new(&eye, size, host, scene.table.slots(), flags);
             Ok(ctx.upload(uniform, 0, bytemuck::bytes_of(&made))?)
         });
         let job = match host.samples {

@@ -60,7 +60,7 @@ pub use record::{JudgedInstance, Part};
 pub use view::JudgeView;
 
 use answers::Asked;
-pub(crate) use eye::GpuJudgedView;
+pub(crate) use eye::{AT_MIDDLES, GpuJudgedView};
 use eye::{FORGET, FRAME_LATE};
 use list::List;
 use masks::Masks;

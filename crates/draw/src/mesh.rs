@@ -5,11 +5,11 @@
 
 use antumbra_scene::{Aabb, Geometry, Mesh};
 use bytemuck::{Pod, Zeroable};
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 use crate::arena::Arena;
 use crate::error::DrawError;
-use antumbra_cull::{Gpu, IndexRange, MeshRanges};
+use antumbra_cull::{Gpu, IndexRange, MeshRanges, OrientedBox};
 
 /// A vertex's attributes other than its position.
 #[repr(C)]
@@ -98,6 +98,7 @@ impl MeshArenas {
             boxed,
             box_margin,
             deviation,
+            roundness: bounds.map_or(OrientedBox::ANGULAR, |bounds| roundness(mesh, &bounds)),
             bounds: bounds.unwrap_or(Aabb::EMPTY),
         })
     }
@@ -131,6 +132,20 @@ fn box_margin(bounds: &Aabb) -> f64 {
     let largest = (bounds.max - bounds.min).max_element() * 0.5;
     let reach = bounds.min.abs().max(bounds.max.abs()).max_element();
     largest * 1e-2 + reach * f64::from(f32::EPSILON) * 8.0
+}
+
+/// How round a mesh is: the largest distance of any vertex from the middle of its bounds, where these are a cube with an edge of 2.
+fn roundness(mesh: &Mesh, bounds: &Aabb) -> f32 {
+    let (centre, half) = (bounds.centre(), bounds.half_extents());
+    // Along an axis without extent every vertex is in the middle.
+    let inverse = DVec3::select(half.cmpgt(DVec3::ZERO), half.recip(), DVec3::ZERO);
+    let geometries = mesh.levels.iter().chain(&mesh.proxy);
+    let vertices = geometries.flat_map(|geometry| &geometry.positions);
+    let squared = vertices
+        .map(|vertex| ((Vec3::from(*vertex).as_dvec3() - centre) * inverse).length_squared())
+        .fold(0.0, f64::max);
+    // Rounded up; the box itself has the rest.
+    ((squared.sqrt() * (1.0 + 1e-6)) as f32).min(OrientedBox::ANGULAR)
 }
 
 /// Widens bounds by a margin. A rasteriser snaps each vertex by itself, so a box must be wider than its contents by more than that.

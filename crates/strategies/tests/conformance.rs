@@ -4,7 +4,7 @@
 use antumbra_cull::{AdapterChoice, Counting, Gpu};
 use antumbra_strategies::registry;
 use antumbra_testing::{gl, vulkan};
-use antumbra_verify::kit::{Case, Kit, KitFailure, OtherSetups, ViolationKind};
+use antumbra_verify::kit::{Case, Kit, KitFailure, OtherSetups, Setup, ViolationKind};
 
 /// Checks strategies, given as the registry parses them. Reports all failures together.
 fn conform(gpu: &Gpu, kit: &Kit, strategies: impl IntoIterator<Item = String>) {
@@ -168,6 +168,33 @@ fn walks(gpu: &Gpu) {
 
 fn depth_pyramid(gpu: &Gpu) {
     conform(gpu, &small(), named(&["depth-pyramid"]));
+}
+
+/// Random worlds, one a seed: more of them with PYRAMID_SEEDS=1000 in the environment.
+#[test]
+fn depth_pyramid_culls_nothing_visible_in_random_worlds() {
+    let seeds = std::env::var("PYRAMID_SEEDS").map_or(12, |text| text.parse().unwrap());
+    for gpu in [vulkan(), gl()] {
+        for seed in 0..seeds {
+            let kit = Kit {
+                seed,
+                // Odd sizes, and now and then several samples a pixel.
+                size: [61 + seed as u32 % 50, 47 + seed as u32 % 37],
+                cases: vec![Case::RandomScenes],
+                random_scenes: 2,
+                other_setups: OtherSetups::LeftOut,
+                setup: Setup {
+                    samples: match seed % 4 == 3 && gpu.reads_drawn_samples() {
+                        true => 4,
+                        false => 1,
+                    },
+                    ..Setup::PLAIN
+                },
+                ..Kit::default()
+            };
+            conform(gpu, &kit, named(&["depth-pyramid"]));
+        }
+    }
 }
 
 #[test]

@@ -15,7 +15,7 @@ struct JudgedView {
     depth_step: f32,
     // Number of instances.
     count: u32,
-    // Bits of `FORGET` and `FRAME_LATE`.
+    // Bits of `FORGET`, `FRAME_LATE` and `AT_MIDDLES`.
     flags: u32,
 }
 
@@ -23,6 +23,8 @@ struct JudgedView {
 const FORGET: u32 = 1u;
 // There is no second phase: what is not known to be hidden is drawn at once.
 const FRAME_LATE: u32 = 2u;
+// Everything is drawn with one sample a pixel, in its middle.
+const AT_MIDDLES: u32 = 4u;
 
 // What is found about an instance. A state holds it, and from bit 8 on the generation that it is about.
 const ABSENT: u32 = 0u;
@@ -48,6 +50,8 @@ struct RelativeBox {
     z: vec3<f32>,
     // The greatest absolute coordinates that occur on the way.
     reach: vec3<f32>,
+    // What is in it lies in the ellipsoid whose half axes are the half edges times this; 0: it may fill the box.
+    round: f32,
 }
 
 fn relative_box(instance: JudgedInstance) -> RelativeBox {
@@ -59,6 +63,8 @@ fn relative_box(instance: JudgedInstance) -> RelativeBox {
     made.y = vec3<f32>(instance.row_x.y, instance.row_y.y, instance.row_z.y);
     made.z = vec3<f32>(instance.row_x.z, instance.row_y.z, instance.row_z.z);
     made.reach = abs(made.centre) + abs(made.x) + abs(made.y) + abs(made.z);
+    let steps = (instance.traits >> 3u) & 31u;
+    made.round = select(0.0, 1.0 + (f32(steps) - 1.0) * 0.025, steps > 0u);
     return made;
 }
 

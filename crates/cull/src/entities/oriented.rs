@@ -13,15 +13,21 @@ pub struct OrientedBox {
     pub axes: [Vec3; 3],
     /// Half the size along each axis, in metres, with the rounding error of the mesh's f32 coordinates added.
     pub half: Vec3,
+    /// What is in the box lies in the ellipsoid whose half axes are the box's times this: 1 for a sphere, [`Self::ANGULAR`] for anything.
+    pub roundness: f32,
 }
 
 impl OrientedBox {
+    /// The roundness of what reaches a corner: the root of 3, rounded up.
+    pub const ANGULAR: f32 = 1.733;
+
     /// A box along the world's axes.
     pub fn aligned(bounds: &Aabb) -> Self {
         Self {
             centre: bounds.centre(),
             axes: Vec3::AXES,
             half: Vec3::from(bounds.half_extents().to_array().map(round_up)),
+            roundness: Self::ANGULAR,
         }
     }
 
@@ -31,9 +37,9 @@ impl OrientedBox {
         Aabb::from_centre(self.centre, edges[0] + edges[1] + edges[2])
     }
 
-    /// The box around the contents of `local` after the transform `world`. `bounds` are the bounds along the world's axes, used where a
+    /// The box around the contents of `local`, of this roundness, after the transform `world`. `bounds` are the bounds along the world's axes, used where a
     /// transform shears or flattens, so that a box does not stay a box.
-    pub(crate) fn new(local: &Aabb, world: &DAffine3, bounds: &Aabb) -> Self {
+    pub(crate) fn new(local: &Aabb, roundness: f32, world: &DAffine3, bounds: &Aabb) -> Self {
         let DMat3 {
             x_axis,
             y_axis,
@@ -56,6 +62,7 @@ impl OrientedBox {
             centre: world.transform_point3(local.centre()),
             axes: units.map(DVec3::as_vec3),
             half: (half + slack).as_vec3(),
+            roundness,
         }
     }
 }
@@ -89,7 +96,7 @@ mod tests {
             (DAffine3::IDENTITY, true),
         ] {
             let bounds = local.transformed(&world);
-            let oriented = OrientedBox::new(&local, &world, &bounds);
+            let oriented = OrientedBox::new(&local, OrientedBox::ANGULAR, &world, &bounds);
             let worst = local
                 .corners()
                 .map(|corner| outside(&oriented, world.transform_point3(corner)));
@@ -108,7 +115,12 @@ mod tests {
         assert!(OrientedBox::aligned(&odd).bounds().contains_box(&odd));
         // A flat mesh gets a small thickness.
         let sheet = Aabb::new(DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0));
-        let oriented = OrientedBox::new(&sheet, &placed, &sheet.transformed(&placed));
+        let oriented = OrientedBox::new(
+            &sheet,
+            OrientedBox::ANGULAR,
+            &placed,
+            &sheet.transformed(&placed),
+        );
         assert!(oriented.half.z > 0.0 && oriented.half.z < 1e-4);
     }
 }

@@ -2,6 +2,8 @@
 
 use antumbra_scene::Aabb;
 
+#[cfg(doc)]
+use super::OrientedBox;
 use super::detail::MeshDetail;
 
 /// One geometry in the shared vertex and index arenas.
@@ -37,6 +39,8 @@ pub struct MeshRanges {
     pub box_margin: f64,
     /// By how much the proxy's surface deviates from the full mesh's, at most, in the mesh's own units.
     pub deviation: f64,
+    /// The mesh lies in the ellipsoid whose half axes are those of `bounds` times this: 1 for a sphere, [`OrientedBox::ANGULAR`] for what reaches a corner.
+    pub roundness: f32,
     /// The bounding box itself, in the mesh's own space.
     pub bounds: Aabb,
 }

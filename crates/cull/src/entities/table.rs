@@ -323,7 +323,9 @@ impl SceneTable {
 
     fn orient(&self, mesh: u32, bounds: Aabb, world: &DAffine3) -> OrientedBox {
         match self.meshes.get(mesh as usize) {
-            Some(mesh) if !mesh.bounds.is_empty() => OrientedBox::new(&mesh.bounds, world, &bounds),
+            Some(mesh) if !mesh.bounds.is_empty() => {
+                OrientedBox::new(&mesh.bounds, mesh.roundness, world, &bounds)
+            }
             _ => OrientedBox::aligned(&bounds),
         }
     }

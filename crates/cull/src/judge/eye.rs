@@ -127,6 +127,7 @@ assert_layout!(GpuJudgedView, "judge_first", "JudgedView", { clip_from_relative,
 /// Bits of `GpuJudgedView::flags`.
 pub(super) const FORGET: u32 = 1;
 pub(super) const FRAME_LATE: u32 = 2;
+pub(crate) const AT_MIDDLES: u32 = 4;
 
 impl GpuJudgedView {
     pub fn new(eye: &Eye, size: [u32; 2], depth: HostDepth, count: u32, flags: u32) -> Self {

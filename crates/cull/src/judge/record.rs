@@ -34,7 +34,7 @@ pub struct JudgedInstance {
     pub row_z: [f32; 4],
     /// The low parts of the centre: what is left of each f64 coordinate after its high part, the nearest f32.
     pub centre_low: [f32; 3],
-    /// [`Self::HIDES`], [`Self::TESTED`] and [`Self::LIVE`], and from bit 8 on a generation: another one says that the index has a new owner, of which nothing is known.
+    /// [`Self::HIDES`], [`Self::TESTED`] and [`Self::LIVE`], bits 3 to 7 zero, and from bit 8 on a generation: another one says that the index has a new owner, of which nothing is known.
     pub traits: u32,
 }
 
@@ -66,6 +66,17 @@ impl JudgedInstance {
         )
     }
 
+    /// Bits 3 to 7 of the traits, as `shared/judged_instance.wgsl` has them: how round it is, in steps of a fortieth, rounded up; 0 for what gains nothing by it.
+    fn round_bits(roundness: f32) -> u32 {
+        let steps = ((roundness - 1.0).max(0.0) * 40.0).ceil();
+        // Written so that what is not a number gains nothing.
+        if steps < 26.0 {
+            (steps as u32 + 1) << 3
+        } else {
+            0
+        }
+    }
+
     fn of_edges(centre: DVec3, [x, y, z]: [Vec3; 3], traits: u32) -> Self {
         let SplitPoint { high, low } = SplitPoint::new(centre);
         let row = |axis: usize| [x[axis], y[axis], z[axis], high[axis]];
@@ -81,7 +92,8 @@ impl JudgedInstance {
     /// The record of a box of ours.
     pub(crate) fn oriented(what: &OrientedBox, part: Part) -> Self {
         let edges = [0, 1, 2].map(|axis| what.axes[axis] * what.half[axis]);
-        Self::of_edges(what.centre, edges, Self::traits(part, 0))
+        let round = Self::round_bits(what.roundness);
+        Self::of_edges(what.centre, edges, Self::traits(part, 0) | round)
     }
 
     /// The traits of a live instance.
