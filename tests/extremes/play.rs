@@ -18,7 +18,9 @@ pub fn strategies() -> Vec<String> {
         .names()
         .flat_map(|name| {
             let settings = match name {
-                "none" | "frustum" | "ideal" | "occupancy-map-single" => vec![String::new()],
+                "none" | "frustum" | "ideal" | "depth-pyramid" | "occupancy-map-single" => {
+                    vec![String::new()]
+                }
                 "stop-and-wait" => vec![":batch=16".to_owned()],
                 "three-pass" => vec![
                     format!(":latency=same-frame:{exact}"),
