@@ -18,11 +18,11 @@ pub(crate) struct AdaptiveThreshold {
     pub allowed: Host<Allowed>,
 }
 
-/// Visible samples that a frame may leave out, and pixels of the image they are counted in.
+/// Visible samples that a frame may leave out, and samples of the image they are counted in.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Allowed {
     pub samples: u64,
-    pub pixels: u32,
+    pub image_samples: u32,
 }
 
 /// Mirrors `AdaptedThreshold` of `shared/threshold.wgsl`.
@@ -77,7 +77,7 @@ impl FrameGraph<'_> {
             let slots: Vec<u32> = inside.filter(|slot| !candidates.is_exempt(*slot)).collect();
             let now = Allowed {
                 samples: selection.allowance.samples(),
-                pixels: selection.allowance.pixels,
+                image_samples: selection.allowance.image_samples,
             };
             let numbers = GpuSettings {
                 count: slots.len() as u32,

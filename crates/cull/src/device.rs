@@ -82,6 +82,14 @@ pub enum DeviceError {
         /// The missing capability.
         what: String,
     },
+    /// The device does not draw with so many samples a pixel.
+    #[error("{samples} samples a pixel: this device draws with {allowed:?}")]
+    Samples {
+        /// What was asked for.
+        samples: u32,
+        /// What it has.
+        allowed: Vec<u32>,
+    },
     /// The device was lost. Unfinished output was not written.
     #[error(
         "the device was lost ({0}); nothing was half-written. Restart the program, or choose another adapter with --adapter"
@@ -250,9 +258,21 @@ impl Gpu {
         both
     }
 
-    /// Whether shaders can read a texture of several samples a pixel that was drawn into. wgpu draws nothing into such a texture on OpenGL (gfx-rs/wgpu#6084).
+    /// Refuses so many samples a pixel where the device does not draw with them. Pipelines are made before a graph is compiled, and would fail without saying where.
+    ///
+    /// # Errors
+    /// [`DeviceError::Samples`], with what the device has.
+    pub fn check_samples(&self, samples: u32) -> Result<(), DeviceError> {
+        let allowed = self.sample_counts();
+        match allowed.contains(&samples) {
+            true => Ok(()),
+            false => Err(DeviceError::Samples { samples, allowed }),
+        }
+    }
+
+    /// Whether shaders can read a texture of several samples a pixel that was drawn into: [`antumbra_graph::reads_drawn_samples`].
     pub fn reads_drawn_samples(&self) -> bool {
-        self.info.backend != wgpu::Backend::Gl
+        antumbra_graph::reads_drawn_samples(&self.device)
     }
 
     /// The adapter as `name (backend)`.

@@ -46,10 +46,10 @@ impl From<u32> for SampleRule {
 /// How much visible area a frame may leave out: the entities with the fewest visible samples, as many as cover no more than this part of the image.
 #[derive(Debug, Clone, Default)]
 pub struct Allowance {
-    /// The part, in percent of the image's pixels; 0: none.
+    /// The part, in percent of the image; 0: none.
     pub percent: Dial,
     /// Samples of the image that is counted in: its pixels, times the samples of each.
-    pub pixels: u32,
+    pub image_samples: u32,
 }
 
 impl Allowance {
@@ -63,14 +63,14 @@ impl Allowance {
 
     /// In samples.
     pub(crate) fn samples(&self) -> u64 {
-        (f64::from(self.percent.get()) / 100.0 * f64::from(self.pixels)).max(0.0) as u64
+        (f64::from(self.percent.get()) / 100.0 * f64::from(self.image_samples)).max(0.0) as u64
     }
 
     /// The same allowance, for a node's body.
     pub(crate) fn shared(&self) -> Self {
         Self {
             percent: self.percent.shared(),
-            pixels: self.pixels,
+            image_samples: self.image_samples,
         }
     }
 }

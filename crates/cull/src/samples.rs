@@ -88,7 +88,7 @@ impl Samples {
             ..selection.rule
         };
         self.judge(table, candidates, rule, verdicts);
-        verdicts.share_left_out_of(selection.allowance.pixels);
+        verdicts.share_left_out_of(selection.allowance.image_samples);
     }
 
     /// The threshold of the rule, or a higher one that keeps within the allowance.

@@ -70,8 +70,8 @@ impl Stage {
     /// Declares a strategy's nodes for these views and compiles them.
     ///
     /// # Errors
-    /// [`StageError::Declare`] and [`StageError::Compile`]; [`StageError::Input`] without a view or with one of no pixels; [`StageError::Samples`] for samples that
-    /// the device does not have.
+    /// [`StageError::Declare`] and [`StageError::Compile`]; [`StageError::Input`] without a view or with one of no pixels; [`StageError::Device`] for samples
+    /// that the device does not have.
     pub fn new(
         scene: &dyn StageScene,
         strategy: Box<dyn Strategy>,
@@ -85,7 +85,7 @@ impl Stage {
             spec.check(scene.gpu())?;
         }
         scene.gpu().check_capabilities()?;
-        options::check_samples(scene.gpu(), options.samples)?;
+        scene.gpu().check_samples(options.samples)?;
         let mut strategy = strategy;
         let mut options = options;
         if let Some(Budget::WrongPixels(percent)) = options.budget

@@ -92,9 +92,9 @@ impl Verdicts {
         self.left_out += u64::from(samples);
     }
 
-    /// Sets the number of pixels of the image that samples were counted in.
-    pub fn share_left_out_of(&mut self, pixels: u32) {
-        self.counted_in = pixels;
+    /// Sets the number of samples of the image that is counted in.
+    pub fn share_left_out_of(&mut self, image_samples: u32) {
+        self.counted_in = image_samples;
     }
 
     /// The part of the image, in percent, that the entities below the threshold cover by their counted samples: wrong pixels that were intended. `None`

@@ -1,5 +1,7 @@
 //! Compiles a declared graph into a plan, or into a list of everything that is wrong with it.
 
+pub use crate::compile::device::reads_drawn_samples;
+
 use crate::access::Access;
 use crate::compile::device::Capabilities;
 use crate::compile::lifetimes::Layout;

@@ -82,6 +82,7 @@ mod sync;
 mod timing;
 
 pub use bind::{Bind, External};
+pub use compile::reads_drawn_samples;
 pub use compute::ComputeBuilder;
 pub use context::{ComputeContext, CopyContext, HostContext, RasterContext};
 pub use copy::{CopyBuilder, Copyable};

@@ -4,6 +4,7 @@
 //! [any matrix](ClipMatrix).
 //! Coordinates on the GPU are relative to the camera, so the view matrix is a rotation.
 
+mod by_matrix;
 mod clip_matrix;
 mod error;
 mod projection;
@@ -16,7 +17,7 @@ use crate::bounds::Aabb;
 use crate::frustum::{Frustum, Plane};
 use clip_matrix::turned;
 use error::finite;
-use glam::{DMat3, DMat4, DQuat, DVec2, DVec3, DVec4, Mat4};
+use glam::{DMat3, DMat4, DQuat, DVec2, DVec3, Mat4};
 
 /// A camera: a pose and a projection.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,19 +153,6 @@ impl Camera {
         }
     }
 
-    /// The plane on which a row of a matrix is 0, inside where it is positive; `None` where it is the same everywhere.
-    fn plane(&self, row: DVec4) -> Option<Plane> {
-        let (direction, offset) = turned(row, self.rotation);
-        let length = direction.length();
-        (length > 0.0).then(|| {
-            let normal = direction / length;
-            Plane {
-                normal,
-                offset: offset / length - normal.dot(self.position),
-            }
-        })
-    }
-
     /// The rotation from camera-relative world coordinates to view coordinates. It is the view matrix without its
     /// translation, which is subtracted in f64 before anything goes to the GPU.
     #[must_use]
@@ -231,12 +219,12 @@ impl Camera {
         if bounds.is_empty() {
             return false;
         }
+        if let Projection::Matrix(matrix) = self.projection {
+            return self.matrix_crosses_near(&matrix, bounds);
+        }
         let reach = (bounds.min - self.position)
             .abs()
             .max((bounds.max - self.position).abs());
-        if let Projection::Matrix(_) = self.projection {
-            return self.matrix_crosses_near(bounds, aspect);
-        }
         let near = self.near();
         let margin = reach.max_element() * OPENING + near.abs() * 1e-3 + self.rounding();
         let bounds = bounds.grown(DVec3::splat(margin));
@@ -245,9 +233,8 @@ impl Camera {
             return true;
         }
         let forward = self.forward();
-        let sides = self.sides(aspect, DVec2::NEG_ONE, DVec2::ONE);
+        let mut planes = self.sides(aspect, DVec2::NEG_ONE, DVec2::ONE);
         let near_point = self.position + forward * near;
-        let mut planes = sides;
         planes.push(Plane::through(near_point, -forward));
         if parallel {
             // The volume in front of the near plane is unbounded. The near plane cuts only boxes on both sides of it.
@@ -262,69 +249,6 @@ impl Camera {
     pub fn nearest_corner_distance(&self, bounds: &Aabb) -> f64 {
         let squared = bounds.corners().map(|c| c.distance_squared(self.position));
         squared.into_iter().fold(f64::INFINITY, f64::min).sqrt()
-    }
-
-    /// [`Self::window`] for a matrix.
-    fn matrix_window(&self, matrix: &ClipMatrix, low: DVec2, high: DVec2) -> Vec<Plane> {
-        let [_, _, z, w] = matrix.rows();
-        let mut planes = self.matrix_sides(matrix, low, high);
-        let slack = self.rounding();
-        let near = self.plane(matrix.near_row()).map(|plane| Plane {
-            offset: plane.offset + plane.distance(self.position).abs() * OPENING,
-            ..plane
-        });
-        let far = self.plane(z + w * OPENING);
-        let grown = |plane: Plane| Plane {
-            offset: plane.offset + slack,
-            ..plane
-        };
-        planes.extend([near, far].into_iter().flatten().map(grown));
-        planes
-    }
-
-    /// The side planes of a matrix, opened. Where the window is off the axis, by as much more as its middle is.
-    fn matrix_sides(&self, matrix: &ClipMatrix, low: DVec2, high: DVec2) -> Vec<Plane> {
-        let [x, y, _, w] = matrix.rows();
-        let along = w.truncate();
-        let off = |row: DVec4| {
-            let shift = row.truncate().dot(along) / along.length_squared();
-            if shift.is_finite() { shift.abs() } else { 0.0 }
-        };
-        let opening = |row: DVec4| w * (OPENING * (1.0 + off(row)));
-        let rows = [
-            x - w * low.x + opening(x),
-            w * high.x - x + opening(x),
-            y - w * low.y + opening(y),
-            w * high.y - y + opening(y),
-        ];
-        let slack = self.rounding();
-        let planes = rows.into_iter().filter_map(|row| self.plane(row));
-        let grown = |plane: Plane| Plane {
-            offset: plane.offset + slack,
-            ..plane
-        };
-        planes.map(grown).collect()
-    }
-
-    /// [`Self::crosses_near`] for a matrix. An oblique near plane may have points in front of it that are beside or behind the eye.
-    fn matrix_crosses_near(&self, bounds: &Aabb, aspect: f64) -> bool {
-        let near = self.near_plane();
-        let reach = (bounds.min - self.position)
-            .abs()
-            .max((bounds.max - self.position).abs());
-        let clear = near.distance(self.position).abs();
-        let margin = reach.max_element() * OPENING + clear * 1e-3 + self.rounding();
-        let bounds = bounds.grown(DVec3::splat(margin));
-        let (centre, half) = (bounds.centre(), bounds.half_extents());
-        let (divides, at_eye) = self.divisor();
-        let least = divides.dot(centre - self.position) + at_eye - divides.abs().dot(half);
-        if least <= 0.0 {
-            return true;
-        }
-        let (middle, around) = (near.distance(centre), near.normal.abs().dot(half));
-        let cut = middle - around <= 0.0 && middle + around >= 0.0;
-        let sides = self.sides(aspect, DVec2::NEG_ONE, DVec2::ONE);
-        cut && Frustum::new(sides).intersects(&bounds)
     }
 
     /// The side planes of a part of the image, with inward normals.
@@ -396,7 +320,6 @@ impl Camera {
                     height * 0.5 * diagonal,
                 )
             }
-            // Not bounded by a ball.
             Projection::Matrix(_) => (self.position, f64::INFINITY),
         }
     }

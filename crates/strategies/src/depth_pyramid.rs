@@ -5,7 +5,7 @@
 //! the first phase draws, an entity that is not drawn at the end was tested against depth that is in the image, in this frame and from this camera. So cuts, moved
 //! and new entities need no care. Transparent entities are tested, and hide nothing; those with a mask hide by what is left of them.
 
-use antumbra_cull::{Counting, DeclareError, FrameGraph, Latency, Strategy, ViewNodes, VisibleSet};
+use antumbra_cull::{DeclareError, FrameGraph, Latency, Strategy, ViewNodes, VisibleSet};
 
 use crate::found_on_gpu::{ExemptEntities, opaque, shade_found_transparent, verdicts};
 
@@ -35,11 +35,10 @@ impl Strategy for DepthPyramid {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
-        // The same as for ids: compute shaders, and samples that they can read.
-        if let Some(lacking) = Counting::Identity.lacking(g.gpu(), g.samples()) {
+        if g.samples() > 1 && !g.gpu().reads_drawn_samples() {
             return Err(DeclareError::Device {
                 strategy: self.name().to_owned(),
-                lacking: lacking.to_owned(),
+                lacking: "shaders that read the samples of what was drawn".to_owned(),
                 instead: "draw one sample a pixel, or take another strategy".to_owned(),
             });
         }

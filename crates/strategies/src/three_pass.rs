@@ -308,7 +308,7 @@ impl Strategy for ThreePass {
         let counts = g.count_samples(view, proxies, way, size);
         let allowance = Allowance {
             percent: self.allow.shared(),
-            pixels: size[0].saturating_mul(size[1]).saturating_mul(g.samples()),
+            image_samples: size[0].saturating_mul(size[1]).saturating_mul(g.samples()),
         };
         Ok(g.visible_samples_within(view, candidates, counts, self.latency, rule, &allowance))
     }

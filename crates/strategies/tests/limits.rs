@@ -8,13 +8,13 @@ use antumbra_strategies::registry;
 use antumbra_testing::{balls_with_proxies, gpus, views};
 use antumbra_verify::kit::{Case, Kit};
 
-/// A device without features and with the default limits, on an adapter of this backend.
-fn plain(backend: wgpu::Backends) -> Gpu {
+/// A device with these features alone and with the default limits, on an adapter of this backend.
+fn plain(backend: wgpu::Backends, features: wgpu::Features) -> Gpu {
     let adapters = pollster::block_on(antumbra_cull::adapters(backend));
     let adapter = adapters.first().expect("an adapter, as for all tests");
     let limits = wgpu::Limits::default().or_worse_values_from(&adapter.limits());
     let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
-        required_features: wgpu::Features::empty(),
+        required_features: features,
         required_limits: limits,
         ..Default::default()
     }))
@@ -42,7 +42,7 @@ fn kit() -> Kit {
 #[test]
 fn what_needs_no_feature_conforms_on_default_limits() {
     for backend in [wgpu::Backends::VULKAN, wgpu::Backends::GL] {
-        let gpu = plain(backend);
+        let gpu = plain(backend, wgpu::Features::empty());
         for text in [
             "frustum",
             "stop-and-wait",
@@ -63,8 +63,25 @@ fn what_needs_no_feature_conforms_on_default_limits() {
 }
 
 #[test]
+fn what_needs_indirect_draws_alone_conforms_on_default_limits() {
+    for backend in [wgpu::Backends::VULKAN, wgpu::Backends::GL] {
+        let gpu = plain(backend, wgpu::Features::INDIRECT_FIRST_INSTANCE);
+        for text in [
+            "three-pass:latency=on-gpu",
+            "coherent:latency=on-gpu",
+            "depth-pyramid",
+        ] {
+            let make = || registry().parse(text).unwrap();
+            if let Err(failure) = kit().check_on(&gpu, make) {
+                panic!("{text}: {failure}");
+            }
+        }
+    }
+}
+
+#[test]
 fn what_needs_indirect_draws_says_so() {
-    let gpu = plain(wgpu::Backends::VULKAN);
+    let gpu = plain(wgpu::Backends::VULKAN, wgpu::Features::empty());
     let scene = GpuScene::new(&gpu, &mut balls_with_proxies(3)).unwrap();
     let stage = |text: &str| {
         let strategy = registry().parse(text).unwrap();
@@ -75,7 +92,11 @@ fn what_needs_indirect_draws_says_so() {
             StageOptions::default(),
         )
     };
-    for text in ["three-pass:latency=on-gpu", "coherent:latency=on-gpu"] {
+    for text in [
+        "three-pass:latency=on-gpu",
+        "coherent:latency=on-gpu",
+        "depth-pyramid",
+    ] {
         let error = stage(text).unwrap_err().to_string();
         assert!(error.contains("INDIRECT_FIRST_INSTANCE"), "{text}: {error}");
         assert!(

@@ -132,7 +132,7 @@ impl Oracle {
     /// synced.
     ///
     /// # Errors
-    /// [`StageError::Camera`] for an invalid camera, [`StageError::Samples`] and [`StageError::Compile`] for a size that the device cannot draw,
+    /// [`StageError::Camera`] for an invalid camera, [`StageError::Device`] for samples and [`StageError::Compile`] for a size that the device cannot draw,
     /// [`StageError::Execute`] or [`StageError::Device`] when the device fails.
     pub fn render(
         &mut self,
@@ -144,13 +144,7 @@ impl Oracle {
             view: "oracle".to_owned(),
             error,
         })?;
-        let allowed = self.gpu.sample_counts();
-        if !allowed.contains(&self.image.samples) {
-            return Err(StageError::Samples {
-                samples: self.image.samples,
-                allowed,
-            });
-        }
+        self.gpu.check_samples(self.image.samples)?;
         let layout = scene.layout();
         let current = self
             .built

@@ -57,8 +57,8 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
     let mut stage = Stage::new(&scene, strategy, input.views(), options)?;
     let mut oracle = Oracle::new(&scene, input.size).with_samples(input.samples);
     let views = inputs(Some(&mut oracle), &scene, &cameras)?;
-    // Culled entities are shown by pixel.
-    let mut oracle = Oracle::new(&scene, input.size);
+    // Culled entities are shown by pixel, not by sample.
+    let mut by_pixel = Oracle::new(&scene, input.size);
     // Late results need frames to arrive.
     for _ in 0..3 {
         stage.frame(&scene, &views)?;
@@ -74,7 +74,7 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
             save_traversal(&image, sketch, file)?;
         }
         if args.show_culled {
-            show_culled(&mut image, &stage, view, &scene, camera, &mut oracle)?;
+            show_culled(&mut image, &stage, view, &scene, camera, &mut by_pixel)?;
         }
         pictures.push(image);
     }

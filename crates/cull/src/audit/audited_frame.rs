@@ -16,7 +16,7 @@ pub(super) struct AuditedFrame {
     pub cuts: u64,
     /// What the frame left out by its own count, in percent of the image, where the host knows it.
     pub left_out: Option<f64>,
-    /// Pixels of the image that samples are counted in, where the threshold is adapted on the GPU, which then says what was left out.
+    /// Samples of the image that is counted in, where the threshold is adapted on the GPU, which then says what was left out.
     pub counted: Option<u32>,
     /// Pixels of the view.
     pub pixels: f64,
@@ -63,8 +63,8 @@ impl AuditedFrame {
         }
         let left_out = match (self.counted, bytes.last_chunk()) {
             (Some(_), _) if !self.plan.sampled => None,
-            (Some(pixels), Some(samples)) => {
-                Some(f64::from(u32::from_le_bytes(*samples)) / f64::from(pixels.max(1)) * 100.0)
+            (Some(all), Some(samples)) => {
+                Some(f64::from(u32::from_le_bytes(*samples)) / f64::from(all.max(1)) * 100.0)
             }
             _ => self.left_out,
         };

@@ -177,7 +177,7 @@ impl FrameGraph<'_> {
                 VerdictSource::Gpu { rule, .. } => rule.threshold,
             };
             let counted = match buffers.adapted {
-                Some(adapted) => Some(ctx.get(adapted.allowed)?.pixels),
+                Some(adapted) => Some(ctx.get(adapted.allowed)?.image_samples),
                 None => None,
             };
             let settings = GpuSettings::new(list.entries().len(), threshold, samples);

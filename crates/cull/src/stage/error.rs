@@ -30,14 +30,6 @@ pub enum StageError {
         /// The strategy.
         strategy: String,
     },
-    /// The device does not draw with so many samples a pixel.
-    #[error("{samples} samples a pixel: this device draws with {allowed:?}")]
-    Samples {
-        /// What was asked for.
-        samples: u32,
-        /// What it has.
-        allowed: Vec<u32>,
-    },
     /// A frame failed.
     #[error(transparent)]
     Execute(#[from] ExecuteError),

@@ -39,15 +39,6 @@ impl ViewSpec {
     }
 }
 
-/// Refuses samples that the device does not draw with. Pipelines are made before the graph is compiled, and would fail without saying where.
-pub(super) fn check_samples(gpu: &Gpu, samples: u32) -> Result<(), StageError> {
-    let allowed = gpu.sample_counts();
-    match allowed.contains(&samples) {
-        true => Ok(()),
-        false => Err(StageError::Samples { samples, allowed }),
-    }
-}
-
 /// What a stage makes of what a strategy chooses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum StageOutput {

@@ -14,11 +14,16 @@ pub(crate) struct Capabilities<'a> {
     limits: wgpu::Limits,
     downlevel: DownlevelFlags,
     adapter: Option<&'a wgpu::Adapter>,
-    /// Whether shaders can read a texture of several samples a texel that was drawn into: wgpu draws nothing into such a texture on OpenGL (gfx-rs/wgpu#6084).
     reads_drawn_samples: bool,
     /// Whether a shader can sample one mip of a texture while it writes another. On OpenGL a texture has only the mips that it was last sampled with, and writes of others are
     /// dropped in silence (WebGPU's compatibility mode forbids it, too: gpuweb/gpuweb#5224).
     samples_beside_writes: bool,
+}
+
+/// Whether shaders on this device can read a texture of several samples a texel that was drawn into. wgpu draws nothing into such a texture on OpenGL
+/// (gfx-rs/wgpu#6084); `compile` refuses a plan that would.
+pub fn reads_drawn_samples(device: &wgpu::Device) -> bool {
+    device.adapter_info().backend != wgpu::Backend::Gl
 }
 
 impl<'a> Capabilities<'a> {
@@ -38,7 +43,7 @@ impl<'a> Capabilities<'a> {
             limits: device.limits(),
             downlevel,
             adapter,
-            reads_drawn_samples: device.adapter_info().backend != wgpu::Backend::Gl,
+            reads_drawn_samples: reads_drawn_samples(device),
             samples_beside_writes: device.adapter_info().backend != wgpu::Backend::Gl,
         }
     }

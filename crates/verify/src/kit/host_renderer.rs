@@ -1,7 +1,7 @@
 //! Stands in for a renderer that is not ours. It shades with the built-in pipelines and then goes on: every pass has a node of its own after it, so that
-//! a strategy that does not take the versions it is given back draws into textures that somebody else writes, and does not compile.
+//! a strategy that does not take the versions it is given back draws into textures that another node writes, and does not compile.
 
-use antumbra_cull::{DrawSource, Pass, Renderer, ShadeTargets, Targets, TestRenderer};
+use antumbra_cull::{DrawSource, Pass, Renderer, ShadeTargets, StageOutput, Targets, TestRenderer};
 use antumbra_draw::BuiltinRenderer;
 
 /// The renderer.
@@ -32,8 +32,8 @@ impl Renderer for HostRenderer {
         let mut node = graph.raster(own);
         node.group(group);
         let colour = match output {
-            antumbra_cull::StageOutput::Image => node.colour(shaded.targets.colour),
-            antumbra_cull::StageOutput::Answers => shaded.targets.colour,
+            StageOutput::Image => node.colour(shaded.targets.colour),
+            StageOutput::Answers => shaded.targets.colour,
         };
         let ids = shaded.ids.map(|ids| node.colour(ids));
         let depth = node.depth(shaded.targets.depth);

@@ -3,8 +3,8 @@
 use std::fmt;
 
 use antumbra_cull::{
-    Counting, DeclareError, FrustumOnly, Gpu, Stage, StageError, StageOptions, StageOutput,
-    Strategy, ViewSpec,
+    Counting, DeclareError, DeviceError, FrustumOnly, Gpu, Stage, StageError, StageOptions,
+    StageOutput, Strategy, ViewSpec,
 };
 use antumbra_draw::GpuScene;
 use antumbra_graph::{CompileError, Mode};
@@ -99,8 +99,8 @@ impl Setup {
         };
         let refused = |error: StageError| lacks(&error).then(|| error.to_string());
         // What no strategy can do on this device, then what this one cannot.
-        let nobody = stage(Box::new(FrustumOnly)).err().and_then(refused);
-        Ok(nobody.or_else(|| stage(strategy).err().and_then(refused)))
+        let by_device = stage(Box::new(FrustumOnly)).err().and_then(refused);
+        Ok(by_device.or_else(|| stage(strategy).err().and_then(refused)))
     }
 }
 
@@ -108,7 +108,7 @@ impl Setup {
 fn lacks(error: &StageError) -> bool {
     match error {
         StageError::NoAnswers { .. }
-        | StageError::Samples { .. }
+        | StageError::Device(DeviceError::Samples { .. })
         | StageError::Declare(DeclareError::Device { .. }) => true,
         StageError::Compile { errors, .. } => errors.errors.iter().all(|error| {
             matches!(
