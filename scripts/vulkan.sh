@@ -83,7 +83,7 @@ driver_places() {
 # driver_loads MANIFEST: does the library that the manifest names exist?
 driver_loads() {
     local library
-    library=$(sed -n 's/.*"library_path"[[:space:]]*:[[:space:]]*"\([^"]*\)".*/\1/p' "$1" | head -n 1)
+    library=$(sed -n 's/.*"library_path"[[:space:]]*:[[:space:]]*"\([^"]*\)".*/\1/p' "$1" | sed -n 1p)
     case "$library" in
     '') return 1 ;;
     /*) [ -e "$library" ] ;;
