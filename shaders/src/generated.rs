@@ -11,6 +11,7 @@ pub static ALL: &[&crate::Job] = &[
 &cull_patches_many::JOB,
 &cull_patches_one::JOB,
 &depth::JOB,
+&first_slots::JOB,
 &histogram_many::JOB,
 &histogram_one::JOB,
 &identity::JOB,
@@ -59,6 +60,8 @@ crate::SharedSource { name: "position", text: include_str!("../wgsl/shared/posit
 crate::SharedSource { name: "prefix_sum", text: include_str!("../wgsl/shared/prefix_sum.wgsl") },
 crate::SharedSource { name: "pyramid", text: include_str!("../wgsl/shared/pyramid.wgsl") },
 crate::SharedSource { name: "reduce", text: include_str!("../wgsl/shared/reduce.wgsl") },
+crate::SharedSource { name: "seen_shape", text: include_str!("../wgsl/shared/seen_shape.wgsl") },
+crate::SharedSource { name: "slot_states", text: include_str!("../wgsl/shared/slot_states.wgsl") },
 crate::SharedSource { name: "test_slots", text: include_str!("../wgsl/shared/test_slots.wgsl") },
 crate::SharedSource { name: "threshold", text: include_str!("../wgsl/shared/threshold.wgsl") },
 crate::SharedSource { name: "transparent_sums", text: include_str!("../wgsl/shared/transparent_sums.wgsl") },
@@ -151,29 +154,37 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/compact.wgsl"), include_s
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("compact"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/compact.wgsl"), first_line: 1, lines: 84 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 85, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/prefix_sum.wgsl"), first_line: 95, lines: 29 }, ]),
-entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/compact.wgsl"), first_line: 1, lines: 165 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 166, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/prefix_sum.wgsl"), first_line: 176, lines: 29 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("mark"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("scan"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("gather"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
-bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("settings"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
-}, crate::Binding { group: 0, name: Borrowed("batches"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(32) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
-}, crate::Binding { group: 0, name: Borrowed("candidates"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
-}, crate::Binding { group: 0, name: Borrowed("counts"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
-}, crate::Binding { group: 0, name: Borrowed("kept"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
-}, crate::Binding { group: 0, name: Borrowed("draws"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(20) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
-}, crate::Binding { group: 0, name: Borrowed("adapted"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("compact"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("settings"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("mark"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("scan"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("gather"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("batches"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(32) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("mark"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("gather"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("candidates"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("mark"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("gather"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("counts"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("mark"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("kept"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("gather"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("draws"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(20) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("gather"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("adapted"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(16) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("mark"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("marks"), entry: wgpu::BindGroupLayoutEntry { binding: 7, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("mark"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("gather"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("blocks"), entry: wgpu::BindGroupLayoutEntry { binding: 8, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("mark"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("scan"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("gather"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
 }, ]),
 structs: Borrowed(&[crate::StructLayout { name: Borrowed("AdaptedThreshold"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("padding_a"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("threshold"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("left_out"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 12, size: 4 }, ]),
 tail: None }, crate::StructLayout { name: Borrowed("Batch"), kind: crate::LayoutKind::Memory, size: 32, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("first"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("index_count"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("first_index"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("base_vertex"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("over"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("most"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("hidden"), offset: 28, size: 4 }, ]),
 tail: None }, crate::StructLayout { name: Borrowed("Draw"), kind: crate::LayoutKind::Memory, size: 20, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("index_count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("instance_count"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("first_index"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("base_vertex"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("first_instance"), offset: 16, size: 4 }, ]),
-tail: None }, crate::StructLayout { name: Borrowed("Settings"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 12, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Settings"), kind: crate::LayoutKind::Memory, size: 16, align: 4, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("count"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("entries"), offset: 12, size: 4 }, ]),
 tail: None }, ]),
 overrides: Borrowed(&[]),
 immediate_size: 0,
 features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
 /// Names of the entry points.
 pub mod entry {
-/// `compact`.
-pub const COMPACT: &str = "compact";
+/// `mark`.
+pub const MARK: &str = "mark";
+/// `scan`.
+pub const SCAN: &str = "scan";
+/// `gather`.
+pub const GATHER: &str = "gather";
 }
 /// Places of the variables in use.
 pub mod binding {
@@ -191,11 +202,19 @@ pub const KEPT: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4
 pub const DRAWS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
 /// `adapted`.
 pub const ADAPTED: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `marks`.
+pub const MARKS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 7 };
+/// `blocks`.
+pub const BLOCKS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 8 };
 }
 /// Workgroup sizes of the compute entry points.
 pub mod workgroup {
-/// Of `compact`.
-pub const COMPACT: [u32; 3] = [64, 1, 1];
+/// Of `mark`.
+pub const MARK: [u32; 3] = [64, 1, 1];
+/// Of `scan`.
+pub const SCAN: [u32; 3] = [64, 1, 1];
+/// Of `gather`.
+pub const GATHER: [u32; 3] = [64, 1, 1];
 }
 }
 /// `wgsl/count_atomic.wgsl`.
@@ -491,6 +510,51 @@ pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, bindi
 pub mod workgroup {
 }
 }
+/// `wgsl/first_slots.wgsl`.
+pub mod first_slots {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/first_slots.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/slot_states.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("first_slots"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/first_slots.wgsl"), first_line: 1, lines: 41 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 42, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 179, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 197, lines: 6 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("first_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("states"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("first"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("JudgedInstance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("centre_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("traits"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("JudgedView"), kind: crate::LayoutKind::Memory, size: 112, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 96, size: 4 }, crate::FieldLayout { name: Borrowed("depth_step"), offset: 100, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 104, size: 4 }, crate::FieldLayout { name: Borrowed("flags"), offset: 108, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `first_slots`.
+pub const FIRST_SLOTS: &str = "first_slots";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `states`.
+pub const STATES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `first`.
+pub const FIRST: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `first_slots`.
+pub const FIRST_SLOTS: [u32; 3] = [64, 1, 1];
+}
+}
 /// `wgsl/histogram_many.wgsl`.
 pub mod histogram_many {
 #[allow(unused_imports, reason = "which of them depends on the job")]
@@ -727,11 +791,11 @@ pub mod judge_many {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_many.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_many.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_many.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/seen_shape.wgsl"), include_str!("../wgsl/shared/depth_many.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("judge_many"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 43 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 205 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 252, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 389, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 407, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 429, lines: 11 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 43 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 133 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 180, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 317, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 335, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 357, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 560, lines: 11 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -788,11 +852,11 @@ pub mod judge_one {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_one.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_one.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_one.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/seen_shape.wgsl"), include_str!("../wgsl/shared/depth_one.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("judge_one"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 43 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 205 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 252, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 389, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 407, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 429, lines: 7 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 43 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 133 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 180, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 317, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 335, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 357, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 560, lines: 7 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -1592,17 +1656,17 @@ pub mod test_slots_many {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/test_slots_many.wgsl"), include_str!("../wgsl/shared/test_slots.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_many.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/test_slots_many.wgsl"), include_str!("../wgsl/shared/test_slots.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/seen_shape.wgsl"), include_str!("../wgsl/shared/slot_states.wgsl"), include_str!("../wgsl/shared/depth_many.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("test_slots_many"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/test_slots_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 4, lines: 36 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 40, lines: 205 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 245, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 382, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 400, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 422, lines: 11 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/test_slots_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 4, lines: 38 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 42, lines: 133 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 175, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 312, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 330, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 352, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 555, lines: 6 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 561, lines: 11 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
 }, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
-}, crate::Binding { group: 0, name: Borrowed("seen"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
-}, crate::Binding { group: 0, name: Borrowed("found"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("first"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("states"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
 }, crate::Binding { group: 0, name: Borrowed("rest"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
 }, crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
 }, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -1627,10 +1691,10 @@ pub mod binding {
 pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
 /// `instances`.
 pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
-/// `seen`.
-pub const SEEN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
-/// `found`.
-pub const FOUND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `first`.
+pub const FIRST: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `states`.
+pub const STATES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
 /// `rest`.
 pub const REST: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
 /// `pyramid`.
@@ -1653,17 +1717,17 @@ pub mod test_slots_one {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/test_slots_one.wgsl"), include_str!("../wgsl/shared/test_slots.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_one.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/test_slots_one.wgsl"), include_str!("../wgsl/shared/test_slots.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/seen_shape.wgsl"), include_str!("../wgsl/shared/slot_states.wgsl"), include_str!("../wgsl/shared/depth_one.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("test_slots_one"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/test_slots_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 4, lines: 36 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 40, lines: 205 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 245, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 382, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 400, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 422, lines: 7 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/test_slots_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 4, lines: 38 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 42, lines: 133 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 175, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 312, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 330, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 352, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 555, lines: 6 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 561, lines: 7 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
 }, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
-}, crate::Binding { group: 0, name: Borrowed("seen"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
-}, crate::Binding { group: 0, name: Borrowed("found"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("first"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("states"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
 }, crate::Binding { group: 0, name: Borrowed("rest"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
 }, crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
 }, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -1688,10 +1752,10 @@ pub mod binding {
 pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
 /// `instances`.
 pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
-/// `seen`.
-pub const SEEN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
-/// `found`.
-pub const FOUND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `first`.
+pub const FIRST: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `states`.
+pub const STATES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
 /// `rest`.
 pub const REST: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
 /// `pyramid`.

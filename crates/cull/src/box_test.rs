@@ -1,64 +1,108 @@
-//! Tests the boxes of all entities against a pyramid of what a view has drawn so far: a step for strategies that draw what was visible first, and then what
+//! Tests the boxes of all entities against a pyramid of what a view has drawn so far: the steps of strategies that draw what was visible first, and then what
 //! they find. Nothing is read back, and nothing by entity is done on the host while the scene stands still.
 
-use antumbra_graph::{Bind, Buffer, BufferDesc, Host, Texture};
-use antumbra_scene::Topology;
+use antumbra_graph::{Bind, Buffer, BufferDesc, Texture};
 use antumbra_shaders::jobs;
 
 use crate::compute_pipeline::rows_of;
-use crate::entities::SceneTable;
 use crate::frame_graph::{CULL, FrameGraph, Shared};
 use crate::judge::{
-    AT_MIDDLES, Eye, GpuJudgedView, HostDepth, JudgedInstance, Part, PyramidNodes, depth_pyramid,
+    AT_MIDDLES, Eye, FORGET, GpuJudgedView, HostDepth, PyramidNodes, depth_pyramid,
 };
 use crate::renderer::DEPTH_FORMAT;
 use crate::view_nodes::ViewNodes;
 
-/// What a test of boxes has found, a u32 a slot: 1 or 0.
+/// The boxes of all slots, and a view that they are tested for.
+#[derive(Debug, Clone, Copy)]
+pub struct ViewBoxes {
+    boxes: Buffer,
+    /// [`GpuJudgedView`].
+    uniform: Buffer,
+}
+
+/// What a test of boxes has found, a u32 a slot.
 #[derive(Debug, Clone, Copy)]
 pub struct BoxTest {
-    /// Visible by its box. So are entities across the near plane, those that are not tested, and lines and points, which cover pixels outside their boxes.
-    pub found: Buffer,
-    /// Those of them that are not drawn yet: they are transparent, or were not seen.
+    /// What [`FrameGraph::first_by_boxes`] goes by in the next frame.
+    pub states: Buffer,
+    /// 1 for what is visible by its box and was not drawn first. So are transparent entities, those across the near plane, those that are not tested, and lines and points, which cover
+    /// pixels outside of their boxes.
     pub rest: Buffer,
-    /// All that is drawn with them: what was seen and is not transparent, and what was found.
+    /// 1 for all that is drawn: what was drawn first, and what was found.
     pub drawn: Buffer,
 }
 
-/// What is known of the boxes on the device.
-#[derive(Debug, Clone, Copy, Default)]
-struct HeldBoxes {
-    /// The epoch whose boxes the device has said to have.
-    epoch: Option<u64>,
-}
-
 impl FrameGraph<'_> {
-    /// Tests the boxes of all entities against the view's depth so far. A box is hidden if its nearest point is behind the farthest sample of every pixel that it may touch;
-    /// equal depths are visible. `seen`: a u32 a slot, not 0 where an entity is drawn already unless it is transparent; `found`: where the answers are written, such as [`Self::sample_counts`].
-    ///
-    /// Needs a device that [reads the samples of what was drawn](crate::Gpu::reads_drawn_samples), where there are several a pixel.
-    pub fn test_boxes(&mut self, view: &ViewNodes, seen: Buffer, found: Buffer) -> BoxTest {
-        let host = HostDepth {
-            format: DEPTH_FORMAT,
-            samples: self.samples(),
-            ..HostDepth::default()
-        };
-        let boxes = self.slot_boxes(view);
-        let depth = view.targets.depth;
-        let (size, inputs) = (view.size(), view.inputs());
-        let PyramidNodes { layout, texels } = self.pyramid(view, depth, host);
+    /// The boxes of all entities, for a view.
+    pub fn view_boxes(&mut self, view: &ViewNodes) -> ViewBoxes {
+        let boxes = self.resident_scene(view).boxes;
+        let (size, inputs, host) = (view.size(), view.inputs(), self.own_depth());
         let uniform = BufferDesc::new(size_of::<GpuJudgedView>() as u64);
-        let uniform = self.graph().buffer(view.named("box test: view"), uniform);
+        let uniform = self.graph().buffer(view.named("view of boxes"), uniform);
         let mut node = self.graph().host_node(view.named("upload view of boxes"));
         node.group(CULL).read(inputs.scene).read(inputs.view);
         let uniform = node.upload(uniform);
+        let mut cuts = None;
         node.run(move |ctx| {
             let (scene, frame) = (ctx.get(inputs.scene)?, ctx.get(inputs.view)?);
             let eye = Eye::of(&frame.camera, size);
-            let flags = if host.samples == 1 { AT_MIDDLES } else { 0 };
+            let mut flags = if host.samples == 1 { AT_MIDDLES } else { 0 };
+            if cuts.replace(frame.cuts) != Some(frame.cuts) {
+                flags |= FORGET;
+            }
             let made = GpuJudgedView::new(&eye, size, host, scene.table.slots(), flags);
             Ok(ctx.upload(uniform, 0, bytemuck::bytes_of(&made))?)
         });
+        ViewBoxes { boxes, uniform }
+    }
+
+    /// What a view draws before the test, a u32 a slot, 1 or 0: opaque entities in its frustum that were visible by `states`, the [states](BoxTest::states) of the last frame, that no test
+    /// may cull, or that nothing is known of and that are large on the screen. Any choice is right. This one hides much and costs little.
+    pub fn first_by_boxes(
+        &mut self,
+        view: &ViewNodes,
+        ViewBoxes { boxes, uniform }: ViewBoxes,
+        states: Buffer,
+    ) -> Buffer {
+        let pipeline = self.compute_pipeline(&jobs::first_slots::JOB, "first_slots");
+        let scene = view.inputs().scene;
+        let first = BufferDesc::new(self.slot_bytes()).zeroed();
+        let first = self.graph().buffer(view.named("drawn first"), first);
+        let mut node = self.graph().compute(view.named("choose first"));
+        node.group(CULL)
+            .read(scene)
+            .storage_read(uniform)
+            .storage_read(boxes)
+            .storage_read(states);
+        let first = node.storage_write(first);
+        node.run(move |ctx| {
+            let slots = ctx.get(scene)?.table.slots();
+            let binds = [
+                Bind::Buffer(0, uniform),
+                Bind::Buffer(1, boxes),
+                Bind::Buffer(2, states),
+                Bind::Buffer(3, first),
+            ];
+            pipeline.dispatch(ctx, &binds, rows_of(slots.div_ceil(64)))
+        });
+        first
+    }
+
+    /// Tests the boxes of all entities against the view's depth so far. A box is hidden if in every pixel that it may touch its nearest point there is behind the farthest sample;
+    /// equal depths are visible. `first`: a u32 a slot, not 0 for what is drawn already; `states`: where the next frame's knowledge is written, such as [`Self::sample_counts`].
+    ///
+    /// Needs a device that [reads the samples of what was drawn](crate::Gpu::reads_drawn_samples), where there are several a pixel.
+    pub fn test_boxes(
+        &mut self,
+        view: &ViewNodes,
+        ViewBoxes { boxes, uniform }: ViewBoxes,
+        first: Buffer,
+        states: Buffer,
+    ) -> BoxTest {
+        let host = self.own_depth();
+        let depth = view.targets.depth;
+        let scene = view.inputs().scene;
+        let PyramidNodes { layout, texels } = self.pyramid(view, depth, host);
         let job = match host.samples {
             1 => &jobs::test_slots_one::JOB,
             _ => &jobs::test_slots_many::JOB,
@@ -72,21 +116,21 @@ impl FrameGraph<'_> {
         let (rest, drawn) = (words("found besides"), words("drawn"));
         let mut node = self.graph().compute(view.named("test boxes"));
         node.group(CULL)
-            .read(inputs.scene)
+            .read(scene)
             .storage_read(uniform)
             .storage_read(boxes)
-            .storage_read(seen)
+            .storage_read(first)
             .storage_read(layout)
             .storage_read(texels)
             .sample(depth);
-        let [found, rest, drawn] = [found, rest, drawn].map(|words| node.storage_write(words));
+        let [states, rest, drawn] = [states, rest, drawn].map(|words| node.storage_write(words));
         node.run(move |ctx| {
-            let slots = ctx.get(inputs.scene)?.table.slots();
+            let slots = ctx.get(scene)?.table.slots();
             let binds = [
                 Bind::Buffer(0, uniform),
                 Bind::Buffer(1, boxes),
-                Bind::Buffer(2, seen),
-                Bind::Buffer(3, found),
+                Bind::Buffer(2, first),
+                Bind::Buffer(3, states),
                 Bind::Buffer(4, rest),
                 Bind::Buffer(5, layout),
                 Bind::Buffer(6, texels),
@@ -95,7 +139,20 @@ impl FrameGraph<'_> {
             ];
             pipeline.dispatch(ctx, &binds, rows_of(slots.div_ceil(64)))
         });
-        BoxTest { found, rest, drawn }
+        BoxTest {
+            states,
+            rest,
+            drawn,
+        }
+    }
+
+    /// The depth that the stage draws, as a host would declare it.
+    fn own_depth(&self) -> HostDepth {
+        HostDepth {
+            format: DEPTH_FORMAT,
+            samples: self.samples(),
+            ..HostDepth::default()
+        }
     }
 
     fn pyramid(&mut self, view: &ViewNodes, depth: Texture, host: HostDepth) -> PyramidNodes {
@@ -110,66 +167,4 @@ impl FrameGraph<'_> {
             view.size(),
         )
     }
-
-    /// The boxes of all slots on the device, one buffer for all views. They are uploaded when the scene has changed, and until the device has said that it has them: a host may drop
-    /// the encoder with an upload.
-    fn slot_boxes(&mut self, view: &ViewNodes) -> Buffer {
-        if let Some(made) = self.shared.boxes {
-            return made;
-        }
-        let scene = view.inputs().scene;
-        let record = size_of::<JudgedInstance>() as u64;
-        let bytes = u64::from(self.scene_layout().slots.max(1)) * record;
-        let boxes = self.graph().buffer("boxes", BufferDesc::new(bytes));
-        let epoch = self.graph().buffer("epoch of boxes", BufferDesc::new(8));
-        let held: Host<HeldBoxes> = self.graph().host("held boxes");
-        let mut node = self.graph().host_node("upload boxes");
-        node.group(CULL).read(scene);
-        let said = node.read_previous(epoch, held);
-        let held = node.updates(held);
-        let (boxes, epoch) = (node.updates(boxes), node.updates(epoch));
-        let mut records = Vec::new();
-        let mut is_new = true;
-        node.run(move |ctx| {
-            let mut held = ctx.get_mut(held)?;
-            if std::mem::take(&mut is_new) {
-                // What was said of an earlier plan's buffer is not about this one.
-                *held = HeldBoxes::default();
-            }
-            if let Some(late) = ctx.late(said)
-                && let Some(bytes) = late.bytes.first_chunk()
-            {
-                held.epoch = Some(u64::from_le_bytes(*bytes));
-            }
-            let table = &ctx.get(scene)?.table;
-            if held.epoch != Some(table.epoch()) {
-                records.clear();
-                records.extend((0..table.slots()).map(|slot| record_of(table, slot)));
-                ctx.upload(boxes, 0, bytemuck::cast_slice(&records))?;
-                ctx.upload(epoch, 0, &table.epoch().to_le_bytes())?;
-            }
-            Ok(())
-        });
-        self.shared.boxes = Some(boxes);
-        boxes
-    }
-}
-
-/// A slot's box as the device tests it.
-fn record_of(table: &SceneTable, slot: u32) -> JudgedInstance {
-    if table.occupant(slot).is_none() {
-        return JudgedInstance::default();
-    }
-    let triangles = table.class_of(slot).topology() == Topology::Triangles;
-    // What is not transparent is drawn before the test.
-    let part = match (
-        triangles && table.is_tested(slot),
-        table.is_transparent(slot),
-    ) {
-        (true, false) => Part::Both,
-        (true, true) => Part::Occludee,
-        (false, false) => Part::Occluder,
-        (false, true) => Part::Exempt,
-    };
-    JudgedInstance::oriented(&table.oriented(slot), part)
 }

@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use antumbra_graph::{
-    BodyError, Buffer, BufferDesc, Clear, Graph, Host, HostBuilder, HostContext, LoopOptions,
-    Texture, TextureDesc,
+    BodyError, BufferDesc, Clear, Graph, Host, HostBuilder, HostContext, LoopOptions, Texture,
+    TextureDesc,
 };
 
 use antumbra_scene::hierarchy::HierarchyShape;
@@ -22,6 +22,7 @@ use crate::narrowing::Narrowing;
 use crate::order::back_to_front;
 use crate::pipelines::Pipelines;
 use crate::renderer::{DEPTH_FORMAT, IDENTITY_FORMAT, Renderer, ShadeTargets};
+use crate::resident_scene::ResidentScene;
 use crate::stage::StageOutput;
 use crate::stage_scene::SceneLayout;
 use crate::strategy::VisibleSet;
@@ -61,8 +62,8 @@ pub(crate) struct Shared {
     pub pipelines: Pipelines,
     /// The trees, one a shape, for all views.
     pub trees: HashMap<HierarchyShape, Host<Tree>>,
-    /// The boxes of all slots, for all views.
-    pub boxes: Option<Buffer>,
+    /// The scene on the device, for all views.
+    pub resident: Option<ResidentScene>,
     /// What the strategy shows.
     pub shown: Vec<Shown>,
 }

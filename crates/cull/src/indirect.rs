@@ -1,19 +1,15 @@
-//! Indirect draws: a host node lays candidates out in runs, one a batch, and a compute node keeps those with enough visible samples and writes the draw of each
+//! Indirect draws: a host node lays candidates out in runs, one a batch, and compute nodes keep those with enough visible samples and write the draw of each
 //! run.
 //!
 //! A strategy of its own uses three steps: [`FrameGraph::lay_out`], [`FrameGraph::compact`] with counts of visible samples by slot, and
 //! [`FrameGraph::shade_indirect`].
 
-use antumbra_graph::{
-    Bind, BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext, Texture,
-};
-use antumbra_shaders::{assert_layout, jobs};
+use antumbra_graph::{BodyError, Buffer, BufferDesc, Host, HostBuilder, HostContext, Texture};
+use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
 
-use crate::adaptive_threshold::AdaptiveThreshold;
 use crate::candidates::{Candidates, Queried};
-use crate::compute_pipeline::rows_of;
-use crate::draw_source::{DrawList, INDIRECT_DRAW_BYTES, IndirectDraws, Run};
+use crate::draw_source::{DrawList, IndirectDraws, Run};
 use crate::entities::{MeshDetail, SceneTable};
 use crate::frame_graph::{CULL, FrameGraph};
 use crate::renderer::ShadeTargets;
@@ -41,11 +37,11 @@ pub(crate) struct GpuSettings {
     count: u32,
     padding_a: u32,
     padding_b: u32,
-    padding_c: u32,
+    entries: u32,
 }
 
 assert_layout!(GpuRun, "compact", "Batch", { first, count, index_count, first_index, base_vertex, over, most, hidden });
-assert_layout!(GpuSettings, "compact", "Settings", { count, padding_a, padding_b, padding_c });
+assert_layout!(GpuSettings, "compact", "Settings", { count, padding_a, padding_b, entries });
 
 /// Marks an entry that is kept whatever its count.
 const FORCED: u32 = 0x8000_0000;
@@ -54,11 +50,16 @@ const BARRED: u32 = 0x4000_0000;
 
 impl GpuSettings {
     pub fn counting(count: usize) -> Self {
+        Self::of(count, 0)
+    }
+
+    /// So many runs with so many entries.
+    fn of(count: usize, entries: usize) -> Self {
         Self {
             count: count as u32,
             padding_a: 0,
             padding_b: 0,
-            padding_c: 0,
+            entries: entries as u32,
         }
     }
 }
@@ -100,14 +101,14 @@ pub struct LayoutSize {
 /// Candidates that are laid out for [`FrameGraph::compact`].
 #[derive(Debug, Clone, Copy)]
 pub struct IndirectLayout {
-    list: Host<DrawList>,
-    entries: Buffer,
-    runs: Buffer,
-    settings: Buffer,
+    pub(crate) list: Host<DrawList>,
+    pub(crate) entries: Buffer,
+    pub(crate) runs: Buffer,
+    pub(crate) settings: Buffer,
     /// The number of runs there is room for.
-    most_runs: u32,
+    pub(crate) most_runs: u32,
     /// Bytes of `entries`, and of what is kept of them.
-    entry_bytes: u64,
+    pub(crate) entry_bytes: u64,
 }
 
 /// A layout that is being filled: the list, and for the GPU its entries with their marks and its runs with their bounds.
@@ -118,7 +119,27 @@ pub struct LayoutEntries<'a> {
     runs: Vec<GpuRun>,
 }
 
-impl LayoutEntries<'_> {
+impl<'a> LayoutEntries<'a> {
+    pub(crate) fn new(list: &'a mut DrawList) -> Self {
+        Self {
+            list,
+            entries: Vec::new(),
+            runs: Vec::new(),
+        }
+    }
+
+    /// Uploads what was laid out.
+    pub(crate) fn upload(
+        self,
+        ctx: &mut HostContext<'_>,
+        layout: IndirectLayout,
+    ) -> Result<(), BodyError> {
+        let settings = GpuSettings::of(self.runs.len(), self.entries.len());
+        ctx.upload(layout.entries, 0, bytemuck::cast_slice(&self.entries))?;
+        ctx.upload(layout.runs, 0, bytemuck::cast_slice(&self.runs))?;
+        ctx.upload(layout.settings, 0, bytemuck::bytes_of(&settings))?;
+        Ok(())
+    }
     /// Call this once the list is filled: gives each run its bounds, and marks the entities that are drawn whatever their count (`forced`).
     pub fn bound(
         &mut self,
@@ -161,117 +182,44 @@ impl FrameGraph<'_> {
         + 'static,
     ) -> IndirectLayout {
         let inputs = view.inputs();
-        let list = self.graph().host::<DrawList>(view.named(name));
-        let entry_bytes = self.slot_bytes() * size.entries_a_slot;
-        let entries = self.graph().buffer(
-            view.named(&format!("{name}: slots")),
-            BufferDesc::new(entry_bytes),
-        );
-        let run_bytes = u64::from(size.runs) * size_of::<GpuRun>() as u64;
-        let runs = self.graph().buffer(
-            view.named(&format!("{name}: runs")),
-            BufferDesc::new(run_bytes),
-        );
-        let settings = self.graph().buffer(
-            view.named(&format!("{name}: settings")),
-            BufferDesc::new(size_of::<GpuSettings>() as u64),
-        );
+        let undeclared = self.layout_buffers(&view.named(name), size);
         let mut node = self
             .graph()
             .host_node(view.named(&format!("lay out {name}")));
         node.group(CULL).read(inputs.scene).read(inputs.view);
         reads(&mut node);
         let layout = IndirectLayout {
-            list: node.write(list),
-            entries: node.upload(entries),
-            runs: node.upload(runs),
-            settings: node.upload(settings),
-            most_runs: size.runs,
-            entry_bytes,
+            list: node.write(undeclared.list),
+            entries: node.upload(undeclared.entries),
+            runs: node.upload(undeclared.runs),
+            settings: node.upload(undeclared.settings),
+            ..undeclared
         };
         node.run(move |ctx| {
             let (scene, frame) = (ctx.get(inputs.scene)?, ctx.get(inputs.view)?);
             let mut list = ctx.get_mut(layout.list)?;
-            let mut laid = LayoutEntries {
-                list: &mut list,
-                entries: Vec::new(),
-                runs: Vec::new(),
-            };
+            let mut laid = LayoutEntries::new(&mut list);
             fill(ctx, &scene.table, &frame, &mut laid)?;
-            let LayoutEntries { entries, runs, .. } = laid;
-            let settings = GpuSettings::counting(runs.len());
-            ctx.upload(layout.entries, 0, bytemuck::cast_slice(&entries))?;
-            ctx.upload(layout.runs, 0, bytemuck::cast_slice(&runs))?;
-            ctx.upload(layout.settings, 0, bytemuck::bytes_of(&settings))?;
-            Ok(())
+            laid.upload(ctx, layout)
         });
         layout
     }
 
-    /// Adds a compute node that keeps the entries of a layout whose counts of visible samples (a u32 a slot) are within their run's bounds, and writes one indirect draw a
-    /// run. A run that keeps nothing draws zero instances.
-    pub fn compact(
-        &mut self,
-        view: &ViewNodes,
-        name: &str,
-        layout: IndirectLayout,
-        counts: Buffer,
-    ) -> IndirectDraws {
-        self.compact_above(view, name, layout, counts, None)
-    }
-
-    /// The same, with a threshold that the GPU found for this frame in addition to the runs' bounds.
-    pub(crate) fn compact_above(
-        &mut self,
-        view: &ViewNodes,
-        name: &str,
-        layout: IndirectLayout,
-        counts: Buffer,
-        adapted: Option<AdaptiveThreshold>,
-    ) -> IndirectDraws {
-        let pipeline = self.compute_pipeline(&jobs::compact::JOB, "compact");
-        let slots = self.graph().buffer(
-            view.named(&format!("{name}: kept slots")),
-            BufferDesc::new(layout.entry_bytes),
-        );
-        let draws = self.graph().buffer(
-            view.named(&format!("{name}: draws")),
-            BufferDesc::new(u64::from(layout.most_runs) * INDIRECT_DRAW_BYTES),
-        );
-        let mut node = self.graph().compute(view.named(&format!("compact {name}")));
-        node.group(CULL)
-            .read(layout.list)
-            .storage_read(layout.settings);
-        node.storage_read(layout.runs)
-            .storage_read(layout.entries)
-            .storage_read(counts);
-        // Without an adaptive threshold the binding is filled by another buffer that the shader does not read.
-        let adapted = adapted.map_or(layout.settings, |adapted| adapted.buffer);
-        if adapted != layout.settings {
-            node.storage_read(adapted);
-        }
-        let (slots, draws) = (node.storage_write(slots), node.storage_write(draws));
-        node.run(move |ctx| {
-            let runs = ctx.get(layout.list)?.runs().len() as u32;
-            if runs == 0 {
-                return Ok(());
-            }
-            let binds = [
-                Bind::Buffer(0, layout.settings),
-                Bind::Buffer(1, layout.runs),
-                Bind::Buffer(2, layout.entries),
-                Bind::Buffer(3, counts),
-                Bind::Buffer(4, slots),
-                Bind::Buffer(5, draws),
-                Bind::Buffer(6, adapted),
-            ];
-            // A workgroup a run.
-            pipeline.dispatch(ctx, &binds, rows_of(runs))
-        });
-        IndirectDraws {
-            layout: layout.list,
-            slots,
-            draws,
+    /// The list and buffers of a layout, which no node writes yet.
+    pub(crate) fn layout_buffers(&mut self, name: &str, size: LayoutSize) -> IndirectLayout {
+        let entry_bytes = self.slot_bytes() * size.entries_a_slot;
+        let run_bytes = u64::from(size.runs) * size_of::<GpuRun>() as u64;
+        let mut buffer = |part: &str, bytes| {
+            let name = format!("{name}: {part}");
+            self.graph().buffer(name, BufferDesc::new(bytes))
+        };
+        IndirectLayout {
+            entries: buffer("slots", entry_bytes),
+            runs: buffer("runs", run_bytes),
+            settings: buffer("settings", size_of::<GpuSettings>() as u64),
+            list: self.graph().host::<DrawList>(name),
+            most_runs: size.runs,
+            entry_bytes,
         }
     }
 

@@ -60,8 +60,8 @@ pub use record::{JudgedInstance, Part};
 pub use view::JudgeView;
 
 use answers::Asked;
-pub(crate) use eye::{AT_MIDDLES, GpuJudgedView};
-use eye::{FORGET, FRAME_LATE};
+use eye::FRAME_LATE;
+pub(crate) use eye::{AT_MIDDLES, FORGET, GpuJudgedView};
 use list::List;
 use masks::Masks;
 use passes::{FirstNodes, TestDesc, TestNodes, prefix};

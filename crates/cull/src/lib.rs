@@ -17,6 +17,7 @@ pub mod boxes;
 mod budget;
 mod candidates;
 mod chain;
+mod compaction;
 mod compute_pipeline;
 mod count_layout;
 mod counting;
@@ -37,6 +38,7 @@ pub mod read_back;
 mod registry;
 mod render_passes;
 mod renderer;
+mod resident_scene;
 mod sample_rule;
 mod samples;
 mod split_point;
@@ -53,7 +55,7 @@ mod visible_samples;
 mod yardsticks;
 
 pub use audit::{AUDIT, Audit, AuditOptions, Estimate, FrameAudit};
-pub use box_test::BoxTest;
+pub use box_test::{BoxTest, ViewBoxes};
 pub use budget::{Budget, BudgetError, BudgetState};
 pub use candidates::{Candidates, Queried, Query, Stamp};
 pub use chain::Chain;
@@ -78,6 +80,7 @@ pub use renderer::{
     DEPTH_FORMAT, DepthTest, IDENTITY_FORMAT, IdTargets, Pass, Renderer, ShadeTargets, Targets,
     TestRenderer, ViewInputs,
 };
+pub use resident_scene::ResidentScene;
 pub use sample_rule::{Allowance, SampleRule};
 pub use samples::Samples;
 pub use split_point::SplitPoint;

@@ -25,7 +25,8 @@ pub use report::{Rebuilt, StageReport};
 use crate::adaptive_threshold::GpuThreshold;
 use crate::audit::Audit;
 use crate::budget::{Budget, BudgetController, BudgetState};
-use crate::candidates::Queried;
+use crate::candidates::{Candidates, Queried};
+use crate::count_layout::CountLayout;
 use crate::device::Gpu;
 use crate::narrowing::{Narrowing, hide};
 use crate::pipelines::Pipelines;
@@ -33,7 +34,7 @@ use crate::read_back;
 use crate::renderer::Renderer;
 use crate::samples::Samples;
 use crate::stage_scene::StageScene;
-use crate::strategy::{Strategy, VerdictSource};
+use crate::strategy::{SetVerdicts, Strategy, VerdictSource};
 use crate::tuning::Step;
 use crate::verdict::Verdicts;
 use crate::view::ViewFrame;
@@ -381,7 +382,9 @@ impl Stage {
                     error,
                 })?;
             *cuts += u64::from(input.cut);
-            plan.set(built.frame, ViewFrame::new(input.camera, spec.size, *cuts))?;
+            let frame = ViewFrame::new(input.camera, spec.size, *cuts);
+            built.last = Some(frame.clone());
+            plan.set(built.frame, frame)?;
             if let Some(handle) = built.reference {
                 let Some(reference) = &input.reference else {
                     return Err(StageError::Input(format!(
@@ -439,15 +442,25 @@ impl Stage {
         let built = self.built.views.get(view).ok_or_else(missing)?;
         let plan = &self.built.plan;
         let mut verdicts = match built.verdicts {
-            VerdictSource::Host(verdicts) => plan.get(verdicts).ok_or_else(missing)?.clone(),
-            VerdictSource::Gpu {
+            SetVerdicts::Said(VerdictSource::Host(verdicts)) => {
+                plan.get(verdicts).ok_or_else(missing)?.clone()
+            }
+            SetVerdicts::Drawn(drawn) => {
+                let bytes = read_back::buffer(&self.gpu, plan.buffer(drawn).ok_or_else(missing)?)?;
+                let frame = built.last.as_ref().ok_or_else(missing)?;
+                let mut candidates = Candidates::default();
+                candidates.find(scene.table(), frame);
+                let drawn = |slot| CountLayout::BySlot.count(&bytes, slot, 0).unwrap_or(0) > 0;
+                Verdicts::of_drawn(scene.table(), &candidates, drawn)
+            }
+            SetVerdicts::Said(VerdictSource::Gpu {
                 candidates,
                 queried,
                 counts,
                 layout,
                 mut rule,
                 adapted,
-            } => {
+            }) => {
                 if let Some(adapted) = adapted {
                     let buffer = plan.buffer(adapted.buffer).ok_or_else(missing)?;
                     let bytes = read_back::buffer(&self.gpu, buffer)?;

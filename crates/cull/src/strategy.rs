@@ -197,9 +197,18 @@ pub enum DeclareError {
 /// What a view draws, and why.
 #[derive(Debug, Clone, Copy)]
 pub struct VisibleSet {
-    pub(crate) verdicts: VerdictSource,
+    pub(crate) verdicts: SetVerdicts,
     /// In a chain: the candidates before and after the outer strategy removed some.
     pub(crate) narrowing: Option<Narrowing>,
+}
+
+/// How a view's verdicts are found.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum SetVerdicts {
+    /// From what the strategy's nodes say.
+    Said(VerdictSource),
+    /// From what was drawn, a u32 a slot, not 0 for what was, when somebody asks.
+    Drawn(Buffer),
 }
 
 /// Where a view's verdicts can be read.
@@ -219,10 +228,28 @@ pub(crate) enum VerdictSource {
     },
 }
 
+impl VerdictSource {
+    /// From counts, with a fixed rule.
+    pub fn by_counts(
+        candidates: Host<Candidates>,
+        counts: crate::Counts,
+        rule: crate::SampleRule,
+    ) -> Self {
+        Self::Gpu {
+            candidates,
+            queried: counts.queried,
+            counts: counts.buffer,
+            layout: counts.layout,
+            rule,
+            adapted: None,
+        }
+    }
+}
+
 impl From<VerdictSource> for VisibleSet {
     fn from(verdicts: VerdictSource) -> Self {
         Self {
-            verdicts,
+            verdicts: SetVerdicts::Said(verdicts),
             narrowing: None,
         }
     }
@@ -234,6 +261,15 @@ impl VisibleSet {
         VerdictSource::Host(verdicts).into()
     }
 
+    /// A set that the GPU chose from all entities, in the frustum or not, whose passes the strategy has added itself. `drawn`: a u32 a slot, not 0 for what they drew. The host does nothing
+    /// by entity for it, unless verdicts are [read](crate::Stage::verdicts) or the stage is audited.
+    pub fn drawn_on_gpu(drawn: Buffer) -> Self {
+        Self {
+            verdicts: SetVerdicts::Drawn(drawn),
+            narrowing: None,
+        }
+    }
+
     /// A set that the GPU chose, whose passes the strategy has added itself: a candidate is drawn if its count exceeds the rule's threshold, or if it was not
     /// tested or is exempt. The verdicts are derived from `candidates`, `counts` and `rule`, so these must describe what the passes drew. `counts` must be [`CountLayout::BySlot`](crate::CountLayout::BySlot).
     pub fn on_gpu(
@@ -241,14 +277,6 @@ impl VisibleSet {
         counts: crate::Counts,
         rule: impl Into<crate::SampleRule>,
     ) -> Self {
-        VerdictSource::Gpu {
-            candidates,
-            queried: counts.queried,
-            counts: counts.buffer,
-            layout: counts.layout,
-            rule: rule.into(),
-            adapted: None,
-        }
-        .into()
+        VerdictSource::by_counts(candidates, counts, rule.into()).into()
     }
 }

@@ -1,5 +1,6 @@
 //! Verdicts: for each occludee, whether it is drawn and why.
 
+use crate::candidates::Candidates;
 use crate::entities::SceneTable;
 
 /// Why an occludee is drawn or not.
@@ -69,6 +70,29 @@ pub struct Verdicts {
 }
 
 impl Verdicts {
+    /// The verdicts about candidates that were all tested, where it is known of each whether it is drawn.
+    pub(crate) fn of_drawn(
+        table: &SceneTable,
+        candidates: &Candidates,
+        drawn: impl Fn(u32) -> bool,
+    ) -> Self {
+        let mut verdicts = Self::default();
+        verdicts.reset_outside(table);
+        verdicts.add_tested(candidates.inside().len() as u32);
+        for slot in candidates.inside().iter().copied() {
+            let verdict = match (drawn(slot), candidates.is_exempt(slot)) {
+                (false, _) => Verdict::Occluded,
+                (true, false) => Verdict::Visible,
+                (true, true) => {
+                    verdicts.note(slot, true);
+                    Verdict::Untested
+                }
+            };
+            verdicts.set(slot, verdict);
+        }
+        verdicts
+    }
+
     /// Starts anew: `slots` entities, all with the same verdict.
     pub fn reset(&mut self, slots: u32, verdict: Verdict) {
         self.of.clear();

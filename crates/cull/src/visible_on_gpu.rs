@@ -12,7 +12,7 @@ use crate::frame_graph::{CULL, FrameGraph};
 use crate::indirect::{GpuSettings, IndirectLayout, LayoutSize, SampleBounds, untested};
 use crate::order::back_to_front;
 use crate::sample_rule::{SampleRule, Selection};
-use crate::strategy::{VerdictSource, VisibleSet};
+use crate::strategy::{SetVerdicts, VerdictSource, VisibleSet};
 use crate::view_nodes::ViewNodes;
 
 /// Candidates, and those of them that were tested.
@@ -70,6 +70,40 @@ impl FrameGraph<'_> {
             adapted,
         }
         .into()
+    }
+
+    /// What a set's verdicts follow from, on the host as far as an audit needs it there.
+    pub(crate) fn said_of(&mut self, view: &mut ViewNodes, set: &VisibleSet) -> VerdictSource {
+        match set.verdicts {
+            SetVerdicts::Said(source) => source,
+            SetVerdicts::Drawn(drawn) => {
+                let candidates = self.in_frustum(view);
+                let counts = self.all_queried(view, candidates, drawn);
+                VerdictSource::by_counts(candidates, counts, 0.into())
+            }
+        }
+    }
+
+    /// Counts by slot of all candidates: what was tested is all of them.
+    pub fn all_queried(
+        &mut self,
+        view: &ViewNodes,
+        candidates: Host<Candidates>,
+        counts: Buffer,
+    ) -> Counts {
+        let queried = self.graph().host::<Queried>(view.named("queried slots"));
+        let mut node = self.graph().host_node(view.named("list queried slots"));
+        node.group(CULL).read(candidates);
+        let queried = node.write(queried);
+        node.run(move |ctx| {
+            *ctx.get_mut(queried)? = Queried::all(&*ctx.get(candidates)?);
+            Ok(())
+        });
+        Counts {
+            buffer: counts,
+            layout: CountLayout::BySlot,
+            queried,
+        }
     }
 
     /// Lays out the full meshes of the candidates.

@@ -5,9 +5,13 @@
 //! the first phase draws, an entity that is not drawn at the end was tested against depth that is in the image, in this frame and from this camera. So cuts, moved
 //! and new entities need no care. Transparent entities are tested, and hide nothing; those with a mask hide by what is left of them.
 
-use antumbra_cull::{DeclareError, FrameGraph, Latency, Strategy, ViewNodes, VisibleSet};
+use antumbra_cull::indirect::IndirectLayout;
+use antumbra_cull::{
+    Candidates, DeclareError, FrameGraph, Latency, Strategy, ViewNodes, VisibleSet,
+};
+use antumbra_graph::Host;
 
-use crate::found_on_gpu::{ExemptEntities, opaque, shade_found_transparent, verdicts};
+use crate::found_on_gpu::{ExemptEntities, opaque, transparent, verdicts};
 
 /// The strategy `depth-pyramid`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -42,19 +46,49 @@ impl Strategy for DepthPyramid {
                 instead: "draw one sample a pixel, or take another strategy".to_owned(),
             });
         }
-        let candidates = g.in_frustum(view);
+        let boxes = g.view_boxes(view);
         let history = g.sample_counts(view);
-        let seen = history.previous();
-        let name = "last visible";
-        let all = opaque(g, view, name, candidates, ExemptEntities::Included);
-        let last = g.compact(view, name, all, seen);
+        let first = g.first_by_boxes(view, boxes, history.previous());
+        let choices = Choices::of(g, view);
+        let last = g.compact(view, "last visible", choices.opaque, first);
         g.shade_indirect(view, "shade last visible", last);
-        let tested = g.test_boxes(view, seen, history);
-        let name = "found visible";
-        let rest = opaque(g, view, name, candidates, ExemptEntities::LeftOut);
-        let new = g.compact(view, name, rest, tested.rest);
+        let tested = g.test_boxes(view, boxes, first, history);
+        let new = g.compact(view, "found visible", choices.opaque, tested.rest);
         g.shade_indirect(view, "shade found visible", new);
-        shade_found_transparent(g, view, candidates, tested.found);
-        Ok(verdicts(g, view, candidates, tested.drawn))
+        if let Some(transparent) = choices.transparent {
+            let kept = g.compact(view, "visible transparent set", transparent, tested.drawn);
+            g.shade_indirect(view, "transparent", kept);
+        }
+        Ok(match choices.candidates {
+            Some(candidates) => verdicts(g, view, candidates, tested.drawn),
+            None => VisibleSet::drawn_on_gpu(tested.drawn),
+        })
+    }
+}
+
+/// What is chosen from.
+struct Choices {
+    opaque: IndirectLayout,
+    transparent: Option<IndirectLayout>,
+    /// In a chain: what the strategy before has left. Otherwise the device alone says what is in the frustum.
+    candidates: Option<Host<Candidates>>,
+}
+
+impl Choices {
+    fn of(g: &mut FrameGraph<'_>, view: &mut ViewNodes) -> Self {
+        let any_transparent = g.scene_layout().transparent;
+        if view.narrowed_to().is_none() {
+            return Self {
+                opaque: g.resident_scene(view).opaque,
+                transparent: any_transparent.then(|| g.resident_transparent(view)),
+                candidates: None,
+            };
+        }
+        let left = g.in_frustum(view);
+        Self {
+            opaque: opaque(g, view, "candidates", left, ExemptEntities::Counted),
+            transparent: any_transparent.then(|| transparent(g, view, left)),
+            candidates: Some(left),
+        }
     }
 }

@@ -3,24 +3,21 @@
 //!
 //! (Drawing the last frame's visible set first: Haar and Aaltonen, *GPU-Driven Rendering Pipelines*, 2015.)
 
-use std::sync::Arc;
-
 use antumbra_cull::indirect::{IndirectLayout, LayoutSize, SampleBounds};
 use antumbra_cull::order::back_to_front;
-use antumbra_cull::{
-    CULL, Candidates, CountLayout, Counts, FrameGraph, MeshDetail, Queried, ViewNodes, VisibleSet,
-    rows_of,
-};
+use antumbra_cull::{CULL, Candidates, FrameGraph, MeshDetail, ViewNodes, VisibleSet, rows_of};
 use antumbra_graph::{Bind, Buffer, Host};
 use antumbra_shaders::jobs;
 
-/// Whether a layout holds the candidates that no test may cull.
+/// What a layout does with the candidates that no test may cull.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ExemptEntities {
     /// They are laid out, and drawn whatever their counts.
     Included,
     /// They are not laid out: an earlier pass has drawn them.
     LeftOut,
+    /// They are laid out as all others: the counts say whether they are drawn.
+    Counted,
 }
 
 /// Lays out the full meshes of the opaque candidates. The compaction keeps those with any sample.
@@ -46,14 +43,14 @@ pub(crate) fn opaque(
             let candidates = ctx.get(candidates)?;
             let wanted = |slot: &u32| {
                 !table.is_transparent(*slot)
-                    && (exempt == ExemptEntities::Included || !candidates.is_exempt(*slot))
+                    && (exempt != ExemptEntities::LeftOut || !candidates.is_exempt(*slot))
             };
             let members = candidates.inside().iter().copied().filter(wanted);
             laid.list.fill(table, members, MeshDetail::Level(0));
             laid.bound(
                 table,
                 |_| SampleBounds::SEEN,
-                |slot| candidates.is_exempt(slot),
+                |slot| exempt == ExemptEntities::Included && candidates.is_exempt(slot),
             );
             Ok(())
         },
@@ -67,12 +64,22 @@ pub(crate) fn shade_found_transparent(
     candidates: Host<Candidates>,
     found: Buffer,
 ) {
-    if !g.scene_layout().transparent {
-        return;
+    if g.scene_layout().transparent {
+        let layout = transparent(g, view, candidates);
+        let kept = g.compact(view, "visible transparent set", layout, found);
+        g.shade_indirect(view, "transparent", kept);
     }
+}
+
+/// Lays out the transparent candidates, back to front. The compaction keeps those with any sample, and those that no test may cull.
+pub(crate) fn transparent(
+    g: &mut FrameGraph<'_>,
+    view: &ViewNodes,
+    candidates: Host<Candidates>,
+) -> IndirectLayout {
     let most = g.scene_layout().slots.max(1);
     let name = "transparent candidates";
-    let layout = g.lay_out(
+    g.lay_out(
         view,
         name,
         LayoutSize {
@@ -94,9 +101,7 @@ pub(crate) fn shade_found_transparent(
             );
             Ok(())
         },
-    );
-    let kept = g.compact(view, "visible transparent set", layout, found);
-    g.shade_indirect(view, "transparent", kept);
+    )
 }
 
 /// The verdicts for measurements: an entity is drawn if it has samples in `drawn`.
@@ -106,24 +111,7 @@ pub(crate) fn verdicts(
     candidates: Host<Candidates>,
     drawn: Buffer,
 ) -> VisibleSet {
-    let queried = g.graph().host::<Queried>(view.named("queried slots"));
-    let mut node = g.graph().host_node(view.named("list queried slots"));
-    node.group(CULL).read(candidates);
-    let queried = node.write(queried);
-    node.run(move |ctx| {
-        let candidates = ctx.get(candidates)?;
-        *ctx.get_mut(queried)? = Queried {
-            stamp: candidates.stamp(),
-            slots: Arc::new(candidates.inside().to_vec()),
-            ends: Arc::default(),
-        };
-        Ok(())
-    });
-    let counts = Counts {
-        buffer: drawn,
-        layout: CountLayout::BySlot,
-        queried,
-    };
+    let counts = g.all_queried(view, candidates, drawn);
     VisibleSet::on_gpu(candidates, counts, 0)
 }
 

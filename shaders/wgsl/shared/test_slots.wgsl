@@ -1,23 +1,26 @@
 //!import box_test
-// Tests the boxes of all slots, whatever was drawn so far: what is visible by its box, what of it was not drawn first, and what is drawn in all. A word a slot,
-// 1 or 0.
+//!import slot_states
+// Tests the boxes of all slots, whatever was drawn so far: what is known of each in the next frame, what is visible and was not drawn first, and what is drawn in all.
 
-// Not 0 where a slot was visible in the last frame. What hides others was then drawn first; what hides nothing waits for the test.
-@group(0) @binding(2) var<storage, read> seen: array<u32>;
-@group(0) @binding(3) var<storage, read_write> found: array<u32>;
+// Not 0 for what was drawn before the test. It is read and not found again.
+@group(0) @binding(2) var<storage, read> first: array<u32>;
+@group(0) @binding(3) var<storage, read_write> states: array<u32>;
 @group(0) @binding(4) var<storage, read_write> rest: array<u32>;
 @group(0) @binding(8) var<storage, read_write> drawn: array<u32>;
 
-fn is_visible(instance: JudgedInstance) -> bool {
+fn state_of(instance: JudgedInstance) -> u32 {
     if (instance.traits & LIVE) == 0u {
-        return false;
+        return SLOT_UNKNOWN;
     }
     let box = relative_box(instance);
     let at = place_of(box);
-    if at == WITHIN && (instance.traits & TESTED) != 0u {
-        return shows(box);
+    if at == BEYOND {
+        return SLOT_UNKNOWN;
     }
-    return at != BEYOND;
+    if at == WITHIN && (instance.traits & TESTED) != 0u && !shows(box) {
+        return SLOT_HIDDEN;
+    }
+    return SLOT_VISIBLE;
 }
 
 @compute @workgroup_size(64)
@@ -27,10 +30,9 @@ fn test_slots(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgro
     if slot >= view.count {
         return;
     }
-    let instance = instances[slot];
-    let visible = is_visible(instance);
-    let is_drawn = seen[slot] != 0u && (instance.traits & HIDES) != 0u;
-    found[slot] = select(0u, 1u, visible);
-    rest[slot] = select(0u, 1u, visible && !is_drawn);
-    drawn[slot] = select(0u, 1u, visible || is_drawn);
+    let state = state_of(instances[slot]);
+    let is_drawn = first[slot] != 0u;
+    states[slot] = state;
+    rest[slot] = select(0u, 1u, state == SLOT_VISIBLE && !is_drawn);
+    drawn[slot] = select(0u, 1u, state == SLOT_VISIBLE || is_drawn);
 }

@@ -17,7 +17,7 @@ use super::{AUDIT, Audit, AuditOptions, Lessons};
 use crate::counting::Counting;
 use crate::draw_source::patches::{PATCH_BYTES, PATCH_SIDE, PatchList};
 use crate::frame_graph::FrameGraph;
-use crate::strategy::{VerdictSource, VisibleSet};
+use crate::strategy::VerdictSource;
 use crate::tree::Tree;
 use crate::view_nodes::ViewNodes;
 
@@ -40,7 +40,7 @@ impl FrameGraph<'_> {
     pub(crate) fn audit(
         &mut self,
         view: &ViewNodes,
-        set: &VisibleSet,
+        source: VerdictSource,
         options: AuditOptions,
         lessons: Lessons,
     ) -> Host<Audit> {
@@ -62,7 +62,7 @@ impl FrameGraph<'_> {
             .host::<AuditedFrame>(view.named("audit: frame"));
         let audit = self.read_marks(view, shown, frame, lessons);
         let buffers =
-            self.choose_patches(view, set, options, AuditValues { audit, frame }, entries);
+            self.choose_patches(view, source, options, AuditValues { audit, frame }, entries);
         let depth = view.targets.depth;
         let left = self.depth_cull(view, buffers, depth, shown, entries);
         let way = Counting::by_fragments(self.gpu(), self.samples());
@@ -103,14 +103,14 @@ impl FrameGraph<'_> {
     fn choose_patches(
         &mut self,
         view: &ViewNodes,
-        set: &VisibleSet,
+        source: VerdictSource,
         options: AuditOptions,
         AuditValues { audit, frame }: AuditValues,
         entries: u64,
     ) -> PatchBuffers {
         let inputs = view.inputs();
         let tree = self.any_tree(view);
-        let uncertain = self.uncertain(view, set.verdicts);
+        let uncertain = self.uncertain(view, source);
         let list = self.graph().host::<PatchList>(view.named("audit: list"));
         let mut buffer = |name: &str, bytes| {
             let name = view.named(&format!("audit: {name}"));
@@ -120,7 +120,6 @@ impl FrameGraph<'_> {
         let settings = buffer("settings", size_of::<GpuSettings>() as u64);
         let draws = buffer("draws", draw_bytes(entries));
         let none = buffer("no counts", 16);
-        let source = set.verdicts;
         let samples = self.samples();
         let mut node = self.graph().host_node(view.named("audit: choose patches"));
         node.group(AUDIT)

@@ -71,6 +71,7 @@ pub struct SceneTable {
     batches: Vec<Batch>,
     meshes: Vec<MeshRanges>,
     epoch: u64,
+    arrangement: u64,
     live: usize,
     transparent: usize,
 }
@@ -89,6 +90,11 @@ impl SceneTable {
     /// Increases with each change. Query results carry the epoch in which their query was issued.
     pub fn epoch(&self) -> u64 {
         self.epoch
+    }
+
+    /// Increases when entities are added or removed, or batches renumbered: which slots there are, and what each is drawn with. Movement leaves it as it is.
+    pub fn arrangement(&self) -> u64 {
+        self.arrangement
     }
 
     /// The entity in a slot; `None` for a free slot.
@@ -256,6 +262,7 @@ impl SceneTable {
         });
         let at = slot as usize;
         self.changed.push(slot);
+        self.arrangement += 1;
         let oriented = self.orient(batch.mesh, bounds, &world);
         let deviation = self.deviates(batch.mesh, &world);
         if at == self.occupants.len() {
@@ -287,6 +294,7 @@ impl SceneTable {
         if place.take().is_some() {
             self.live -= 1;
             self.changed.push(slot);
+            self.arrangement += 1;
             self.count(
                 self.batches[self.batch_of[slot as usize] as usize].class,
                 -1,
@@ -335,6 +343,7 @@ impl SceneTable {
         if self.batches.is_sorted() {
             return;
         }
+        self.arrangement += 1;
         let before = self.batches.clone();
         self.batches.sort_unstable();
         for (batch, number) in self.batches.iter().zip(0u32..) {

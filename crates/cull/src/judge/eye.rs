@@ -125,7 +125,7 @@ pub(crate) struct GpuJudgedView {
 assert_layout!(GpuJudgedView, "judge_first", "JudgedView", { clip_from_relative, eye_high, pixels_wide, eye_low, pixels_high, towards, depth_step, count, flags });
 
 /// Bits of `GpuJudgedView::flags`.
-pub(super) const FORGET: u32 = 1;
+pub(crate) const FORGET: u32 = 1;
 pub(super) const FRAME_LATE: u32 = 2;
 pub(crate) const AT_MIDDLES: u32 = 4;
 

@@ -15,7 +15,7 @@ use crate::narrowing::Narrowing;
 use crate::pipelines::Pipelines;
 use crate::renderer::{DEPTH_FORMAT, Renderer, Targets, ViewInputs};
 use crate::stage_scene::{SceneFrame, SceneLayout, StageScene};
-use crate::strategy::{Strategy, VerdictSource};
+use crate::strategy::{SetVerdicts, Strategy, VerdictSource};
 use crate::view::{GpuView, ViewFrame};
 use crate::view_nodes::ViewNodes;
 
@@ -41,12 +41,14 @@ pub(super) struct Built {
 /// One view of a plan.
 pub(super) struct BuiltView {
     pub frame: Host<ViewFrame>,
+    /// The view in the last frame; `None` before the first.
+    pub last: Option<ViewFrame>,
     pub reference: Option<Host<Arc<Vec<u32>>>>,
     pub imported: Option<Targets>,
     pub targets: Targets,
     /// What is drawn, in order, where answers are asked for.
     pub shaded: Vec<DrawSource>,
-    pub verdicts: VerdictSource,
+    pub verdicts: SetVerdicts,
     pub narrowing: Option<Narrowing>,
     pub audit: Option<Host<Audit>>,
     /// Audited frames that the stage has taken over from this plan.
@@ -136,7 +138,7 @@ pub(super) fn build(
         output: options.output,
         pipelines: std::mem::take(inherited.pipelines),
         trees: HashMap::new(),
-        boxes: None,
+        resident: None,
         shown: Vec::new(),
     };
     let declared = declare(
@@ -218,9 +220,10 @@ fn declare(
         if let Some(audit) = inherited.audits.get(index) {
             lessons.teach(audit.experience().clone());
         }
-        let audit = options
-            .audit
-            .map(|options| declared.audit(&nodes, &set, options, lessons.clone()));
+        let audit = options.audit.map(|options| {
+            let source = declared.said_of(&mut nodes, &set);
+            declared.audit(&nodes, source, options, lessons.clone())
+        });
         match options.output {
             // An import keeps its writers anyway. As an output it would need more usages of the host's texture.
             StageOutput::Image if imported.is_none() => {
@@ -243,14 +246,15 @@ fn declare(
             graph.output(audit);
         }
         match set.verdicts {
-            VerdictSource::Host(verdicts) => graph.output(verdicts),
-            VerdictSource::Gpu {
+            SetVerdicts::Drawn(drawn) => graph.output(drawn),
+            SetVerdicts::Said(VerdictSource::Host(verdicts)) => graph.output(verdicts),
+            SetVerdicts::Said(VerdictSource::Gpu {
                 candidates,
                 queried,
                 counts,
                 adapted,
                 ..
-            } => {
+            }) => {
                 if let Some(adapted) = adapted {
                     graph.output(adapted.buffer);
                 }
@@ -261,6 +265,7 @@ fn declare(
         }
         views.push(BuiltView {
             frame,
+            last: None,
             reference,
             imported,
             targets: nodes.targets,

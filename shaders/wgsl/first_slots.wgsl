@@ -1,0 +1,41 @@
+//!import judged
+//!import slot_states
+// Chooses what is drawn before the test of boxes, a word a slot, 1 or 0: what was visible in the last frame, what no test may cull, and what is large where nothing is known.
+
+// The states of the last frame.
+@group(0) @binding(2) var<storage, read> states: array<u32>;
+@group(0) @binding(3) var<storage, read_write> first: array<u32>;
+
+// Half of the least size on the screen, as a part of its width or height, at which an entity that nothing is known of is drawn before the test: it may hide much.
+const LARGE: f32 = 0.125;
+
+fn is_large(place: RelativeBox) -> bool {
+    let centre = view.clip_from_relative * vec4<f32>(place.centre, 1.0);
+    let x = view.clip_from_relative * vec4<f32>(place.x, 0.0);
+    let y = view.clip_from_relative * vec4<f32>(place.y, 0.0);
+    let z = view.clip_from_relative * vec4<f32>(place.z, 0.0);
+    let size = abs(x.xy) + abs(y.xy) + abs(z.xy);
+    return max(size.x, size.y) > LARGE * centre.w;
+}
+
+fn is_first(instance: JudgedInstance, state: u32) -> bool {
+    if (instance.traits & (LIVE | HIDES)) != (LIVE | HIDES) {
+        return false;
+    }
+    let place = relative_box(instance);
+    let at = place_of(place);
+    if at == WITHIN && (instance.traits & TESTED) != 0u {
+        let known = select(state, SLOT_UNKNOWN, (view.flags & FORGET) != 0u);
+        return known == SLOT_VISIBLE || (known == SLOT_UNKNOWN && is_large(place));
+    }
+    return at != BEYOND;
+}
+
+@compute @workgroup_size(64)
+fn first_slots(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+    // More workgroups than a dimension of a dispatch may have come in rows.
+    let slot = at.y * groups.x * 64u + at.x;
+    if slot < view.count {
+        first[slot] = select(0u, 1u, is_first(instances[slot], states[slot]));
+    }
+}
