@@ -26,6 +26,7 @@ pub static ALL: &[&crate::Job] = &[
 &pyramid_many::JOB,
 &pyramid_one::JOB,
 &pyramid_rest::JOB,
+&recall_slots::JOB,
 &sample_identity::JOB,
 &scatter::JOB,
 &scatter_records::JOB,
@@ -519,7 +520,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/first_slots.wgsl"), inclu
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("first_slots"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/first_slots.wgsl"), first_line: 1, lines: 41 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 42, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 179, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 197, lines: 6 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/first_slots.wgsl"), first_line: 1, lines: 48 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 49, lines: 143 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 192, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 210, lines: 6 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("first_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -750,7 +751,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_first.wgsl"), inclu
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("judge_first"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_first.wgsl"), first_line: 1, lines: 33 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 34, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 171, lines: 18 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_first.wgsl"), first_line: 1, lines: 33 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 34, lines: 143 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 177, lines: 18 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("choose"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("choose"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -795,7 +796,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_many.wgsl"), includ
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("judge_many"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 43 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 133 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 180, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 317, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 335, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 357, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 560, lines: 11 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 43 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 184, lines: 143 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 327, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 345, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 367, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 570, lines: 11 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -856,7 +857,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_one.wgsl"), include
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("judge_one"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 43 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 133 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 180, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 317, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 335, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 357, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 560, lines: 7 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 43 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 184, lines: 143 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 327, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 345, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 367, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 570, lines: 7 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -1255,6 +1256,64 @@ pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding:
 pub mod workgroup {
 /// Of `rest`.
 pub const REST: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/recall_slots.wgsl`.
+pub mod recall_slots {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/recall_slots.wgsl"), include_str!("../wgsl/shared/test_slots.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/seen_shape.wgsl"), include_str!("../wgsl/shared/slot_states.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("recall_slots"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/recall_slots.wgsl"), first_line: 1, lines: 8 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 9, lines: 38 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 184, lines: 143 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 327, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 345, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 367, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 570, lines: 6 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("first"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("states"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("rest"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("drawn"), entry: wgpu::BindGroupLayoutEntry { binding: 8, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("JudgedInstance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("centre_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("traits"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("JudgedView"), kind: crate::LayoutKind::Memory, size: 112, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 64, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 76, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 80, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 92, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 96, size: 4 }, crate::FieldLayout { name: Borrowed("depth_step"), offset: 100, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 104, size: 4 }, crate::FieldLayout { name: Borrowed("flags"), offset: 108, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `test_slots`.
+pub const TEST_SLOTS: &str = "test_slots";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `first`.
+pub const FIRST: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `states`.
+pub const STATES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `rest`.
+pub const REST: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `drawn`.
+pub const DRAWN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 8 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `test_slots`.
+pub const TEST_SLOTS: [u32; 3] = [64, 1, 1];
 }
 }
 /// `wgsl/sample_identity.wgsl`.
@@ -1660,7 +1719,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/test_slots_many.wgsl"), i
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("test_slots_many"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/test_slots_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 4, lines: 38 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 42, lines: 133 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 175, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 312, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 330, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 352, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 555, lines: 6 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 561, lines: 11 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/test_slots_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 4, lines: 38 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 42, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 179, lines: 143 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 322, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 340, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 362, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 565, lines: 6 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 571, lines: 11 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -1721,7 +1780,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/test_slots_one.wgsl"), in
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("test_slots_one"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/test_slots_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 4, lines: 38 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 42, lines: 133 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 175, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 312, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 330, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 352, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 555, lines: 6 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 561, lines: 7 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/test_slots_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 4, lines: 38 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 42, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 179, lines: 143 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 322, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 340, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 362, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 565, lines: 6 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 571, lines: 7 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),

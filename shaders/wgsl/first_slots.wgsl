@@ -1,6 +1,7 @@
 //!import judged
 //!import slot_states
-// Chooses what is drawn before the test of boxes, a word a slot, 1 or 0: what was visible in the last frame, what no test may cull, and what is large where nothing is known.
+// Chooses what is drawn before the test of boxes, a word a slot, 1 or 0: what was visible in the last frame, what no test may cull, and what is large where nothing is known. Where
+// nothing is drawn after the test, all that is drawn: also what is transparent, and what nothing is known of, unless that is to be culled.
 
 // The states of the last frame.
 @group(0) @binding(2) var<storage, read> states: array<u32>;
@@ -19,14 +20,20 @@ fn is_large(place: RelativeBox) -> bool {
 }
 
 fn is_first(instance: JudgedInstance, state: u32) -> bool {
-    if (instance.traits & (LIVE | HIDES)) != (LIVE | HIDES) {
+    let is_last_phase = (view.flags & FRAME_LATE) != 0u;
+    // What hides nothing waits for the test, if there is one.
+    let wanted = LIVE | select(HIDES, 0u, is_last_phase);
+    if (instance.traits & wanted) != wanted {
         return false;
     }
     let place = relative_box(instance);
     let at = place_of(place);
     if at == WITHIN && (instance.traits & TESTED) != 0u {
         let known = select(state, SLOT_UNKNOWN, (view.flags & FORGET) != 0u);
-        return known == SLOT_VISIBLE || (known == SLOT_UNKNOWN && is_large(place));
+        if known == SLOT_UNKNOWN {
+            return select(is_large(place), (view.flags & CULL_UNKNOWN) == 0u, is_last_phase);
+        }
+        return known == SLOT_VISIBLE;
     }
     return at != BEYOND;
 }

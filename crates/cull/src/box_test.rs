@@ -7,10 +7,73 @@ use antumbra_shaders::jobs;
 use crate::compute_pipeline::rows_of;
 use crate::frame_graph::{CULL, FrameGraph, Shared};
 use crate::judge::{
-    AT_MIDDLES, Eye, FORGET, GpuJudgedView, HostDepth, PyramidNodes, depth_pyramid,
+    AT_MIDDLES, BOXES_ALONE, CULL_UNKNOWN, Eye, FORGET, FRAME_LATE, GpuJudgedView, HostDepth,
+    ONE_LOOK, PyramidNodes, declare_pyramid, fill_pyramid,
 };
 use crate::renderer::DEPTH_FORMAT;
 use crate::view_nodes::ViewNodes;
+
+/// What is drawn before the test of what nothing is known of: new entities, those that come into the frustum, and all after a camera cut.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum UnknownEntities {
+    /// What is large on the screen. The rest waits for the test, which finds it in the same frame.
+    #[default]
+    Wait,
+    /// All. Nothing is drawn after the test.
+    Drawn,
+    /// Nothing, and nothing is drawn after the test: they appear a frame late.
+    Culled,
+}
+
+/// The shapes that are tested.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum TestShape {
+    /// Each entity's box, and, where its mesh is round, the ellipsoid around it.
+    #[default]
+    Ellipsoid,
+    /// Its box alone.
+    Box,
+}
+
+/// How closely the depth is inspected.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum TestDetail {
+    /// Down to the pixel, with the shape's own depth there.
+    #[default]
+    Pixel,
+    /// At most 4 x 4 texels of the pyramid.
+    Pyramid,
+}
+
+/// How boxes are tested.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct TestRules {
+    /// What is done with what nothing is known of.
+    pub unknown: UnknownEntities,
+    /// Which shapes are tested.
+    pub shape: TestShape,
+    /// How closely.
+    pub detail: TestDetail,
+}
+
+impl TestRules {
+    fn flags(self) -> u32 {
+        let unknown = match self.unknown {
+            UnknownEntities::Wait => 0,
+            UnknownEntities::Drawn => FRAME_LATE,
+            UnknownEntities::Culled => FRAME_LATE | CULL_UNKNOWN,
+        };
+        let shape = match self.shape {
+            TestShape::Ellipsoid => 0,
+            TestShape::Box => BOXES_ALONE,
+        };
+        let detail = match self.detail {
+            TestDetail::Pixel => 0,
+            TestDetail::Pyramid => ONE_LOOK,
+        };
+        unknown | shape | detail
+    }
+}
 
 /// The boxes of all slots, and a view that they are tested for.
 #[derive(Debug, Clone, Copy)]
@@ -18,6 +81,8 @@ pub struct ViewBoxes {
     boxes: Buffer,
     /// [`GpuJudgedView`].
     uniform: Buffer,
+    /// Not written yet.
+    pyramid: PyramidNodes,
 }
 
 /// What a test of boxes has found, a u32 a slot.
@@ -34,7 +99,7 @@ pub struct BoxTest {
 
 impl FrameGraph<'_> {
     /// The boxes of all entities, for a view.
-    pub fn view_boxes(&mut self, view: &ViewNodes) -> ViewBoxes {
+    pub fn view_boxes(&mut self, view: &ViewNodes, rules: TestRules) -> ViewBoxes {
         let boxes = self.resident_scene(view).boxes;
         let (size, inputs, host) = (view.size(), view.inputs(), self.own_depth());
         let uniform = BufferDesc::new(size_of::<GpuJudgedView>() as u64);
@@ -46,14 +111,57 @@ impl FrameGraph<'_> {
         node.run(move |ctx| {
             let (scene, frame) = (ctx.get(inputs.scene)?, ctx.get(inputs.view)?);
             let eye = Eye::of(&frame.camera, size);
-            let mut flags = if host.samples == 1 { AT_MIDDLES } else { 0 };
+            let mut flags = rules.flags();
+            if host.samples == 1 {
+                flags |= AT_MIDDLES;
+            }
             if cuts.replace(frame.cuts) != Some(frame.cuts) {
                 flags |= FORGET;
             }
             let made = GpuJudgedView::new(&eye, size, host, scene.table.slots(), flags);
             Ok(ctx.upload(uniform, 0, bytemuck::bytes_of(&made))?)
         });
-        ViewBoxes { boxes, uniform }
+        ViewBoxes {
+            boxes,
+            uniform,
+            pyramid: declare_pyramid(self.graph, &view.named(""), host, size),
+        }
+    }
+
+    /// Tests the boxes of all entities against the last frame's pyramid, from the last frame's view: [states](BoxTest::states) for [`Self::first_by_boxes`] that know of movement, and no
+    /// more than the finest level of the pyramid does.
+    pub fn recall_by_pyramid(&mut self, view: &ViewNodes, of: ViewBoxes) -> Buffer {
+        let pipeline = self.compute_pipeline(&jobs::recall_slots::JOB, "test_slots");
+        let scene = view.inputs().scene;
+        let words = BufferDesc::new(self.slot_bytes()).zeroed();
+        let mut buffer = |name: &str| self.graph().buffer(view.named(name), words.clone());
+        let (none, recalled) = (buffer("recall: none"), buffer("recalled"));
+        let (rest, drawn) = (buffer("recall: rest"), buffer("recall: drawn"));
+        let (uniform, texels) = (of.uniform.previous(), of.pyramid.texels.previous());
+        let mut node = self.graph().compute(view.named("recall"));
+        node.group(CULL)
+            .read(scene)
+            .storage_read(uniform)
+            .storage_read(of.boxes)
+            .storage_read(of.pyramid.layout)
+            .storage_read(texels);
+        let [none, recalled, rest, drawn] =
+            [none, recalled, rest, drawn].map(|words| node.storage_write(words));
+        node.run(move |ctx| {
+            let slots = ctx.get(scene)?.table.slots();
+            let binds = [
+                Bind::Buffer(0, uniform),
+                Bind::Buffer(1, of.boxes),
+                Bind::Buffer(2, none),
+                Bind::Buffer(3, recalled),
+                Bind::Buffer(4, rest),
+                Bind::Buffer(5, of.pyramid.layout),
+                Bind::Buffer(6, texels),
+                Bind::Buffer(8, drawn),
+            ];
+            pipeline.dispatch(ctx, &binds, rows_of(slots.div_ceil(64)))
+        });
+        recalled
     }
 
     /// What a view draws before the test, a u32 a slot, 1 or 0: opaque entities in its frustum that were visible by `states`, the [states](BoxTest::states) of the last frame, that no test
@@ -61,7 +169,7 @@ impl FrameGraph<'_> {
     pub fn first_by_boxes(
         &mut self,
         view: &ViewNodes,
-        ViewBoxes { boxes, uniform }: ViewBoxes,
+        ViewBoxes { boxes, uniform, .. }: ViewBoxes,
         states: Buffer,
     ) -> Buffer {
         let pipeline = self.compute_pipeline(&jobs::first_slots::JOB, "first_slots");
@@ -95,14 +203,15 @@ impl FrameGraph<'_> {
     pub fn test_boxes(
         &mut self,
         view: &ViewNodes,
-        ViewBoxes { boxes, uniform }: ViewBoxes,
+        of: ViewBoxes,
         first: Buffer,
         states: Buffer,
     ) -> BoxTest {
         let host = self.own_depth();
         let depth = view.targets.depth;
         let scene = view.inputs().scene;
-        let PyramidNodes { layout, texels } = self.pyramid(view, depth, host);
+        let ViewBoxes { boxes, uniform, .. } = of;
+        let PyramidNodes { layout, texels } = self.pyramid(view, depth, host, of.pyramid);
         let job = match host.samples {
             1 => &jobs::test_slots_one::JOB,
             _ => &jobs::test_slots_many::JOB,
@@ -155,16 +264,23 @@ impl FrameGraph<'_> {
         }
     }
 
-    fn pyramid(&mut self, view: &ViewNodes, depth: Texture, host: HostDepth) -> PyramidNodes {
+    fn pyramid(
+        &mut self,
+        view: &ViewNodes,
+        depth: Texture,
+        host: HostDepth,
+        declared: PyramidNodes,
+    ) -> PyramidNodes {
         let Shared { gpu, pipelines, .. } = &mut *self.shared;
         let prefix = view.named("");
-        depth_pyramid(
+        fill_pyramid(
             self.graph,
             gpu,
             pipelines,
             &prefix,
             (depth, host),
             view.size(),
+            declared,
         )
     }
 }

@@ -60,12 +60,13 @@ pub use record::{JudgedInstance, Part};
 pub use view::JudgeView;
 
 use answers::Asked;
-use eye::FRAME_LATE;
-pub(crate) use eye::{AT_MIDDLES, FORGET, GpuJudgedView};
+pub(crate) use eye::{
+    AT_MIDDLES, BOXES_ALONE, CULL_UNKNOWN, FORGET, FRAME_LATE, GpuJudgedView, ONE_LOOK,
+};
 use list::List;
 use masks::Masks;
 use passes::{FirstNodes, TestDesc, TestNodes, prefix};
-pub(crate) use pyramid::{PyramidNodes, depth_pyramid};
+pub(crate) use pyramid::{PyramidNodes, declare_pyramid, fill_pyramid};
 use submitted::Submitted;
 
 use crate::device::Gpu;

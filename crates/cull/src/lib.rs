@@ -55,7 +55,7 @@ mod visible_samples;
 mod yardsticks;
 
 pub use audit::{AUDIT, Audit, AuditOptions, Estimate, FrameAudit};
-pub use box_test::{BoxTest, ViewBoxes};
+pub use box_test::{BoxTest, TestDetail, TestRules, TestShape, UnknownEntities, ViewBoxes};
 pub use budget::{Budget, BudgetError, BudgetState};
 pub use candidates::{Candidates, Queried, Query, Stamp};
 pub use chain::Chain;

@@ -7,7 +7,9 @@
 
 use antumbra_cull::indirect::IndirectLayout;
 use antumbra_cull::{
-    Candidates, DeclareError, FrameGraph, Latency, Strategy, ViewNodes, VisibleSet,
+    Candidates, DeclareError, FrameGraph, Latency, Parameter, Setting, SettingError, Step,
+    Strategy, TestDetail, TestRules, TestShape, Tunable, UnknownEntities, Value, ViewNodes,
+    VisibleSet, assign, describe,
 };
 use antumbra_graph::Host;
 
@@ -15,7 +17,100 @@ use crate::found_on_gpu::{ExemptEntities, opaque, transparent, verdicts};
 
 /// The strategy `depth-pyramid`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct DepthPyramid;
+pub struct DepthPyramid {
+    /// In how many phases it draws.
+    pub phases: DrawPhases,
+    /// How it is remembered what was visible.
+    pub history: History,
+    /// Which shapes are tested.
+    pub shape: TestShape,
+    /// How closely the depth is inspected.
+    pub detail: TestDetail,
+    /// With one phase, what is done with what nothing is known of.
+    pub late: LateEntities,
+}
+
+/// In how many phases is drawn.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum DrawPhases {
+    /// What was visible, then what is found.
+    #[default]
+    Two,
+    /// What was visible, as of the last frame: entities appear a frame late.
+    One,
+}
+
+/// How it is remembered what was visible.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum History {
+    /// A word a slot: what the last frame's test found.
+    #[default]
+    Bits,
+    /// The last frame's pyramid: boxes are tested against it, from the last frame's view, where they are now.
+    Pyramid,
+}
+
+/// What is done with entities that nothing is known of, where there is one phase.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum LateEntities {
+    /// They are drawn.
+    #[default]
+    Keep,
+    /// They are culled until they were tested.
+    Cull,
+}
+
+const PARAMETERS: &[Parameter<DepthPyramid>] = &[
+    Parameter::words(
+        "phases",
+        &["2", "1"],
+        "2: what was visible is drawn, then what is found; 1: what was visible alone, so that entities appear a frame late",
+        |s| ["2", "1"][s.phases as usize],
+        |s, at| s.phases = [DrawPhases::Two, DrawPhases::One][at],
+    ),
+    Parameter::words(
+        "history",
+        &["bits", "pyramid"],
+        "how it is remembered what was visible: what the last test found, or the last frame's pyramid",
+        |s| ["bits", "pyramid"][s.history as usize],
+        |s, at| s.history = [History::Bits, History::Pyramid][at],
+    ),
+    Parameter::words(
+        "shape",
+        &["ellipsoid", "box"],
+        "what is tested: each entity's box and the ellipsoid around it, or its box alone",
+        |s| ["ellipsoid", "box"][s.shape as usize],
+        |s, at| s.shape = [TestShape::Ellipsoid, TestShape::Box][at],
+    ),
+    Parameter::words(
+        "detail",
+        &["pixel", "pyramid"],
+        "how closely the depth is inspected: down to the pixel, or at most 4 x 4 texels of the pyramid",
+        |s| ["pixel", "pyramid"][s.detail as usize],
+        |s, at| s.detail = [TestDetail::Pixel, TestDetail::Pyramid][at],
+    ),
+    Parameter::words(
+        "late",
+        &["keep", "cull"],
+        "with one phase, whether entities that nothing is known of are drawn, or culled until they were tested",
+        |s| ["keep", "cull"][s.late as usize],
+        |s, at| s.late = [LateEntities::Keep, LateEntities::Cull][at],
+    ),
+];
+
+impl DepthPyramid {
+    fn rules(self) -> TestRules {
+        TestRules {
+            unknown: match (self.phases, self.late) {
+                (DrawPhases::Two, _) => UnknownEntities::Wait,
+                (DrawPhases::One, LateEntities::Keep) => UnknownEntities::Drawn,
+                (DrawPhases::One, LateEntities::Cull) => UnknownEntities::Culled,
+            },
+            shape: self.shape,
+            detail: self.detail,
+        }
+    }
+}
 
 impl Strategy for DepthPyramid {
     fn name(&self) -> &str {
@@ -27,11 +122,19 @@ impl Strategy for DepthPyramid {
     }
 
     fn conservative(&self) -> bool {
-        true
+        self.phases == DrawPhases::Two
     }
 
     fn latency(&self) -> Option<Latency> {
         Some(Latency::OnGpu)
+    }
+
+    fn tuning(&self) -> Option<&dyn Tunable> {
+        Some(self)
+    }
+
+    fn tuning_mut(&mut self) -> Option<&mut dyn Tunable> {
+        Some(self)
     }
 
     fn declare(
@@ -46,23 +149,50 @@ impl Strategy for DepthPyramid {
                 instead: "draw one sample a pixel, or take another strategy".to_owned(),
             });
         }
-        let boxes = g.view_boxes(view);
-        let history = g.sample_counts(view);
-        let first = g.first_by_boxes(view, boxes, history.previous());
+        let boxes = g.view_boxes(view, self.rules());
+        let states = g.sample_counts(view);
+        let known = match self.history {
+            History::Bits => states.previous(),
+            History::Pyramid => g.recall_by_pyramid(view, boxes),
+        };
+        let first = g.first_by_boxes(view, boxes, known);
         let choices = Choices::of(g, view);
         let last = g.compact(view, "last visible", choices.opaque, first);
         g.shade_indirect(view, "shade last visible", last);
-        let tested = g.test_boxes(view, boxes, first, history);
-        let new = g.compact(view, "found visible", choices.opaque, tested.rest);
-        g.shade_indirect(view, "shade found visible", new);
+        let tested = g.test_boxes(view, boxes, first, states);
+        let drawn = match self.phases {
+            DrawPhases::One => first,
+            DrawPhases::Two => {
+                let new = g.compact(view, "found visible", choices.opaque, tested.rest);
+                g.shade_indirect(view, "shade found visible", new);
+                tested.drawn
+            }
+        };
         if let Some(transparent) = choices.transparent {
-            let kept = g.compact(view, "visible transparent set", transparent, tested.drawn);
+            let kept = g.compact(view, "visible transparent set", transparent, drawn);
             g.shade_indirect(view, "transparent", kept);
         }
         Ok(match choices.candidates {
-            Some(candidates) => verdicts(g, view, candidates, tested.drawn),
-            None => VisibleSet::drawn_on_gpu(tested.drawn),
+            Some(candidates) => verdicts(g, view, candidates, drawn),
+            None => VisibleSet::drawn_on_gpu(drawn),
         })
+    }
+}
+
+impl Tunable for DepthPyramid {
+    fn settings(&self) -> Vec<Setting> {
+        describe(PARAMETERS, self)
+    }
+
+    fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
+        assign("depth-pyramid", PARAMETERS, self, key, value)
+    }
+
+    /// From two phases to one.
+    fn steps(&self) -> Vec<Step> {
+        ["2", "1"]
+            .map(|phases| Step::of([("phases", phases.into())]))
+            .into()
     }
 }
 

@@ -68,7 +68,7 @@ pub fn registry() -> Registry {
     registry.register(|| Box::new(ThreePass::default()));
     registry.register(|| Box::new(Coherent::default()));
     registry.register(|| Box::new(StereoCoherent::default()));
-    registry.register(|| Box::new(DepthPyramid));
+    registry.register(|| Box::new(DepthPyramid::default()));
     registry.register(|| Box::new(OccupancyMapBatched::default()));
     registry.register(|| Box::new(OccupancyMapSingle::default()));
     registry

@@ -167,7 +167,16 @@ fn walks(gpu: &Gpu) {
 }
 
 fn depth_pyramid(gpu: &Gpu) {
-    conform(gpu, &small(), named(&["depth-pyramid"]));
+    let all = [
+        "depth-pyramid",
+        "depth-pyramid:history=pyramid",
+        "depth-pyramid:shape=box",
+        "depth-pyramid:detail=pyramid",
+        "depth-pyramid:phases=1",
+        "depth-pyramid:phases=1:late=cull",
+        "depth-pyramid:phases=1:history=pyramid",
+    ];
+    conform(gpu, &small(), named(&all));
 }
 
 /// Random worlds, one a seed: more of them with PYRAMID_SEEDS=1000 in the environment.

@@ -13,7 +13,8 @@ fn shows(place: RelativeBox) -> bool {
     if !(seen.least_w > 0.0) {
         return true;
     }
-    let ellipsoid = seen_ellipsoid_of(place.round, seen.centre, seen.x, seen.y, seen.z);
+    let round = select(place.round, 0.0, (view.flags & BOXES_ALONE) != 0u);
+    let ellipsoid = seen_ellipsoid_of(round, seen.centre, seen.x, seen.y, seen.z);
     var low = seen.low;
     var high = seen.high;
     var nearest = seen.nearest;
@@ -57,6 +58,9 @@ fn shows(place: RelativeBox) -> bool {
     let extent = max(greatest.x - least.x, greatest.y - least.y);
     if extent >= 4u && nearest + lost < farthest(least, greatest, extent) {
         return false;
+    }
+    if extent >= 4u && (view.flags & ONE_LOOK) != 0u {
+        return true;
     }
     return any_behind(shape_of(seen, ellipsoid, nearest, margin, lost), least, greatest, extent);
 }

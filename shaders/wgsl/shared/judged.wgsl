@@ -15,7 +15,7 @@ struct JudgedView {
     depth_step: f32,
     // Number of instances.
     count: u32,
-    // Bits of `FORGET`, `FRAME_LATE` and `AT_MIDDLES`.
+    // Bits of `FORGET` and the following.
     flags: u32,
 }
 
@@ -25,6 +25,12 @@ const FORGET: u32 = 1u;
 const FRAME_LATE: u32 = 2u;
 // Everything is drawn with one sample a pixel, in its middle.
 const AT_MIDDLES: u32 = 4u;
+// What nothing is known of is not drawn before it was tested, where there is no second phase.
+const CULL_UNKNOWN: u32 = 8u;
+// Ellipsoids are not tested.
+const BOXES_ALONE: u32 = 16u;
+// What the pyramid lets through at first sight is visible.
+const ONE_LOOK: u32 = 32u;
 
 // What is found about an instance. A state holds it, and from bit 8 on the generation that it is about.
 const ABSENT: u32 = 0u;

@@ -126,8 +126,11 @@ assert_layout!(GpuJudgedView, "judge_first", "JudgedView", { clip_from_relative,
 
 /// Bits of `GpuJudgedView::flags`.
 pub(crate) const FORGET: u32 = 1;
-pub(super) const FRAME_LATE: u32 = 2;
+pub(crate) const FRAME_LATE: u32 = 2;
 pub(crate) const AT_MIDDLES: u32 = 4;
+pub(crate) const CULL_UNKNOWN: u32 = 8;
+pub(crate) const BOXES_ALONE: u32 = 16;
+pub(crate) const ONE_LOOK: u32 = 32;
 
 impl GpuJudgedView {
     pub fn new(eye: &Eye, size: [u32; 2], depth: HostDepth, count: u32, flags: u32) -> Self {

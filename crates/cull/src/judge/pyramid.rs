@@ -95,7 +95,17 @@ pub(crate) fn depth_pyramid(
     depth: (Texture, HostDepth),
     size: [u32; 2],
 ) -> PyramidNodes {
-    let (texture, host) = depth;
+    let declared = declare_pyramid(graph, prefix, depth.1, size);
+    fill_pyramid(graph, gpu, pipelines, prefix, depth, size, declared)
+}
+
+/// Adds the node that lays a pyramid out. Its texels are not written yet; those of the last frame can be read.
+pub(crate) fn declare_pyramid(
+    graph: &mut Graph,
+    prefix: &str,
+    host: HostDepth,
+    size: [u32; 2],
+) -> PyramidNodes {
     let made = GpuPyramid::new(size, host);
     let layout = BufferDesc::new(size_of::<GpuPyramid>() as u64);
     let layout = graph.buffer(format!("{prefix}pyramid: levels"), layout);
@@ -108,6 +118,20 @@ pub(crate) fn depth_pyramid(
         format!("{prefix}pyramid"),
         BufferDesc::new(made.texels() * 4),
     );
+    PyramidNodes { layout, texels }
+}
+
+/// Adds the nodes that make a declared pyramid of a depth.
+pub(crate) fn fill_pyramid(
+    graph: &mut Graph,
+    gpu: &Gpu,
+    pipelines: &mut Pipelines,
+    prefix: &str,
+    (texture, host): (Texture, HostDepth),
+    size: [u32; 2],
+    PyramidNodes { layout, texels }: PyramidNodes,
+) -> PyramidNodes {
+    let made = GpuPyramid::new(size, host);
     let reduce = pipelines.compute(gpu, first_levels(host), "reduce");
     let mut node = graph.compute(format!("{prefix}first levels"));
     node.group(CULL).storage_read(layout).sample(texture);
