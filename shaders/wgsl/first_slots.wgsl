@@ -8,18 +8,22 @@
 @group(0) @binding(3) var<storage, read_write> first: array<u32>;
 
 // Half of the least size on the screen, as a part of its width or height, at which an entity that nothing is known of is drawn before the test: it may hide much.
-const LARGE: f32 = 0.125;
+const LARGE: f32 = 0.02;
 
-fn is_large(place: RelativeBox) -> bool {
+// Of what is smaller, by no more than this, one in four is drawn: in a crowd of equals they hide many of the others.
+const SMALLER: f32 = 0.25;
+
+fn is_guessed(place: RelativeBox, slot: u32) -> bool {
     let centre = view.clip_from_relative * vec4<f32>(place.centre, 1.0);
     let x = view.clip_from_relative * vec4<f32>(place.x, 0.0);
     let y = view.clip_from_relative * vec4<f32>(place.y, 0.0);
     let z = view.clip_from_relative * vec4<f32>(place.z, 0.0);
     let size = abs(x.xy) + abs(y.xy) + abs(z.xy);
-    return max(size.x, size.y) > LARGE * centre.w;
+    let least = LARGE * select(1.0, SMALLER, slot % 4u == 0u);
+    return max(size.x, size.y) > least * centre.w;
 }
 
-fn is_first(instance: JudgedInstance, state: u32) -> bool {
+fn is_first(instance: JudgedInstance, slot: u32, state: u32) -> bool {
     let is_last_phase = (view.flags & FRAME_LATE) != 0u;
     // What hides nothing waits for the test, if there is one.
     let wanted = LIVE | select(HIDES, 0u, is_last_phase);
@@ -31,7 +35,7 @@ fn is_first(instance: JudgedInstance, state: u32) -> bool {
     if at == WITHIN && (instance.traits & TESTED) != 0u {
         let known = select(state, SLOT_UNKNOWN, (view.flags & FORGET) != 0u);
         if known == SLOT_UNKNOWN {
-            return select(is_large(place), (view.flags & CULL_UNKNOWN) == 0u, is_last_phase);
+            return select(is_guessed(place, slot), (view.flags & CULL_UNKNOWN) == 0u, is_last_phase);
         }
         return known == SLOT_VISIBLE;
     }
@@ -43,6 +47,6 @@ fn first_slots(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgr
     // More workgroups than a dimension of a dispatch may have come in rows.
     let slot = at.y * groups.x * 64u + at.x;
     if slot < view.count {
-        first[slot] = select(0u, 1u, is_first(instances[slot], states[slot]));
+        first[slot] = select(0u, 1u, is_first(instances[slot], slot, states[slot]));
     }
 }

@@ -66,7 +66,7 @@ fn shows(place: RelativeBox) -> bool {
 }
 
 // Blocks and pixels that are looked at before an instance that is still undecided counts as visible.
-const MOST_LOOKS: u32 = 1024u;
+const MOST_LOOKS: u32 = 256u;
 
 // Whether in any pixel of a rectangle a shape's nearest point is at or in front of the farthest sample. Blocks of the pyramid are visited from the largest on, each followed by the four within it, and left
 // where the shape is behind all of a block, or beside it. Comparisons are written so that what is not a number is behind.
