@@ -12,6 +12,7 @@ use crate::judge::{
     AT_MIDDLES, Eye, GpuJudgedView, HostDepth, JudgedInstance, Part, PyramidNodes, depth_pyramid,
 };
 use crate::renderer::DEPTH_FORMAT;
+use crate::self_test::Capability;
 use crate::view_nodes::ViewNodes;
 
 /// What a test of boxes has found, a u32 a slot: 1 or 0.
@@ -38,6 +39,8 @@ impl FrameGraph<'_> {
     ///
     /// Needs a device that [reads the samples of what was drawn](crate::Gpu::reads_drawn_samples), where there are several a pixel.
     pub fn test_boxes(&mut self, view: &ViewNodes, seen: Buffer, found: Buffer) -> BoxTest {
+        self.relies_on(Capability::DepthPyramid);
+        self.relies_on(Capability::BoxTest);
         let host = HostDepth {
             format: DEPTH_FORMAT,
             samples: self.samples(),

@@ -22,10 +22,12 @@ use crate::narrowing::Narrowing;
 use crate::order::back_to_front;
 use crate::pipelines::Pipelines;
 use crate::renderer::{DEPTH_FORMAT, IDENTITY_FORMAT, Renderer, ShadeTargets};
+use crate::self_test::Capability;
 use crate::stage::StageOutput;
 use crate::stage_scene::SceneLayout;
 use crate::strategy::VisibleSet;
 use crate::tree::Tree;
+use crate::trust::Trust;
 use crate::verdict::{Verdict, Verdicts};
 use crate::view::ViewFrame;
 use crate::view_nodes::ViewNodes;
@@ -65,6 +67,8 @@ pub(crate) struct Shared {
     pub boxes: Option<Buffer>,
     /// What the strategy shows.
     pub shown: Vec<Shown>,
+    /// What is known of the driver.
+    pub trust: Trust,
 }
 
 /// Verdicts and the lists that follow from them.
@@ -182,6 +186,7 @@ impl<'g> FrameGraph<'g> {
 
     /// The pipeline that draws boxes for queries.
     pub fn box_pipeline(&mut self) -> Arc<BoxPipeline> {
+        self.relies_on(Capability::OcclusionQueries);
         let Shared {
             gpu,
             pipelines,

@@ -65,7 +65,7 @@ use eye::{FORGET, FRAME_LATE};
 use list::List;
 use masks::Masks;
 use passes::{FirstNodes, TestDesc, TestNodes, prefix};
-pub(crate) use pyramid::{PyramidNodes, depth_pyramid};
+pub(crate) use pyramid::{FIRST_KEPT, GpuPyramid, PyramidNodes, depth_pyramid, first_levels};
 use submitted::Submitted;
 
 use crate::device::Gpu;
