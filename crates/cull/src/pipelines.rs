@@ -10,14 +10,14 @@ use crate::compute_pipeline::ComputePipeline;
 use crate::device::Gpu;
 
 /// Pipelines by what they are.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct Pipelines {
     compute: HashMap<Shader, Arc<ComputePipeline>>,
     boxes: Option<Arc<BoxPipeline>>,
 }
 
 /// An entry point of a shader. The text tells shaders of one name apart.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+#[derive(Debug, PartialEq, Eq, Hash)]
 struct Shader {
     source: String,
     entry: &'static str,

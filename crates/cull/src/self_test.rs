@@ -1,7 +1,7 @@
 //! The self-test of a driver: a few passes and dispatches over a hand-made picture, whose answers are known beforehand.
 //!
 //! Drivers lose writes, leave levels of a texture stale and answer queries with zero, and then objects vanish without an error. So a driver is not believed but tried: each
-//! capability that strategies are made of, with the shaders and pipelines that they use. All of it is one submission and one wait, and is done once a device.
+//! capability that strategies are made of, with the shaders and pipelines that they use. All that is tried at once is one submission and one wait, and nothing is tried twice on a device.
 
 mod bench;
 mod boxes;
@@ -14,13 +14,15 @@ mod pyramid;
 mod queries;
 mod raster;
 mod report;
+mod scene;
 mod trial;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use bench::Bench;
-use raster::Scene;
+use scene::Scene;
+use trial::Trial;
 
 pub use report::{Capability, Failure, Outcome, SelfTestReport};
 
@@ -28,106 +30,99 @@ use crate::counting::Counting;
 use crate::device::{DeviceError, Gpu};
 use crate::pipelines::Pipelines;
 
-/// What the self-tests of a device found, by samples a pixel.
+/// What the self-tests of a device found, by samples a pixel. A report has what was tried so far.
 #[derive(Debug, Default)]
-pub(crate) struct SelfTests(Mutex<BTreeMap<u32, Tested>>);
-
-/// A self-test that has run.
-#[derive(Debug, Clone)]
-pub(crate) struct Tested {
-    pub report: Arc<SelfTestReport>,
-    /// What it has compiled: stages go on from it.
-    pub pipelines: Pipelines,
-}
+pub(crate) struct SelfTests(Mutex<BTreeMap<u32, Arc<SelfTestReport>>>);
 
 impl Gpu {
-    /// Tries what strategies need of the driver, with so many samples a pixel, and returns what was found. It runs once a device and number of samples, submits and waits;
-    /// later calls return the same report at once. A stage does this when it is made ([`DistrustOptions::self_test`](crate::DistrustOptions)): a host that must not wait there calls it earlier.
+    /// Tries all that strategies need of the driver, with so many samples a pixel, and returns what was found. It submits and waits. What was tried before, here or when a stage was
+    /// made ([`DistrustOptions::self_test`](crate::DistrustOptions)), is not tried again: a host that must not wait there calls this earlier.
     ///
     /// # Errors
     /// [`DeviceError::Samples`] for samples that the device does not have; [`DeviceError::Lost`] where the device is lost meanwhile.
     pub fn self_test(&self, samples: u32) -> Result<Arc<SelfTestReport>, DeviceError> {
-        Ok(self.tested(samples)?.report)
+        let all = Capability::ALL.into_iter().collect();
+        self.tried(samples, &all, &mut Pipelines::default())
     }
 
-    /// The same, with what was compiled.
-    pub(crate) fn tested(&self, samples: u32) -> Result<Tested, DeviceError> {
+    /// The same of these capabilities alone, with the pipelines of a stage.
+    pub(crate) fn tried(
+        &self,
+        samples: u32,
+        capabilities: &BTreeSet<Capability>,
+        pipelines: &mut Pipelines,
+    ) -> Result<Arc<SelfTestReport>, DeviceError> {
         self.check_samples(samples)?;
-        let mut tests = self
-            .self_tests
-            .0
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
-        if let Some(tested) = tests.get(&samples) {
-            return Ok(tested.clone());
+        let tests = &self.self_tests.0;
+        let mut tests = tests.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = tests.entry(samples).or_insert_with(|| {
+            Arc::new(SelfTestReport {
+                samples,
+                outcomes: Vec::new(),
+            })
+        });
+        let mut new = capabilities.clone();
+        new.retain(|capability| known.outcome(*capability).is_none());
+        if !new.is_empty() {
+            let mut outcomes = known.outcomes.clone();
+            outcomes.extend(run(self, samples, new, pipelines)?);
+            outcomes.sort_by_key(|(capability, _)| *capability);
+            *known = Arc::new(SelfTestReport { samples, outcomes });
         }
-        let tested = run(self, samples)?;
-        tests.insert(samples, tested.clone());
-        Ok(tested)
+        Ok(Arc::clone(known))
     }
 }
 
-/// Runs all trials that the device has what it takes for.
-fn run(gpu: &Gpu, samples: u32) -> Result<Tested, DeviceError> {
-    let mut pipelines = Pipelines::default();
-    let mut bench = Bench::new(gpu, &mut pipelines, samples);
+/// Runs the trials that the device has what it takes for.
+fn run(
+    gpu: &Gpu,
+    samples: u32,
+    capabilities: BTreeSet<Capability>,
+    pipelines: &mut Pipelines,
+) -> Result<Vec<(Capability, Outcome)>, DeviceError> {
+    let mut bench = Bench::new(gpu, pipelines, samples);
     let scene = bench.attempt(Scene::new);
-    let mut pyramid = None;
     let mut trials = Vec::new();
-    for capability in Capability::ALL {
-        let lacking = lacking(gpu, samples, capability);
-        let trial = match (&lacking, &scene) {
-            (Some(_), _) => None,
-            (None, Err(failure)) => Some(Err(failure.clone())),
+    for capability in capabilities {
+        let trial = match (lacking(gpu, samples, capability), &scene) {
+            (Some(lacking), _) => Err(Outcome::NotAvailable(lacking.to_owned())),
+            (None, Err(failure)) => Err(Outcome::Failed(failure.clone())),
             (None, Ok(scene)) => bench
-                .attempt(|bench| {
-                    Some(match capability {
-                        Capability::FragmentAtomics => {
-                            fragments::record(bench, scene, Counting::Atomics)
-                        }
-                        Capability::FragmentCompare => {
-                            fragments::record(bench, scene, Counting::Compare)
-                        }
-                        Capability::IdHistogram => ids::record(bench, scene),
-                        Capability::OcclusionQueries => queries::record(bench, scene),
-                        Capability::DepthPyramid => {
-                            let (trial, made) = pyramid::record(bench, scene);
-                            pyramid = Some(made);
-                            trial
-                        }
-                        Capability::BoxTest => boxes::record(bench, scene, pyramid.as_ref()?),
-                        Capability::Compaction => compaction::record(bench),
-                        Capability::IndirectFirstInstance => indirect::record(bench),
-                    })
-                })
-                .transpose(),
+                .attempt(|bench| record(bench, scene, capability))
+                .map_err(Outcome::Failed),
         };
-        trials.push((capability, lacking, trial));
+        trials.push((capability, trial));
     }
     let answers = bench.finish()?;
-    let outcomes = trials.into_iter().map(|(capability, lacking, trial)| {
+    let judged = trials.into_iter().map(|(capability, trial)| {
         let outcome = match trial {
-            Some(Ok(trial)) => trial.judged(&answers),
-            Some(Err(failure)) => Outcome::Failed(failure),
-            None => Outcome::NotAvailable(lacking.unwrap_or("a depth pyramid").to_owned()),
+            Ok(trial) => trial.judged(&answers),
+            Err(outcome) => outcome,
         };
+        if let Outcome::Failed(failure) = &outcome {
+            tracing::warn!(
+                adapter = gpu.title(),
+                samples,
+                "self-test: {capability}: {failure}"
+            );
+        }
         (capability, outcome)
     });
-    let report = SelfTestReport {
-        samples,
-        outcomes: outcomes.collect(),
-    };
-    for (capability, failure) in report.failures() {
-        tracing::warn!(
-            adapter = gpu.title(),
-            samples,
-            "self-test: {capability}: {failure}"
-        );
+    Ok(judged.collect())
+}
+
+/// Records the trial of a capability.
+fn record(bench: &mut Bench<'_>, scene: &Scene, capability: Capability) -> Trial {
+    match capability {
+        Capability::FragmentAtomics => fragments::record(bench, scene, Counting::Atomics),
+        Capability::FragmentCompare => fragments::record(bench, scene, Counting::Compare),
+        Capability::IdHistogram => ids::record(bench, scene),
+        Capability::OcclusionQueries => queries::record(bench, scene),
+        Capability::DepthPyramid => pyramid::record(bench, scene),
+        Capability::BoxTest => boxes::record(bench, scene),
+        Capability::Compaction => compaction::record(bench),
+        Capability::IndirectFirstInstance => indirect::record(bench, scene),
     }
-    Ok(Tested {
-        report: Arc::new(report),
-        pipelines,
-    })
 }
 
 /// What the device lacks for a capability; `None` where it has it.

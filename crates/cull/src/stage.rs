@@ -109,11 +109,7 @@ impl Stage {
             .budget
             .map(|budget| BudgetController::new(budget, strategy.as_mut(), options.mode))
             .transpose()?;
-        let (tested, mut pipelines) =
-            match fallback::tested(scene.gpu(), strategy.as_ref(), &options)? {
-                Some(tested) => (Some(tested.report), tested.pipelines),
-                None => (None, Pipelines::default()),
-            };
+        let mut pipelines = Pipelines::default();
         let mut renderer = scene.renderer();
         let inherited = Inherited {
             pipelines: &mut pipelines,
@@ -121,7 +117,7 @@ impl Stage {
             frames: 0,
             step: step(controller.as_ref()),
             replacements: 0,
-            trust: Trust::by(tested.as_ref().map(Arc::clone)),
+            trust: Trust::default(),
             renderer: renderer.as_mut(),
         };
         let built = build(scene, strategy.as_mut(), &specs, &options, inherited)?;
@@ -141,13 +137,13 @@ impl Stage {
             frames: 0,
             audits,
             controller,
-            tested,
+            tested: None,
             distrust: Vec::new(),
             replacements: 0,
             conservative_from: None,
         };
         let trust = stage.built.trust.clone();
-        if stage.heeds(&trust) {
+        if stage.heeds(&trust)? {
             stage.built = stage.declare(scene)?;
         }
         Ok(stage)
@@ -308,11 +304,10 @@ impl Stage {
         };
         let strategy = self.strategy.as_mut();
         let built = build(scene, strategy, &self.specs, &self.options, inherited)?;
-        match self.heeds(&built.trust) {
-            // What it is replaced by relies on nothing.
-            true => self.declare(scene),
-            false => Ok(built),
-        }
+        Ok(match self.heeds(&built.trust)? {
+            true => self.declare(scene)?,
+            false => built,
+        })
     }
 
     /// A kept plan, ready to go on. Its nodes see a camera cut: answers from before the pause are not used.

@@ -4,8 +4,8 @@ use antumbra_shaders::jobs;
 
 use super::bench::Bench;
 use super::picture::{CLIP_FROM_RELATIVE, Rect, SIZE, WALL};
-use super::pyramid::Pyramid;
-use super::raster::Scene;
+use super::pyramid;
+use super::scene::Scene;
 use super::trial::{Answer, Expected, Trial};
 use crate::judge::{AT_MIDDLES, Eye, GpuJudgedView, HostDepth, JudgedInstance, Part};
 use glam::DVec3;
@@ -113,7 +113,8 @@ fn cases(shutter: Option<&Rect>) -> Vec<Case> {
 }
 
 /// Records the trial.
-pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene, pyramid: &Pyramid) -> Trial {
+pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> Trial {
+    let pyramid = pyramid::make(bench, scene);
     let samples = bench.samples;
     let host = HostDepth {
         samples,

@@ -4,12 +4,14 @@ use antumbra_shaders::jobs;
 
 use super::bench::Bench;
 use super::picture::tested;
-use super::raster::{Attachments, DepthUse, RasterDesc, RasterPipeline, Scene, pass};
+use super::raster::{Attachments, DepthUse, RasterDesc, RasterPipeline, pass};
+use super::scene::Scene;
 use super::trial::{Answer, Expected, Trial};
 use crate::counting::Counting;
 
 /// Records the trial of one of the two ways.
 pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene, way: Counting) -> Trial {
+    scene.draw(bench);
     let many = bench.samples > 1;
     let early = way == Counting::Atomics;
     let desc = RasterDesc {

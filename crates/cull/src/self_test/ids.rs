@@ -4,7 +4,8 @@ use antumbra_shaders::jobs;
 
 use super::bench::Bench;
 use super::picture::{SIZE, owned, tested};
-use super::raster::{Attachments, RasterDesc, RasterPipeline, Scene, pass};
+use super::raster::{Attachments, pass};
+use super::scene::Scene;
 use super::trial::{Answer, Expected, Trial};
 use crate::compute_pipeline::rows_of;
 use crate::renderer::IDENTITY_FORMAT;
@@ -14,7 +15,7 @@ pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> Trial {
     let samples = bench.samples;
     let ids = bench.texture(SIZE, IDENTITY_FORMAT, samples);
     let ids = ids.create_view(&Default::default());
-    let pipeline = RasterPipeline::new(bench.gpu, &RasterDesc::ids(samples));
+    let pipeline = scene.ids(bench);
     let into = Attachments {
         depth: &scene.scratch,
         clears: true,
@@ -22,7 +23,7 @@ pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> Trial {
         queries: None,
     };
     let mut pass = pass(&mut bench.encoder, &into);
-    scene.tested.begin(bench.gpu, &mut pass, &pipeline, None);
+    scene.tested.begin(bench.gpu, &mut pass, pipeline, None);
     scene.tested.draw(&mut pass);
     drop(pass);
 

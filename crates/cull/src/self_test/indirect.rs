@@ -3,6 +3,7 @@
 use super::bench::Bench;
 use super::picture::Rect;
 use super::raster::{Attachments, QUAD_INDICES, RasterDesc, RasterPipeline, Sheets, pass};
+use super::scene::Scene;
 use super::trial::{Answer, Expected, Trial};
 use crate::draw_source::INDIRECT_DRAW_BYTES;
 use crate::renderer::{DEPTH_FORMAT, IDENTITY_FORMAT};
@@ -17,7 +18,7 @@ const SLOTS: [u32; 16] = [3, 0, 14, 7, 1, 9, 12, 5, 2, 11, 15, 4, 8, 6, 13, 10];
 const DRAWS: [[u32; 2]; 5] = [[0, 3], [3, 0], [3, 3], [7, 5], [13, 3]];
 
 /// Records the trial. Its image has one sample a pixel.
-pub(super) fn record(bench: &mut Bench<'_>) -> Trial {
+pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> Trial {
     let tiles: Vec<Rect> = (0..SLOTS.len() as u32)
         .map(|slot| Rect::new(slot * TILE..(slot + 1) * TILE, 0..TILE, 0.5))
         .collect();
@@ -25,7 +26,8 @@ pub(super) fn record(bench: &mut Bench<'_>) -> Trial {
     let ids = bench.texture(SIZE, IDENTITY_FORMAT, 1);
     let depth = bench.texture(SIZE, DEPTH_FORMAT, 1);
     let [ids_view, depth] = [&ids, &depth].map(|texture| texture.create_view(&Default::default()));
-    let pipeline = RasterPipeline::new(bench.gpu, &RasterDesc::ids(1));
+    let own = (bench.samples > 1).then(|| RasterPipeline::new(bench.gpu, &RasterDesc::ids(1)));
+    let pipeline = own.as_ref().unwrap_or_else(|| scene.ids(bench));
     let slots = bench.buffer(&SLOTS, wgpu::BufferUsages::VERTEX);
     let draws: Vec<u32> = DRAWS
         .iter()
@@ -43,7 +45,7 @@ pub(super) fn record(bench: &mut Bench<'_>) -> Trial {
         queries: None,
     };
     let mut pass = pass(&mut bench.encoder, &into);
-    sheets.begin(bench.gpu, &mut pass, &pipeline, Some(&slots));
+    sheets.begin(bench.gpu, &mut pass, pipeline, Some(&slots));
     pass.multi_draw_indexed_indirect(&draws, 0, DRAWS.len() as u32);
     drop(pass);
     let [width, height] = SIZE;

@@ -3,13 +3,14 @@
 
 use super::bench::Bench;
 use super::picture::SIZE;
-use super::raster::Scene;
+use super::scene::Scene;
 use super::trial::{Answer, Expected, Trial};
 use crate::judge::{FIRST_KEPT, GpuPyramid, HostDepth, first_levels};
 use antumbra_shaders::jobs;
 
 /// A pyramid on the device.
 pub(super) struct Pyramid {
+    made: GpuPyramid,
     pub layout: wgpu::Buffer,
     pub texels: wgpu::Buffer,
 }
@@ -17,8 +18,17 @@ pub(super) struct Pyramid {
 /// The depth that the first, near picture has everywhere.
 const NEAR: f32 = 0.9375;
 
-/// Records the trial. The pyramid is that of the scene's depth afterwards.
-pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> (Trial, Pyramid) {
+/// Records the trial.
+pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> Trial {
+    let Pyramid { made, texels, .. } = make(bench, scene);
+    Trial {
+        expected: expected(&made, bench.painted().farthest()),
+        bytes: bench.reads(texels),
+    }
+}
+
+/// Makes the pyramid of another picture, and then that of the scene's into the same memory.
+pub(super) fn make(bench: &mut Bench<'_>, scene: &Scene) -> Pyramid {
     let host = HostDepth {
         samples: bench.samples,
         ..HostDepth::default()
@@ -42,8 +52,8 @@ pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> (Trial, Pyramid) {
     let rest_group = rest.group_of(bench.gpu, &buffers);
     for is_picture in [false, true] {
         match is_picture {
-            true => scene.draw_depth(bench, &scene.depth),
-            false => scene.cover(bench, &scene.depth, NEAR),
+            true => scene.draw(bench),
+            false => scene.cover(bench, NEAR),
         }
         let [wide, rows] = SIZE.map(|side| side.div_ceil(32));
         for (pipeline, group, groups) in [
@@ -54,11 +64,11 @@ pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> (Trial, Pyramid) {
             pipeline.dispatch_in(&mut pass, group, groups);
         }
     }
-    let trial = Trial {
-        expected: expected(&made, bench.painted().farthest()),
-        bytes: bench.reads(texels.clone()),
-    };
-    (trial, Pyramid { layout, texels })
+    Pyramid {
+        made,
+        layout,
+        texels,
+    }
 }
 
 /// The texels of all levels that are kept, each level from the one below.

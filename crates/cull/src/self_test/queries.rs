@@ -2,7 +2,8 @@
 
 use super::bench::Bench;
 use super::picture::{Rect, tested};
-use super::raster::{Attachments, DepthUse, QUAD_INDICES, RasterDesc, RasterPipeline, Scene, pass};
+use super::raster::{Attachments, DepthUse, QUAD_INDICES, RasterDesc, RasterPipeline, pass};
+use super::scene::Scene;
 use super::trial::{Answer, Expected, Trial};
 use crate::boxes::{BoxPipeline, GpuBox};
 
@@ -13,6 +14,7 @@ const DEEP: f32 = 1.0 / 64.0;
 
 /// Records the trial.
 pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> Trial {
+    scene.draw(bench);
     let all = tested();
     let queried = all.len() as u32;
     let queries = bench

@@ -1,9 +1,9 @@
-//! How trials draw rectangles: pipelines of the shaders that renderers use, the scene's buffers, and passes over them.
+//! How trials draw rectangles: pipelines of the shaders that renderers use, buffers, and passes over them.
 
 use antumbra_shaders::{Job, jobs};
 
 use super::bench::Bench;
-use super::picture::{CLIP_FROM_RELATIVE, GpuInstance, Rect, SIZE, occluders, tested};
+use super::picture::{CLIP_FROM_RELATIVE, GpuInstance, Rect};
 use crate::device::Gpu;
 use crate::renderer::{DEPTH_FORMAT, IDENTITY_FORMAT};
 use crate::view::GpuView;
@@ -298,81 +298,4 @@ pub(super) fn pass<'e>(
         occlusion_query_set: into.queries,
         ..Default::default()
     })
-}
-
-/// The picture on the device: its depth, and what is tested against it.
-pub(super) struct Scene {
-    /// The finished depth of the occluders.
-    pub depth: wgpu::TextureView,
-    /// Another depth of its size.
-    pub scratch: wgpu::TextureView,
-    /// What is counted and queried.
-    pub tested: Sheets,
-    occluders: Sheets,
-    draws: RasterPipeline,
-    /// What is drawn in all samples but the last.
-    shutter: Option<(Sheets, RasterPipeline)>,
-}
-
-impl Scene {
-    /// Makes everything, and draws the occluders.
-    pub fn new(bench: &mut Bench<'_>) -> Self {
-        let samples = bench.samples;
-        let view = |bench: &Bench<'_>| {
-            let texture = bench.texture(SIZE, DEPTH_FORMAT, samples);
-            texture.create_view(&Default::default())
-        };
-        let all = tested();
-        let shutter = bench.shutter().map(|rect| {
-            let desc = RasterDesc {
-                mask: !(1 << (samples - 1)),
-                ..RasterDesc::depth(DepthUse::Writes, samples)
-            };
-            let sheets = Sheets::new(bench, SIZE, std::iter::once(rect));
-            (sheets, RasterPipeline::new(bench.gpu, &desc))
-        });
-        let scene = Self {
-            depth: view(bench),
-            scratch: view(bench),
-            tested: Sheets::new(bench, SIZE, all.iter().map(|(rect, _)| rect)),
-            occluders: Sheets::new(bench, SIZE, occluders().iter()),
-            draws: RasterPipeline::new(bench.gpu, &RasterDesc::depth(DepthUse::Writes, samples)),
-            shutter,
-        };
-        scene.draw_depth(bench, &scene.depth);
-        scene
-    }
-
-    /// Clears a depth and draws the occluders into it.
-    pub fn draw_depth(&self, bench: &mut Bench<'_>, depth: &wgpu::TextureView) {
-        let into = Attachments {
-            depth,
-            clears: true,
-            ids: None,
-            queries: None,
-        };
-        let mut pass = pass(&mut bench.encoder, &into);
-        self.occluders
-            .begin(bench.gpu, &mut pass, &self.draws, None);
-        self.occluders.draw(&mut pass);
-        if let Some((sheets, pipeline)) = &self.shutter {
-            sheets.begin(bench.gpu, &mut pass, pipeline, None);
-            sheets.draw(&mut pass);
-        }
-    }
-
-    /// Clears a depth and covers all of it with one sheet.
-    pub fn cover(&self, bench: &mut Bench<'_>, depth: &wgpu::TextureView, at: f32) {
-        let whole = Rect::new(0..SIZE[0], 0..SIZE[1], at);
-        let sheets = Sheets::new(bench, SIZE, std::iter::once(&whole));
-        let into = Attachments {
-            depth,
-            clears: true,
-            ids: None,
-            queries: None,
-        };
-        let mut pass = pass(&mut bench.encoder, &into);
-        sheets.begin(bench.gpu, &mut pass, &self.draws, None);
-        sheets.draw(&mut pass);
-    }
 }

@@ -9,8 +9,8 @@ use crate::self_test::{Capability, Failure};
 /// What a stage does to find out whether the driver can be believed. Either may be turned off by itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct DistrustOptions {
-    /// Whether the device's [self-test](crate::Gpu::self_test) runs before the first stage on a device is made, and counts for all of them. Capabilities that it finds wrong are
-    /// not used. Yardsticks rely on none and run no test.
+    /// Whether what the strategy relies on is [tried](crate::Gpu::self_test) when a stage is made, which submits and waits; what was tried on the device before is known. What is found
+    /// wrong is not used. A stage with a budget tries everything. Yardsticks rely on nothing.
     pub self_test: bool,
     /// Whether a stage that audits itself ([`StageOptions::audit`](crate::StageOptions::audit)) goes over to `frustum` when an audit finds a wrong pixel although the strategy
     /// [is conservative](crate::Strategy::conservative). Aggressive settings and answers that are a frame late may be wrong, and trip nothing.

@@ -1,25 +1,16 @@
 //! Falling back to `frustum`: where the strategy relies on what the driver gets wrong, and where an audit finds what a conservative strategy cannot have done.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use antumbra_graph::Mode;
+
 use super::distrust::{Distrust, DistrustCause, Instead};
-use super::{Stage, StageError, StageOptions};
+use super::{Stage, StageError};
 use crate::audit::FrameAudit;
-use crate::device::Gpu;
-use crate::self_test::{Capability, Outcome, SelfTestReport, Tested};
-use crate::strategy::Strategy;
+use crate::self_test::{Capability, Outcome, SelfTestReport};
 use crate::trust::Trust;
 use crate::yardsticks::FrustumOnly;
-
-/// What the device's self-test found; `None` where a stage needs none.
-pub(super) fn tested(
-    gpu: &Gpu,
-    strategy: &dyn Strategy,
-    options: &StageOptions,
-) -> Result<Option<Tested>, StageError> {
-    let needed = options.distrust.self_test && !strategy.role().is_yardstick();
-    Ok(needed.then(|| gpu.tested(options.samples)).transpose()?)
-}
 
 impl Stage {
     /// Where the driver was found wrong, and what this stage does otherwise since; empty while it is believed. Read it once a frame, or whenever a frame was
@@ -28,7 +19,8 @@ impl Stage {
         &self.distrust
     }
 
-    /// What the device's self-test found; `None` where it was [turned off](crate::DistrustOptions::self_test), and for a yardstick.
+    /// What the device's self-test found of what the strategy relies on, and of what else was tried so far; `None` where it was [turned off](crate::DistrustOptions::self_test), and for a
+    /// yardstick.
     pub fn self_test(&self) -> Option<&SelfTestReport> {
         self.tested.as_deref()
     }
@@ -38,23 +30,48 @@ impl Stage {
         Trust::by(self.tested.as_ref().map(Arc::clone))
     }
 
-    /// Notes what a declared strategy does otherwise, and replaces the strategy if it relies on what is wrong. Whether it did.
-    pub(super) fn heeds(&mut self, trust: &Trust) -> bool {
-        for replaced in &trust.replaced {
-            self.note(
-                Capability::of(replaced.wrong),
-                Instead::Counting(replaced.instead),
-            );
+    /// Tries what a declared strategy relies on, notes what it does otherwise, and replaces it if it relies on what is known to be wrong. Whether it must be declared again.
+    pub(super) fn heeds(&mut self, trust: &Trust) -> Result<bool, StageError> {
+        if !self.options.distrust.self_test || self.strategy.role().is_yardstick() {
+            return Ok(false);
         }
         let betrayed = trust.betrayed();
-        for capability in &betrayed {
-            self.note(*capability, Instead::Frustum);
+        if !betrayed.is_empty() {
+            for capability in &betrayed {
+                self.note(*capability, Instead::Frustum);
+            }
+            self.fall_back();
+            return Ok(true);
         }
-        if betrayed.is_empty() {
-            return false;
+        let report = self.tried(trust.relied.clone())?;
+        let is_wrong = |relied: &Capability| report.has_failed(*relied);
+        if trust.relied.iter().any(is_wrong) {
+            // What may be counted by instead.
+            self.tried([Capability::FragmentAtomics, Capability::FragmentCompare].into())?;
+            return Ok(true);
         }
-        self.fall_back();
-        true
+        for replaced in &trust.replaced {
+            let wrong = Capability::of(replaced.wrong);
+            self.note(wrong, Instead::Counting(replaced.instead));
+        }
+        Ok(false)
+    }
+
+    /// Tries capabilities of the driver. A stage in a host's frame that has begun to draw cannot wait, and has what is known.
+    fn tried(
+        &mut self,
+        mut which: BTreeSet<Capability>,
+    ) -> Result<Arc<SelfTestReport>, StageError> {
+        let samples = self.options.samples;
+        if self.options.mode == Mode::Embedded && self.frames > 0 {
+            which.clear();
+        } else if self.controller.is_some() {
+            // Other steps rely on other things.
+            which.extend(Capability::ALL);
+        }
+        let report = self.gpu.tried(samples, &which, &mut self.pipelines)?;
+        self.tested = Some(Arc::clone(&report));
+        Ok(report)
     }
 
     /// Notes, once, that something is done instead of relying on a capability.
