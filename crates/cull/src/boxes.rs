@@ -305,7 +305,7 @@ pub fn box_query_pass(
         let buffer = ctx.buffer(boxes.buffer)?;
         let list = ctx.get(boxes.list)?;
         let range = ctx.query_range();
-        pipeline.begin(ctx.pass(), &group, &buffer);
+        pipeline.begin(ctx.pass(), &group, buffer);
         let ends = list.query_ends();
         for number in range {
             let at = number as usize;
