@@ -4,8 +4,8 @@
 @group(3) @binding(1) var finished_depth: texture_multisampled_2d<f32>;
 
 fn in_front(clip: vec4<f32>, number: u32) -> bool {
-    // Reversed depth: greater or equal is at or in front of what was drawn.
-    return clip.z >= textureLoad(finished_depth, vec2<i32>(clip.xy), number).x;
+    // Reversed depth: greater is in front of what was drawn. Of what lies in the same place one is drawn over the other, and neither is wrong.
+    return clip.z > textureLoad(finished_depth, vec2<i32>(clip.xy), number).x;
 }
 
 @fragment

@@ -52,7 +52,7 @@ pub enum Command {
     /// List the strategies: what each promises, and its settings with range, default and meaning
     Strategies(StrategiesArgs),
     /// List the graphics adapters, their features and limits, and the ways of counting that each supports
-    Doctor,
+    Doctor(DoctorArgs),
 }
 
 /// Arguments of `compare`.
@@ -176,4 +176,12 @@ pub enum Format {
 pub struct StrategiesArgs {
     /// One strategy alone
     pub name: Option<String>,
+}
+
+/// Arguments of `doctor`.
+#[derive(Debug, Clone, ClapArgs)]
+pub struct DoctorArgs {
+    /// Try each driver: draw, count, query and test a small picture whose answers are known. Exit status 1 if any is wrong
+    #[arg(long)]
+    pub self_test: bool,
 }

@@ -62,6 +62,12 @@ pub enum Failure {
     /// The measuring, or a path or report file.
     #[error(transparent)]
     Measure(#[from] MeasureError),
+    /// Drivers whose answers are wrong.
+    #[error(
+        "the self-test found wrong answers on {}. A stage there counts in another way or draws all that is in the frustum; another version of the driver may be right",
+        .0.join(", ")
+    )]
+    SelfTest(Vec<String>),
     /// Standard output cannot be written.
     #[error("cannot write to standard output: {0}")]
     Print(std::io::Error),

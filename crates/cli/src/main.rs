@@ -43,7 +43,7 @@ fn main() -> ExitCode {
         Command::Graph(args) => commands::graph::run(args),
         Command::Prepare(args) => commands::prepare::run(args),
         Command::Strategies(args) => commands::strategies::run(args),
-        Command::Doctor => commands::doctor::run(),
+        Command::Doctor(args) => commands::doctor::run(&args),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

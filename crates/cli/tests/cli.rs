@@ -316,6 +316,29 @@ fn the_doctor_lists_adapters_and_ways_of_counting() {
     }
 }
 
+#[test]
+fn the_doctor_tries_each_driver_and_says_what_it_found() {
+    let output = antumbra(&["doctor", "--self-test"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    for words in [
+        "self-test with one sample a pixel: every answer is right",
+        "self-test with 4 samples a pixel: every answer is right",
+        "counting by atomics: passed",
+        "counting by compare: not available, it lacks shaders that read the samples of what was drawn",
+        "occlusion queries: passed",
+        "depth pyramid: passed",
+        "box tests: passed",
+        "compaction: passed",
+        "indirect draws with first instance: passed",
+    ] {
+        assert!(text.contains(words), "'{words}' is not in: {text}");
+    }
+    assert!(!text.contains("FAILED"), "{text}");
+    let plain = antumbra(&["doctor"]);
+    assert!(!String::from_utf8_lossy(&plain.stdout).contains("self-test"));
+}
+
 /// What a file can say of it, on the command line; every way a file can be wrong is read in `crates/measure/tests/path.rs`.
 #[test]
 fn a_path_file_with_a_number_beyond_all_names_the_pose() {

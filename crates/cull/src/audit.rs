@@ -112,6 +112,11 @@ impl FrameAudit {
         Estimate::of(std::iter::once(self))
     }
 
+    /// Whether anything would have shown in a patch that was sampled: the frame has wrong pixels for certain.
+    pub fn found_any(&self) -> bool {
+        !self.hits.is_empty()
+    }
+
     /// What the frame left out by its own count ([`Verdicts::left_out_percent`](crate::Verdicts::left_out_percent)); where that is counted on the GPU it is
     /// known of sampled frames alone.
     pub fn left_out_percent(&self) -> Option<f64> {

@@ -11,6 +11,7 @@ use crate::judge::{
     ONE_LOOK, PyramidNodes, declare_pyramid, fill_pyramid,
 };
 use crate::renderer::DEPTH_FORMAT;
+use crate::self_test::Capability;
 use crate::view_nodes::ViewNodes;
 
 /// What is drawn before the test of what nothing is known of: new entities, those that come into the frustum, and all after a camera cut.
@@ -207,6 +208,8 @@ impl FrameGraph<'_> {
         first: Buffer,
         states: Buffer,
     ) -> BoxTest {
+        self.relies_on(Capability::DepthPyramid);
+        self.relies_on(Capability::BoxTest);
         let host = self.own_depth();
         let depth = view.targets.depth;
         let scene = view.inputs().scene;

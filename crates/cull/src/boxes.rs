@@ -23,6 +23,13 @@ pub struct GpuBox {
     half: [[f32; 3]; 3],
 }
 
+impl GpuBox {
+    /// A box with this centre and these half edges, which must be right-handed.
+    pub(crate) fn new(centre: [f32; 3], half: [[f32; 3]; 3]) -> Self {
+        Self { centre, half }
+    }
+}
+
 /// What boxes hold, which decides how much they are widened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum BoxContents {
@@ -175,6 +182,8 @@ pub struct BoxPipeline {
 impl BoxPipeline {
     /// Bytes of a box in [`BoxDraws::buffer`].
     pub const BYTES_A_BOX: u64 = size_of::<GpuBox>() as u64;
+    /// Vertices of a box's triangle strip.
+    pub(crate) const VERTICES: u32 = 14;
 
     /// Compiles the pipeline, for depths of `samples` samples a pixel.
     pub fn new(gpu: &Gpu, samples: u32) -> Self {
@@ -193,7 +202,7 @@ impl BoxPipeline {
             label: Some("boxes"),
             layout: Some(&pipeline_layout),
             vertex: wgpu::VertexState {
-                module: &antumbra_shaders::module(device, &JOB),
+                module: &gpu.shader_module(&JOB),
                 entry_point: Some("vertex"),
                 compilation_options: Default::default(),
                 buffers: &[Some(wgpu::VertexBufferLayout {
@@ -224,6 +233,30 @@ impl BoxPipeline {
             cache: None,
         });
         Self { pipeline, layout }
+    }
+
+    /// The bind group of a view's uniform, for a pass outside of the graph.
+    pub(crate) fn group(&self, gpu: &Gpu, view: &wgpu::Buffer) -> wgpu::BindGroup {
+        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("boxes"),
+            layout: &self.layout,
+            entries: &[wgpu::BindGroupEntry {
+                binding: 0,
+                resource: view.as_entire_binding(),
+            }],
+        })
+    }
+
+    /// Binds the pipeline, its group and the boxes. An instance of [`Self::VERTICES`] vertices is a box.
+    pub(crate) fn begin(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        group: &wgpu::BindGroup,
+        boxes: &wgpu::Buffer,
+    ) {
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, group, &[]);
+        pass.set_vertex_buffer(0, boxes.slice(..));
     }
 }
 
@@ -272,23 +305,17 @@ pub fn box_query_pass(
         let buffer = ctx.buffer(boxes.buffer)?;
         let list = ctx.get(boxes.list)?;
         let range = ctx.query_range();
-        let pass = ctx.pass();
-        pass.set_pipeline(&pipeline.pipeline);
-        pass.set_bind_group(0, &group, &[]);
-        pass.set_vertex_buffer(0, buffer.slice(..));
+        pipeline.begin(ctx.pass(), &group, buffer);
         let ends = list.query_ends();
         for number in range {
             let at = number as usize;
             let first = at.checked_sub(1).and_then(|at| ends.get(at));
             let (first, end) = (first.copied().unwrap_or(0), ends.get(at).copied());
             ctx.query(number, |pass| {
-                pass.draw(0..CORNERS, first..end.unwrap_or(first))
+                pass.draw(0..BoxPipeline::VERTICES, first..end.unwrap_or(first))
             })?;
         }
         Ok(())
     });
     answers
 }
-
-/// Vertices of a box's triangle strip.
-const CORNERS: u32 = 14;

@@ -10,14 +10,15 @@ use crate::compute_pipeline::rows_of;
 use crate::draw_source::{INDIRECT_DRAW_BYTES, IndirectDraws};
 use crate::frame_graph::{CULL, FrameGraph};
 use crate::indirect::IndirectLayout;
+use crate::self_test::Capability;
 use crate::view_nodes::ViewNodes;
 
 /// Entries that a thread decides on, as in `compact.wgsl`.
-const ENTRIES_A_THREAD: u32 = 8;
+pub(crate) const ENTRIES_A_THREAD: u32 = 8;
 /// Threads of a workgroup, likewise.
-const THREADS: u32 = 64;
+pub(crate) const THREADS: u32 = 64;
 /// Entries of a block: what a workgroup decides on.
-const BLOCK: u32 = ENTRIES_A_THREAD * THREADS;
+pub(crate) const BLOCK: u32 = ENTRIES_A_THREAD * THREADS;
 
 /// What the three dispatches hand to each other.
 #[derive(Debug, Clone, Copy)]
@@ -48,6 +49,7 @@ impl FrameGraph<'_> {
         counts: Buffer,
         adapted: Option<AdaptiveThreshold>,
     ) -> IndirectDraws {
+        self.relies_on(Capability::Compaction);
         let marked = self.mark(view, name, layout, counts, adapted);
         let marked = self.scan(view, name, layout, marked);
         self.gather(view, name, layout, marked)

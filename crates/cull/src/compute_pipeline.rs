@@ -39,7 +39,7 @@ impl ComputePipeline {
             .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
                 label: Some(job.name.as_ref()),
                 layout: Some(&pipeline_layout),
-                module: &antumbra_shaders::module(&gpu.device, job),
+                module: &gpu.shader_module(job),
                 entry_point: Some(entry),
                 compilation_options: Default::default(),
                 cache: None,
@@ -92,16 +92,36 @@ impl ComputePipeline {
         })
     }
 
-    /// As [`Self::dispatch`], in a pass outside of the graph.
+    /// The bind group of these resources by binding, for a pass outside of the graph.
+    pub(crate) fn group_of(
+        &self,
+        gpu: &Gpu,
+        resources: &[(u32, wgpu::BindingResource<'_>)],
+    ) -> wgpu::BindGroup {
+        let entries: Vec<_> = resources
+            .iter()
+            .map(|(binding, resource)| wgpu::BindGroupEntry {
+                binding: *binding,
+                resource: resource.clone(),
+            })
+            .collect();
+        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: None,
+            layout: &self.layout,
+            entries: &entries,
+        })
+    }
+
+    /// As [`Self::dispatch_layers`], in a pass outside of the graph.
     pub(crate) fn dispatch_in(
         &self,
         pass: &mut wgpu::ComputePass<'_>,
         group: &wgpu::BindGroup,
-        [wide, rows]: [u32; 2],
+        [wide, rows, layers]: [u32; 3],
     ) {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, group, &[]);
-        pass.dispatch_workgroups(wide, rows, 1);
+        pass.dispatch_workgroups(wide, rows, layers);
     }
 }
 

@@ -20,10 +20,11 @@ use crate::draw_source::ListDraws;
 use crate::frame_graph::{CULL, FrameGraph};
 use crate::proxies::Proxies;
 use crate::renderer::{DepthTest, IdTargets};
+use crate::self_test::Capability;
 use crate::view_nodes::ViewNodes;
 
 /// A way of counting visible samples.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Counting {
     /// A hardware occlusion query an entity: any sample, or none.
     Queries,
@@ -106,6 +107,9 @@ impl FromStr for Counting {
     }
 }
 
+/// The ways in which fragments count themselves.
+const BY_FRAGMENTS: [Counting; 2] = [Counting::Atomics, Counting::Compare];
+
 /// Counts on the GPU.
 #[derive(Debug, Clone, Copy)]
 pub struct Counts {
@@ -119,7 +123,8 @@ pub struct Counts {
 
 impl FrameGraph<'_> {
     /// Draws the occluders' depth and counts the occludees' visible samples in an image of `size` pixels.
-    /// [`Counting::Identity`] takes occluders and occludees of the same detail.
+    /// [`Counting::Identity`] takes occluders and occludees of the same detail. A way that the driver's self-test found wrong is replaced by fragments that count themselves, in a way that
+    /// it found right.
     pub fn count_samples(
         &mut self,
         view: &ViewNodes,
@@ -127,6 +132,7 @@ impl FrameGraph<'_> {
         way: Counting,
         size: [u32; 2],
     ) -> Counts {
+        let way = self.believed(way, &BY_FRAGMENTS);
         let depth = self.depth_texture(view.named("occluder depth"), size);
         if way == Counting::Identity {
             return self.count_identities(view, proxies, depth, size);
@@ -176,7 +182,7 @@ impl FrameGraph<'_> {
     }
 
     /// How fragments are tested against a finished depth of `size` pixels: early for [`Counting::Atomics`], otherwise in the shader, with a scratch depth
-    /// buffer named `scratch`.
+    /// buffer named `scratch`. Where the driver's self-test found one of the two wrong and the other right, it is the other.
     pub fn depth_test(
         &mut self,
         way: Counting,
@@ -184,6 +190,12 @@ impl FrameGraph<'_> {
         scratch: String,
         size: [u32; 2],
     ) -> DepthTest {
+        let way = match way {
+            Counting::Atomics => Counting::Atomics,
+            _ => Counting::Compare,
+        };
+        let way = self.believed(way, &BY_FRAGMENTS);
+        self.relies_on(Capability::of(way));
         match way {
             Counting::Atomics => DepthTest::Early { depth },
             _ => DepthTest::InShader {
@@ -225,6 +237,7 @@ impl FrameGraph<'_> {
         [width, height]: [u32; 2],
         counts: Buffer,
     ) -> Buffer {
+        self.relies_on(Capability::IdHistogram);
         let samples = self.samples();
         let job = match samples {
             1 => &jobs::histogram_one::JOB,

@@ -8,9 +8,11 @@ use std::str::FromStr;
 use std::sync::{Arc, Mutex};
 
 use antumbra_graph::CompileOptions;
+use antumbra_shaders::Job;
 use thiserror::Error;
 
 use crate::renderer::{DEPTH_FORMAT, IDENTITY_FORMAT};
+use crate::self_test::SelfTests;
 
 /// The choice of an adapter.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -113,7 +115,15 @@ pub struct Gpu {
     pub downlevel: wgpu::DownlevelCapabilities,
     adapter: Option<wgpu::Adapter>,
     failures: Arc<Mutex<Failures>>,
+    /// What self-tests found, for all stages on this device.
+    pub(crate) self_tests: Arc<SelfTests>,
+    /// Replaces the text of shaders; see [`Self::with_changed_shaders`].
+    change: Option<ShaderChange>,
 }
+
+/// What a shader's text is replaced by, from its name and its text; `None`: nothing.
+#[doc(hidden)]
+pub type ShaderChange = fn(name: &str, source: &str) -> Option<String>;
 
 /// Failures that wgpu's callbacks have reported.
 #[derive(Debug, Default)]
@@ -200,6 +210,36 @@ impl Gpu {
             downlevel,
             adapter: None,
             failures: Arc::default(),
+            self_tests: Arc::default(),
+            change: None,
+        }
+    }
+
+    /// The module of a shader, to make pipelines with.
+    pub fn shader_module(&self, job: &Job) -> wgpu::ShaderModule {
+        let changed = self
+            .change
+            .and_then(|change| change(&job.name, &job.source));
+        match changed {
+            None => antumbra_shaders::module(&self.device, job),
+            Some(source) => {
+                let job = Job {
+                    source: source.into(),
+                    ..job.clone()
+                };
+                antumbra_shaders::module(&self.device, &job)
+            }
+        }
+    }
+
+    /// This device with a fault, for tests of what finds faults: all pipelines that are made with it have the changed shaders. Nothing is known of its self-tests.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn with_changed_shaders(&self, change: ShaderChange) -> Self {
+        Self {
+            change: Some(change),
+            self_tests: Arc::default(),
+            ..self.clone()
         }
     }
 

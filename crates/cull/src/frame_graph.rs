@@ -23,10 +23,12 @@ use crate::order::back_to_front;
 use crate::pipelines::Pipelines;
 use crate::renderer::{DEPTH_FORMAT, IDENTITY_FORMAT, Renderer, ShadeTargets};
 use crate::resident_scene::ResidentScene;
+use crate::self_test::Capability;
 use crate::stage::StageOutput;
 use crate::stage_scene::SceneLayout;
 use crate::strategy::VisibleSet;
 use crate::tree::Tree;
+use crate::trust::Trust;
 use crate::verdict::{Verdict, Verdicts};
 use crate::view::ViewFrame;
 use crate::view_nodes::ViewNodes;
@@ -66,6 +68,8 @@ pub(crate) struct Shared {
     pub resident: Option<ResidentScene>,
     /// What the strategy shows.
     pub shown: Vec<Shown>,
+    /// What is known of the driver.
+    pub trust: Trust,
 }
 
 /// Verdicts and the lists that follow from them.
@@ -183,6 +187,7 @@ impl<'g> FrameGraph<'g> {
 
     /// The pipeline that draws boxes for queries.
     pub fn box_pipeline(&mut self) -> Arc<BoxPipeline> {
+        self.relies_on(Capability::OcclusionQueries);
         let Shared {
             gpu,
             pipelines,

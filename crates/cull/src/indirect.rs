@@ -19,15 +19,15 @@ use crate::view_nodes::ViewNodes;
 /// Mirrors `Batch` of `compact.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
-struct GpuRun {
-    first: u32,
-    count: u32,
-    index_count: u32,
-    first_index: u32,
-    base_vertex: i32,
-    over: u32,
-    most: u32,
-    hidden: u32,
+pub(crate) struct GpuRun {
+    pub first: u32,
+    pub count: u32,
+    pub index_count: u32,
+    pub first_index: u32,
+    pub base_vertex: i32,
+    pub over: u32,
+    pub most: u32,
+    pub hidden: u32,
 }
 
 /// Mirrors `Settings` of `compact.wgsl` and `scatter.wgsl`.
@@ -44,9 +44,9 @@ assert_layout!(GpuRun, "compact", "Batch", { first, count, index_count, first_in
 assert_layout!(GpuSettings, "compact", "Settings", { count, padding_a, padding_b, entries });
 
 /// Marks an entry that is kept whatever its count.
-const FORCED: u32 = 0x8000_0000;
+pub(crate) const FORCED: u32 = 0x8000_0000;
 /// Marks an entry that is never kept: another run keeps the entity.
-const BARRED: u32 = 0x4000_0000;
+pub(crate) const BARRED: u32 = 0x4000_0000;
 
 impl GpuSettings {
     pub fn counting(count: usize) -> Self {
@@ -54,7 +54,7 @@ impl GpuSettings {
     }
 
     /// So many runs with so many entries.
-    fn of(count: usize, entries: usize) -> Self {
+    pub fn of(count: usize, entries: usize) -> Self {
         Self {
             count: count as u32,
             padding_a: 0,

@@ -66,7 +66,9 @@ pub(crate) use eye::{
 use list::List;
 use masks::Masks;
 use passes::{FirstNodes, TestDesc, TestNodes, prefix};
-pub(crate) use pyramid::{PyramidNodes, declare_pyramid, fill_pyramid};
+pub(crate) use pyramid::{
+    FIRST_KEPT, GpuPyramid, PyramidNodes, declare_pyramid, fill_pyramid, first_levels,
+};
 use submitted::Submitted;
 
 use crate::device::Gpu;

@@ -41,11 +41,13 @@ mod renderer;
 mod resident_scene;
 mod sample_rule;
 mod samples;
+mod self_test;
 mod split_point;
 mod stage;
 mod stage_scene;
 mod strategy;
 mod tree;
+mod trust;
 mod tuning;
 mod verdict;
 mod view;
@@ -83,10 +85,11 @@ pub use renderer::{
 pub use resident_scene::ResidentScene;
 pub use sample_rule::{Allowance, SampleRule};
 pub use samples::Samples;
+pub use self_test::{Capability, Failure, Outcome, SelfTestReport};
 pub use split_point::SplitPoint;
 pub use stage::{
-    Draws, ImportedTargets, Rebuilt, Stage, StageError, StageOptions, StageOutput, StageReport,
-    ViewInput, ViewSpec,
+    Distrust, DistrustCause, DistrustOptions, Draws, ImportedTargets, Instead, Rebuilt, Stage,
+    StageError, StageOptions, StageOutput, StageReport, ViewInput, ViewSpec,
 };
 pub use stage_scene::{SceneFrame, SceneLayout, StageScene, WithRenderer, next_scene_number};
 pub use strategy::{DeclareError, Role, Strategy, VisibleSet};

@@ -59,7 +59,8 @@ fn staging(gpu: &Gpu, size: u64) -> wgpu::Buffer {
     })
 }
 
-fn mapped(gpu: &Gpu, staging: &wgpu::Buffer) -> Result<Vec<u8>, DeviceError> {
+/// The bytes of a buffer that is mapped for reading, once all submitted work is done.
+pub(crate) fn mapped(gpu: &Gpu, staging: &wgpu::Buffer) -> Result<Vec<u8>, DeviceError> {
     staging.map_async(wgpu::MapMode::Read, .., |_| {});
     gpu.wait()?;
     let bytes = staging

@@ -7,6 +7,7 @@ use crate::draw_source::patches::PatchDraws;
 use crate::draw_source::{DrawSource, ListDraws};
 use crate::frame_graph::{CULL, DRAW, FrameGraph};
 use crate::renderer::{DepthTest, IdTargets, Pass, Renderer, ShadeTargets};
+use crate::self_test::Capability;
 use crate::view_nodes::ViewNodes;
 
 impl FrameGraph<'_> {
@@ -18,6 +19,10 @@ impl FrameGraph<'_> {
         source: DrawSource,
         into: ShadeTargets,
     ) -> ShadeTargets {
+        self.relies_on_drawing(source);
+        if into.queries.is_some() {
+            self.relies_on(Capability::OcclusionQueries);
+        }
         let (renderer, pass) = self.pass(view, name, DRAW);
         let out = renderer.shade(pass, source, into);
         view.targets = out.targets;
@@ -59,6 +64,7 @@ impl FrameGraph<'_> {
         test: DepthTest,
         counts: Buffer,
     ) -> Buffer {
+        self.relies_on_drawing(source);
         let (renderer, pass) = self.pass(view, name, CULL);
         renderer.tests().count(pass, source, test, counts)
     }
@@ -72,6 +78,7 @@ impl FrameGraph<'_> {
         depth: Texture,
         results: Buffer,
     ) -> Buffer {
+        self.relies_on(Capability::OcclusionQueries);
         let (renderer, pass) = self.pass(view, name, CULL);
         renderer.tests().query(pass, source, depth, results)
     }
@@ -93,6 +100,12 @@ impl FrameGraph<'_> {
     pub(crate) fn begin_view(&mut self, view: &ViewNodes) {
         let (renderer, pass) = self.pass(view, "begin view", CULL);
         renderer.begin_view(pass);
+    }
+
+    fn relies_on_drawing(&mut self, source: DrawSource) {
+        if let DrawSource::Indirect(_) = source {
+            self.relies_on(Capability::IndirectFirstInstance);
+        }
     }
 
     fn pass<'a>(

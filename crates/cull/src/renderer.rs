@@ -59,7 +59,7 @@ pub trait TestRenderer: Send {
         results: Buffer,
     ) -> Buffer;
 
-    /// Adds a node that draws kept entries into their patches and marks the pixels in which any of them is at or in front of a finished depth. `marks` has
+    /// Adds a node that draws kept entries into their patches and marks the pixels in which any of them is in front of a finished depth, equal depths left out. `marks` has
     /// [`PATCH_BYTES`](crate::patches::PATCH_BYTES) for each patch; it is zero before.
     fn mark_patches(
         &mut self,

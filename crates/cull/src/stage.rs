@@ -3,8 +3,10 @@
 //! A stage runs on its own and submits, or it records into a host's encoder and draws into the host's textures.
 
 mod built;
+mod distrust;
 mod draws;
 mod error;
+mod fallback;
 mod input;
 mod kept;
 mod options;
@@ -16,6 +18,7 @@ use antumbra_graph::{FrameReport, Host, Plan};
 use built::{Built, Inherited, build};
 use kept::KeptPlans;
 
+pub use distrust::{Distrust, DistrustCause, DistrustOptions, Instead};
 pub use draws::Draws;
 pub use error::StageError;
 pub use input::{ImportedTargets, ViewInput};
@@ -33,8 +36,10 @@ use crate::pipelines::Pipelines;
 use crate::read_back;
 use crate::renderer::Renderer;
 use crate::samples::Samples;
+use crate::self_test::SelfTestReport;
 use crate::stage_scene::StageScene;
 use crate::strategy::{SetVerdicts, Strategy, VerdictSource};
+use crate::trust::Trust;
 use crate::tuning::Step;
 use crate::verdict::Verdicts;
 use crate::view::ViewFrame;
@@ -56,6 +61,13 @@ pub struct Stage {
     frames: u64,
     audits: Vec<Audit>,
     controller: Option<BudgetController>,
+    /// What the self-test found.
+    tested: Option<Arc<SelfTestReport>>,
+    distrust: Vec<Distrust>,
+    /// How often the strategy was replaced.
+    replacements: u32,
+    /// The frame from which on all frames must be without a wrong pixel; `None`: the strategy does not promise it now.
+    conservative_from: Option<u64>,
 }
 
 impl std::fmt::Debug for Stage {
@@ -105,12 +117,14 @@ impl Stage {
             audits: &[],
             frames: 0,
             step: step(controller.as_ref()),
+            replacements: 0,
+            trust: Trust::default(),
             renderer: renderer.as_mut(),
         };
         let built = build(scene, strategy.as_mut(), &specs, &options, inherited)?;
         let cuts = vec![0; specs.len()];
         let audits = specs.iter().map(|_| Audit::default()).collect();
-        Ok(Self {
+        let mut stage = Self {
             gpu: scene.gpu().clone(),
             strategy,
             specs,
@@ -124,7 +138,16 @@ impl Stage {
             frames: 0,
             audits,
             controller,
-        })
+            tested: None,
+            distrust: Vec::new(),
+            replacements: 0,
+            conservative_from: None,
+        };
+        let trust = stage.built.trust.clone();
+        if stage.heeds(&trust)? {
+            stage.built = stage.declare(scene)?;
+        }
+        Ok(stage)
     }
 
     /// Gives a view another size, from the next frame on. That frame compiles a new plan ([`Rebuilt::Size`]); what the strategy knows on the
@@ -150,7 +173,7 @@ impl Stage {
         Ok(())
     }
 
-    /// The strategy.
+    /// The strategy; `frustum` once the driver was [found wrong](Self::distrust) in what another relied on.
     pub fn strategy(&self) -> &dyn Strategy {
         self.strategy.as_ref()
     }
@@ -224,6 +247,8 @@ impl Stage {
     fn collect(&mut self) {
         self.frames += 1;
         self.built.frames += 1;
+        let promised_from = self.conservative_from;
+        let mut wrong = None;
         for (view, audit) in self.audits.iter_mut().enumerate() {
             let Some(built) = self.built.views.get(view) else {
                 continue;
@@ -245,6 +270,10 @@ impl Stage {
                 if let Some(controller) = &mut self.controller {
                     controller.note_audit(&found, self.frames);
                 }
+                let promised = promised_from.is_some_and(|from| found.frame >= from);
+                if promised && found.found_any() && wrong.is_none() {
+                    wrong = Some((view, found.clone()));
+                }
                 audit.take(found);
             }
             if fresh > 0 {
@@ -253,6 +282,9 @@ impl Stage {
             if let Some(built) = self.built.views.get_mut(view) {
                 built.audits_taken = audited;
             }
+        }
+        if let Some((view, found)) = wrong {
+            self.trip(view, &found);
         }
     }
 
@@ -263,14 +295,20 @@ impl Stage {
             audit.seed = audit.seed.wrapping_add(1 << 32);
         }
         let inherited = Inherited {
+            trust: self.trust(),
             pipelines: &mut self.pipelines,
             audits: &self.audits,
             frames: self.frames,
             step: step(self.controller.as_ref()),
+            replacements: self.replacements,
             renderer: self.renderer.as_mut(),
         };
         let strategy = self.strategy.as_mut();
-        build(scene, strategy, &self.specs, &self.options, inherited)
+        let built = build(scene, strategy, &self.specs, &self.options, inherited)?;
+        Ok(match self.heeds(&built.trust)? {
+            true => self.declare(scene)?,
+            false => built,
+        })
     }
 
     /// A kept plan, ready to go on. Its nodes see a camera cut: answers from before the pause are not used.
@@ -305,12 +343,17 @@ impl Stage {
             }
             return Ok(Some(Rebuilt::Scene));
         }
+        if self.built.replacements != self.replacements {
+            self.kept.clear();
+            self.built = self.declare(scene)?;
+            return Ok(Some(Rebuilt::Distrust));
+        }
         let same_layout = scene.layout() == self.built.layout;
         let sizes = self.specs.iter().map(|spec| &spec.size);
         if !same_layout || !sizes.eq(&self.built.sizes) {
             self.kept.clear();
             let mut next = self.declare(scene)?;
-            if self.built.step == step {
+            if self.built.step == step && self.built.replacements == next.replacements {
                 if self.built.age(self.frames) < ANSWERED {
                     // Answers that were under way are lost again, so what is known would grow older and older: begin anew.
                     self.cut();
@@ -330,7 +373,12 @@ impl Stage {
             Some(kept) => (self.resumed(kept), Rebuilt::Resumed),
             None => (self.declare(scene)?, Rebuilt::Step),
         };
-        self.kept.keep(std::mem::replace(&mut self.built, next));
+        let before = std::mem::replace(&mut self.built, next);
+        if before.replacements != self.replacements {
+            self.kept.clear();
+            return Ok(Some(Rebuilt::Distrust));
+        }
+        self.kept.keep(before);
         Ok(Some(how))
     }
 
@@ -364,6 +412,7 @@ impl Stage {
             }
             self.rebuilt = Some(rebuilt);
         }
+        self.note_promise();
         let Built {
             plan,
             scene: scene_handle,

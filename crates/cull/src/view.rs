@@ -20,6 +20,19 @@ pub struct GpuView {
 
 assert_layout!(GpuView, "depth", "View", { clip_from_relative, eye_high, pixels_wide, eye_low, pixels_high });
 
+impl GpuView {
+    /// The view of a matrix, from the world's origin, with an image of `size` pixels.
+    pub(crate) fn of_matrix(clip_from_relative: Mat4, size: [u32; 2]) -> Self {
+        Self {
+            clip_from_relative: clip_from_relative.to_cols_array(),
+            eye_high: [0.0; 3],
+            pixels_wide: size[0] as f32,
+            eye_low: [0.0; 3],
+            pixels_high: size[1] as f32,
+        }
+    }
+}
+
 /// A view in one frame.
 #[derive(Debug, Clone)]
 pub struct ViewFrame {

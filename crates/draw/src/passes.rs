@@ -215,7 +215,7 @@ pub fn signature_pass(
     sums
 }
 
-/// Draws kept entries into their patches and marks the pixels in which any of them is at or in front of a finished depth. `shown` has
+/// Draws kept entries into their patches and marks the pixels in which any of them is in front of a finished depth. `shown` has
 /// [`PATCH_BYTES`](antumbra_cull::patches::PATCH_BYTES) for each patch; the marks must be zero before. The pipelines are [`PipelineKind::PatchEarly`](crate::PipelineKind::PatchEarly) for [`DepthTest::Early`] and
 /// [`PipelineKind::PatchCompare`](crate::PipelineKind::PatchCompare) for [`DepthTest::InShader`].
 pub fn patch_pass(

@@ -232,7 +232,7 @@ impl PassPipelines {
     #[must_use]
     pub fn with(&self, gpu: &Gpu, classes: impl Iterator<Item = PipelineClass>) -> Self {
         let job = self.kind.job(self.samples);
-        let module = antumbra_shaders::module(&gpu.device, job);
+        let module = gpu.shader_module(job);
         let groups: Vec<_> = self.layouts.iter().map(Some).collect();
         let layout = gpu
             .device
@@ -347,6 +347,13 @@ impl PassPipelines {
             kind,
             PipelineKind::CountCompare | PipelineKind::Signature | PipelineKind::PatchCompare
         );
+        let compare = match kind {
+            _ if !compares => wgpu::CompareFunction::Always,
+            // Of what lies in the same place one is drawn over the other, and neither is wrong.
+            PipelineKind::PatchEarly => wgpu::CompareFunction::Greater,
+            // Reversed depth; a tie counts as visible.
+            _ => wgpu::CompareFunction::GreaterEqual,
+        };
         gpu.device
             .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
                 label: Some(kind.job(samples).name.as_ref()),
@@ -375,12 +382,7 @@ impl PassPipelines {
                 depth_stencil: Some(wgpu::DepthStencilState {
                     format: DEPTH_FORMAT,
                     depth_write_enabled: Some(writes_depth),
-                    // Reversed depth; a tie counts as visible.
-                    depth_compare: Some(if compares {
-                        wgpu::CompareFunction::GreaterEqual
-                    } else {
-                        wgpu::CompareFunction::Always
-                    }),
+                    depth_compare: Some(compare),
                     stencil: Default::default(),
                     bias: Default::default(),
                 }),

@@ -9,7 +9,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use antumbra_cull::{
-    AuditOptions, Budget, Gpu, Registry, RegistryError, Role, Stage, StageOptions, Strategy,
+    AuditOptions, Budget, DistrustOptions, Gpu, Registry, RegistryError, Role, Stage, StageOptions,
+    Strategy,
 };
 use antumbra_draw::GpuScene;
 use antumbra_scene::{Scene, Stereo};
@@ -280,6 +281,8 @@ fn stage(
         samples: options.samples,
         audit: contender.audit,
         budget: contender.budget,
+        // What is measured is the contender, not what replaces it. Its errors are counted.
+        distrust: DistrustOptions::OFF,
         ..StageOptions::default()
     };
     Ok(Stage::new(

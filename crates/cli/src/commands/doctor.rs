@@ -1,17 +1,21 @@
-//! `antumbra doctor`: the adapters, and what each of them supports of culling.
+//! `antumbra doctor`: the adapters, what each of them supports of culling, and whether its driver's answers are right.
 
-use antumbra::cull::{Counting, Gpu, WANTED_FEATURES, adapter_title, adapters};
+use std::time::Instant;
 
+use antumbra::cull::{Counting, Gpu, SelfTestReport, WANTED_FEATURES, adapter_title, adapters};
+
+use crate::args::DoctorArgs;
 use crate::failure::Failure;
 use crate::print::print;
 
-/// Lists the adapters.
+/// Lists the adapters, and tries their drivers.
 ///
 /// # Errors
-/// When there is none that Antumbra can draw with, with what to install.
-pub fn run() -> Result<(), Failure> {
+/// When there is none that Antumbra can draw with, with what to install; [`Failure::SelfTest`] where a driver is wrong.
+pub fn run(args: &DoctorArgs) -> Result<(), Failure> {
     let all = pollster::block_on(adapters(wgpu::Backends::all()));
     let mut usable = 0;
+    let mut wrong = Vec::new();
     for adapter in &all {
         let info = adapter.get_info();
         print(format_args!(
@@ -25,6 +29,9 @@ pub fn run() -> Result<(), Failure> {
             Ok(gpu) => {
                 usable += 1;
                 describe(&gpu)?;
+                if args.self_test && !self_test(&gpu)? {
+                    wrong.push(gpu.title());
+                }
             }
             Err(error) => print(format_args!("  not usable: {error}"))?,
         }
@@ -40,7 +47,46 @@ pub fn run() -> Result<(), Failure> {
         }
         .into());
     }
-    Ok(())
+    match wrong.is_empty() {
+        true => Ok(()),
+        false => Err(Failure::SelfTest(wrong)),
+    }
+}
+
+/// Tries a driver with one sample a pixel and with four, and prints what was found. Whether every answer is right.
+fn self_test(gpu: &Gpu) -> Result<bool, Failure> {
+    let mut passed = true;
+    for samples in [1, 4] {
+        if !gpu.sample_counts().contains(&samples) {
+            continue;
+        }
+        let start = Instant::now();
+        let report = gpu.self_test(samples)?;
+        let milliseconds = start.elapsed().as_secs_f64() * 1e3;
+        print(format_args!(
+            "{}, in {milliseconds:.1} ms",
+            summary(&report)
+        ))?;
+        for line in report.to_string().lines() {
+            print(format_args!("    {line}"))?;
+        }
+        passed &= report.passed();
+    }
+    Ok(passed)
+}
+
+/// A self-test in a line.
+fn summary(report: &SelfTestReport) -> String {
+    let SelfTestReport { samples, .. } = report;
+    let verdict = match report.failures().count() {
+        0 => "every answer is right".to_owned(),
+        1 => "the driver gets one thing WRONG".to_owned(),
+        failures => format!("the driver gets {failures} things WRONG"),
+    };
+    match samples {
+        1 => format!("  self-test with one sample a pixel: {verdict}"),
+        _ => format!("  self-test with {samples} samples a pixel: {verdict}"),
+    }
 }
 
 fn describe(gpu: &Gpu) -> Result<(), Failure> {
@@ -70,4 +116,31 @@ fn describe(gpu: &Gpu) -> Result<(), Failure> {
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+    use super::*;
+    use antumbra::cull::AdapterChoice;
+
+    #[test]
+    fn a_driver_that_loses_a_write_is_named_as_wrong() {
+        let gpu = Gpu::open(&AdapterChoice::Auto).unwrap();
+        assert!(self_test(&gpu).unwrap());
+        let lossy = gpu.with_changed_shaders(|name, source| {
+            let lost = source.replace("kept[place] =", "kept[select(place, 4u, place == 3u)] =");
+            (name == "compact").then_some(lost)
+        });
+        assert!(!self_test(&lossy).unwrap());
+        let report = lossy.self_test(1).unwrap();
+        assert!(summary(&report).ends_with("the driver gets one thing WRONG"));
+        assert!(
+            report
+                .to_string()
+                .contains("compaction: FAILED. kept slot 3 of list 0")
+        );
+        let failure = Failure::SelfTest(vec![lossy.title()]);
+        assert_eq!(failure.status(), 1);
+    }
 }

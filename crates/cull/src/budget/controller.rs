@@ -109,7 +109,7 @@ impl BudgetController {
                 Rebuilt::Size | Rebuilt::Scene => goal.forget(),
                 Rebuilt::Layout => goal.settle(),
                 // The controller's own doing: it settles anyway.
-                Rebuilt::Step | Rebuilt::Resumed => {}
+                Rebuilt::Step | Rebuilt::Resumed | Rebuilt::Distrust => {}
             }
         }
     }

@@ -222,7 +222,8 @@ impl JudgeDraws {
             label: Some("write draws"),
             timestamp_writes: None,
         });
-        pipeline.dispatch_in(&mut pass, &group, rows_of(groups));
+        let [wide, rows] = rows_of(groups);
+        pipeline.dispatch_in(&mut pass, &group, [wide, rows, 1]);
         Ok(())
     }
 }

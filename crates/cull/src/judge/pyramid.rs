@@ -19,7 +19,7 @@ use crate::pipelines::Pipelines;
 /// Mirrors `Pyramid` of `shared/pyramid.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
-pub(super) struct GpuPyramid {
+pub(crate) struct GpuPyramid {
     width: u32,
     height: u32,
     samples: u32,
@@ -36,7 +36,7 @@ assert_layout!(GpuPyramid, "pyramid_one", "Pyramid", { width, height, samples, t
 /// Levels of the largest image, 32,768 pixels a side.
 const MOST_LEVELS: usize = 16;
 /// The levels below this are not kept.
-const FIRST_KEPT: u32 = 2;
+pub(crate) const FIRST_KEPT: u32 = 2;
 
 impl GpuPyramid {
     /// Where the levels of an image of this size lie.
@@ -67,6 +67,11 @@ impl GpuPyramid {
             padding_c: 0,
             levels,
         }
+    }
+
+    /// Number of levels, those that are not kept included.
+    pub fn count(&self) -> u32 {
+        self.count
     }
 
     /// Number of texels of all levels that are kept.
@@ -176,7 +181,8 @@ fn rest(
     texels
 }
 
-fn first_levels(depth: HostDepth) -> &'static Job {
+/// The shader that makes the first levels.
+pub(crate) fn first_levels(depth: HostDepth) -> &'static Job {
     match depth.samples {
         1 => &jobs::pyramid_one::JOB,
         _ => &jobs::pyramid_many::JOB,

@@ -148,8 +148,9 @@ impl Uploader {
             label: Some("scatter judged instances"),
             timestamp_writes: None,
         });
-        let groups = rows_of((changed.len() as u32).div_ceil(64));
-        self.pipeline.dispatch_in(&mut pass, &group, groups);
+        let [wide, rows] = rows_of((changed.len() as u32).div_ceil(64));
+        self.pipeline
+            .dispatch_in(&mut pass, &group, [wide, rows, 1]);
         drop(pass);
         self.scatter = Some(scatter);
     }

@@ -16,6 +16,7 @@ use crate::pipelines::Pipelines;
 use crate::renderer::{DEPTH_FORMAT, Renderer, Targets, ViewInputs};
 use crate::stage_scene::{SceneFrame, SceneLayout, StageScene};
 use crate::strategy::{SetVerdicts, Strategy, VerdictSource};
+use crate::trust::Trust;
 use crate::view::{GpuView, ViewFrame};
 use crate::view_nodes::ViewNodes;
 
@@ -26,6 +27,10 @@ pub(super) struct Built {
     pub layout: SceneLayout,
     /// The budget's step that it was declared on; 0 without a budget.
     pub step: usize,
+    /// How often the stage's strategy had been replaced by then.
+    pub replacements: u32,
+    /// What is known of the driver, and what the strategy relies on.
+    pub trust: Trust,
     /// Width and height of each view.
     pub sizes: Vec<[u32; 2]>,
     pub plan: Plan,
@@ -115,6 +120,10 @@ pub(super) struct Inherited<'a> {
     pub frames: u64,
     /// The budget's step that the strategy is on; 0 without a budget.
     pub step: usize,
+    /// How often the stage's strategy has been replaced.
+    pub replacements: u32,
+    /// What the self-test found of the driver.
+    pub trust: Trust,
     pub renderer: &'a mut dyn Renderer,
 }
 
@@ -140,6 +149,7 @@ pub(super) fn build(
         trees: HashMap::new(),
         resident: None,
         shown: Vec::new(),
+        trust: inherited.trust.clone(),
     };
     let declared = declare(
         &mut graph,
@@ -168,6 +178,8 @@ pub(super) fn build(
         number: scene.number(),
         layout,
         step: inherited.step,
+        replacements: inherited.replacements,
+        trust: shared.trust,
         sizes: specs.iter().map(|spec| spec.size).collect(),
         plan,
         frames: 0,
@@ -220,10 +232,14 @@ fn declare(
         if let Some(audit) = inherited.audits.get(index) {
             lessons.teach(audit.experience().clone());
         }
-        let audit = options.audit.map(|options| {
+        // What the audit relies on is not the strategy's affair.
+        let of_strategy = declared.shared.trust.clone();
+        let audit = options.audit.filter(|_| declared.can_audit());
+        let audit = audit.map(|options| {
             let source = declared.said_of(&mut nodes, &set);
             declared.audit(&nodes, source, options, lessons.clone())
         });
+        declared.shared.trust = of_strategy;
         match options.output {
             // An import keeps its writers anyway. As an output it would need more usages of the host's texture.
             StageOutput::Image if imported.is_none() => {

@@ -2,6 +2,7 @@
 
 use antumbra_graph::Mode;
 
+use super::distrust::DistrustOptions;
 use super::error::StageError;
 use crate::audit::AuditOptions;
 use crate::budget::Budget;
@@ -69,6 +70,8 @@ pub struct StageOptions {
     pub audit: Option<AuditOptions>,
     /// The budget that replaces settings. A budget of wrong pixels turns the audit on, with [`AuditOptions::default`] unless `audit` says otherwise.
     pub budget: Option<Budget>,
+    /// What is done to find out whether the driver can be believed.
+    pub distrust: DistrustOptions,
 }
 
 impl Default for StageOptions {
@@ -87,6 +90,7 @@ impl Default for StageOptions {
             timing: false,
             audit: None,
             budget: None,
+            distrust: DistrustOptions::default(),
         }
     }
 }

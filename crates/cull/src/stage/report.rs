@@ -26,6 +26,8 @@ pub enum Rebuilt {
     Size,
     /// A budget went to a step that has no plan yet. Nothing is kept.
     Step,
+    /// The driver was [found wrong](crate::Stage::distrust), and `frustum` draws from now on. Nothing is kept.
+    Distrust,
     /// A budget came back to a step. Its plan and memory are used again, as after a camera cut; nothing was compiled.
     Resumed,
 }

@@ -3,8 +3,8 @@
 use std::fmt;
 
 use antumbra_cull::{
-    Counting, DeclareError, DeviceError, FrustumOnly, Gpu, Stage, StageError, StageOptions,
-    StageOutput, Strategy, ViewSpec,
+    Counting, DeclareError, DeviceError, DistrustOptions, FrustumOnly, Gpu, Stage, StageError,
+    StageOptions, StageOutput, Strategy, ViewSpec,
 };
 use antumbra_draw::GpuScene;
 use antumbra_graph::{CompileError, Mode};
@@ -73,6 +73,8 @@ impl Setup {
             mode: self.mode,
             output: self.output,
             samples: self.samples,
+            // What is tested is the strategy, not what replaces it.
+            distrust: DistrustOptions::OFF,
             ..StageOptions::default()
         }
     }
