@@ -111,15 +111,19 @@ impl FrameGraph<'_> {
         )
     }
 
-    /// The boxes of all slots on the device, one buffer for all views. They are uploaded when the scene has changed, and until the device has said that it has them: a host may drop
+    /// Bytes of [`Self::slot_boxes`].
+    pub fn slot_box_bytes(&self) -> u64 {
+        u64::from(self.scene_layout().slots.max(1)) * size_of::<JudgedInstance>() as u64
+    }
+
+    /// The boxes of all slots on the device, [`JudgedInstance`]s in one buffer for all views. They are uploaded when the scene has changed, and until the device has said that it has them: a host may drop
     /// the encoder with an upload.
-    fn slot_boxes(&mut self, view: &ViewNodes) -> Buffer {
+    pub fn slot_boxes(&mut self, view: &ViewNodes) -> Buffer {
         if let Some(made) = self.shared.boxes {
             return made;
         }
         let scene = view.inputs().scene;
-        let record = size_of::<JudgedInstance>() as u64;
-        let bytes = u64::from(self.scene_layout().slots.max(1)) * record;
+        let bytes = self.slot_box_bytes();
         let boxes = self.graph().buffer("boxes", BufferDesc::new(bytes));
         let epoch = self.graph().buffer("epoch of boxes", BufferDesc::new(8));
         let held: Host<HeldBoxes> = self.graph().host("held boxes");

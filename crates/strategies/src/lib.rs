@@ -43,6 +43,7 @@ mod found_on_gpu;
 pub mod occupancy;
 mod occupancy_map;
 mod query_results;
+mod rivals;
 mod sketch;
 mod stop_and_wait;
 mod three_pass;
@@ -54,6 +55,7 @@ use antumbra_cull::{Everything, FrustumOnly, Ideal, Registry};
 pub use coherent::{Coherent, CoherentSettings, StereoCoherent};
 pub use depth_pyramid::DepthPyramid;
 pub use occupancy_map::{OccupancyMapBatched, OccupancyMapSingle, OccupancySettings};
+pub use rivals::Rival;
 pub use sketch::{NodeOutcome, Sketch, SketchNode};
 pub use stop_and_wait::StopAndWait;
 pub use three_pass::{TestGeometry, ThreePass};
@@ -68,7 +70,7 @@ pub fn registry() -> Registry {
     registry.register(|| Box::new(ThreePass::default()));
     registry.register(|| Box::new(Coherent::default()));
     registry.register(|| Box::new(StereoCoherent::default()));
-    registry.register(|| Box::new(DepthPyramid));
+    registry.register(|| Box::new(DepthPyramid::default()));
     registry.register(|| Box::new(OccupancyMapBatched::default()));
     registry.register(|| Box::new(OccupancyMapSingle::default()));
     registry
