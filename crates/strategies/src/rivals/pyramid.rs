@@ -24,7 +24,7 @@ assert_layout!(GpuPyramid, "rival_pyramid_one", "Pyramid", { width, height, samp
 
 /// Levels of the largest image, 32,768 pixels a side.
 const MOST_LEVELS: usize = 16;
-/// From this many texels on, and below, one workgroup makes all levels that are left.
+/// One workgroup makes the first level of at most this many texels, and all after it.
 const FEW_TEXELS: u32 = 4096;
 /// Between the ranges of levels in their buffer: the coarsest alignment that a device may ask for.
 const RANGE_STRIDE: u64 = 256;
