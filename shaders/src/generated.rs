@@ -27,6 +27,15 @@ pub static ALL: &[&crate::Job] = &[
 &pyramid_one::JOB,
 &pyramid_rest::JOB,
 &recall_slots::JOB,
+&rival_bevy::JOB,
+&rival_bevy_meshlets::JOB,
+&rival_helio::JOB,
+&rival_niagara::JOB,
+&rival_pyramid_many::JOB,
+&rival_pyramid_one::JOB,
+&rival_pyramid_rest::JOB,
+&rival_unity::JOB,
+&rival_vk_lod_clusters::JOB,
 &sample_identity::JOB,
 &scatter::JOB,
 &scatter_records::JOB,
@@ -61,6 +70,10 @@ crate::SharedSource { name: "position", text: include_str!("../wgsl/shared/posit
 crate::SharedSource { name: "prefix_sum", text: include_str!("../wgsl/shared/prefix_sum.wgsl") },
 crate::SharedSource { name: "pyramid", text: include_str!("../wgsl/shared/pyramid.wgsl") },
 crate::SharedSource { name: "reduce", text: include_str!("../wgsl/shared/reduce.wgsl") },
+crate::SharedSource { name: "relative_box", text: include_str!("../wgsl/shared/relative_box.wgsl") },
+crate::SharedSource { name: "rival", text: include_str!("../wgsl/shared/rival.wgsl") },
+crate::SharedSource { name: "rival_pyramid", text: include_str!("../wgsl/shared/rival_pyramid.wgsl") },
+crate::SharedSource { name: "rival_slots", text: include_str!("../wgsl/shared/rival_slots.wgsl") },
 crate::SharedSource { name: "seen_shape", text: include_str!("../wgsl/shared/seen_shape.wgsl") },
 crate::SharedSource { name: "slot_states", text: include_str!("../wgsl/shared/slot_states.wgsl") },
 crate::SharedSource { name: "test_slots", text: include_str!("../wgsl/shared/test_slots.wgsl") },
@@ -516,11 +529,11 @@ pub mod first_slots {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/first_slots.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/slot_states.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/first_slots.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/relative_box.wgsl"), include_str!("../wgsl/shared/slot_states.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("first_slots"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/first_slots.wgsl"), first_line: 1, lines: 52 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 53, lines: 143 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 196, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 214, lines: 6 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/first_slots.wgsl"), first_line: 1, lines: 52 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 53, lines: 118 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 171, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/relative_box.wgsl"), first_line: 189, lines: 28 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 217, lines: 6 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("first_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -747,11 +760,11 @@ pub mod judge_first {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_first.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_first.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/relative_box.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("judge_first"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_first.wgsl"), first_line: 1, lines: 33 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 34, lines: 143 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 177, lines: 18 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_first.wgsl"), first_line: 1, lines: 33 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 34, lines: 118 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 152, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/relative_box.wgsl"), first_line: 170, lines: 28 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("choose"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("choose"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -792,11 +805,11 @@ pub mod judge_many {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_many.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/seen_shape.wgsl"), include_str!("../wgsl/shared/depth_many.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_many.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/relative_box.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/seen_shape.wgsl"), include_str!("../wgsl/shared/depth_many.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("judge_many"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 43 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 184, lines: 143 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 327, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 345, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 367, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 570, lines: 11 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 43 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 184, lines: 118 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 302, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/relative_box.wgsl"), first_line: 320, lines: 28 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 348, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 370, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 573, lines: 11 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -853,11 +866,11 @@ pub mod judge_one {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_one.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/seen_shape.wgsl"), include_str!("../wgsl/shared/depth_one.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/judge_one.wgsl"), include_str!("../wgsl/shared/judge.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/relative_box.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/seen_shape.wgsl"), include_str!("../wgsl/shared/depth_one.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("judge_one"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 43 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 184, lines: 143 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 327, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 345, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 367, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 570, lines: 7 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/judge_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/judge.wgsl"), first_line: 4, lines: 43 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 184, lines: 118 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 302, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/relative_box.wgsl"), first_line: 320, lines: 28 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 348, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 370, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 573, lines: 7 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -1263,11 +1276,11 @@ pub mod recall_slots {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/recall_slots.wgsl"), include_str!("../wgsl/shared/test_slots.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/seen_shape.wgsl"), include_str!("../wgsl/shared/slot_states.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/recall_slots.wgsl"), include_str!("../wgsl/shared/test_slots.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/relative_box.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/seen_shape.wgsl"), include_str!("../wgsl/shared/slot_states.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("recall_slots"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/recall_slots.wgsl"), first_line: 1, lines: 8 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 9, lines: 38 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 184, lines: 143 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 327, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 345, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 367, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 570, lines: 6 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/recall_slots.wgsl"), first_line: 1, lines: 8 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 9, lines: 38 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 47, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 184, lines: 118 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 302, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/relative_box.wgsl"), first_line: 320, lines: 28 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 348, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 370, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 573, lines: 6 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -1314,6 +1327,552 @@ pub const DRAWN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 
 pub mod workgroup {
 /// Of `test_slots`.
 pub const TEST_SLOTS: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/rival_bevy.wgsl`.
+pub mod rival_bevy {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/rival_bevy.wgsl"), include_str!("../wgsl/shared/rival_slots.wgsl"), include_str!("../wgsl/shared/rival.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/relative_box.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("rival_bevy"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/rival_bevy.wgsl"), first_line: 1, lines: 31 }, crate::SourcePart { file: Borrowed("wgsl/shared/rival_slots.wgsl"), first_line: 32, lines: 39 }, crate::SourcePart { file: Borrowed("wgsl/shared/rival.wgsl"), first_line: 71, lines: 99 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 170, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/relative_box.wgsl"), first_line: 188, lines: 28 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 216, lines: 22 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(240) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("seen"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("found"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("rest_found"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("drawn"), entry: wgpu::BindGroupLayoutEntry { binding: 8, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("JudgedInstance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("centre_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("traits"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("RivalView"), kind: crate::LayoutKind::Memory, size: 240, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("view_from_relative"), offset: 64, size: 64 }, crate::FieldLayout { name: Borrowed("clip_from_view"), offset: 128, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 192, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 204, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 208, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 220, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 224, size: 4 }, crate::FieldLayout { name: Borrowed("on_axis"), offset: 228, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 232, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 236, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `first`.
+pub const FIRST: &str = "first";
+/// `rest`.
+pub const REST: &str = "rest";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `seen`.
+pub const SEEN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `found`.
+pub const FOUND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `rest_found`.
+pub const REST_FOUND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `drawn`.
+pub const DRAWN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 8 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `first`.
+pub const FIRST: [u32; 3] = [64, 1, 1];
+/// Of `rest`.
+pub const REST: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/rival_bevy_meshlets.wgsl`.
+pub mod rival_bevy_meshlets {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/rival_bevy_meshlets.wgsl"), include_str!("../wgsl/shared/rival_slots.wgsl"), include_str!("../wgsl/shared/rival.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/relative_box.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("rival_bevy_meshlets"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/rival_bevy_meshlets.wgsl"), first_line: 1, lines: 26 }, crate::SourcePart { file: Borrowed("wgsl/shared/rival_slots.wgsl"), first_line: 27, lines: 39 }, crate::SourcePart { file: Borrowed("wgsl/shared/rival.wgsl"), first_line: 66, lines: 99 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 165, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/relative_box.wgsl"), first_line: 183, lines: 28 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 211, lines: 22 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(240) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("seen"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("found"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("rest_found"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("drawn"), entry: wgpu::BindGroupLayoutEntry { binding: 8, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("JudgedInstance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("centre_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("traits"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("RivalView"), kind: crate::LayoutKind::Memory, size: 240, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("view_from_relative"), offset: 64, size: 64 }, crate::FieldLayout { name: Borrowed("clip_from_view"), offset: 128, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 192, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 204, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 208, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 220, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 224, size: 4 }, crate::FieldLayout { name: Borrowed("on_axis"), offset: 228, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 232, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 236, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `first`.
+pub const FIRST: &str = "first";
+/// `rest`.
+pub const REST: &str = "rest";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `seen`.
+pub const SEEN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `found`.
+pub const FOUND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `rest_found`.
+pub const REST_FOUND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `drawn`.
+pub const DRAWN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 8 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `first`.
+pub const FIRST: [u32; 3] = [64, 1, 1];
+/// Of `rest`.
+pub const REST: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/rival_helio.wgsl`.
+pub mod rival_helio {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/rival_helio.wgsl"), include_str!("../wgsl/shared/rival_slots.wgsl"), include_str!("../wgsl/shared/rival.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/relative_box.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("rival_helio"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/rival_helio.wgsl"), first_line: 1, lines: 47 }, crate::SourcePart { file: Borrowed("wgsl/shared/rival_slots.wgsl"), first_line: 48, lines: 39 }, crate::SourcePart { file: Borrowed("wgsl/shared/rival.wgsl"), first_line: 87, lines: 99 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 186, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/relative_box.wgsl"), first_line: 204, lines: 28 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 232, lines: 22 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(240) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("seen"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("found"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("rest_found"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("drawn"), entry: wgpu::BindGroupLayoutEntry { binding: 8, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("JudgedInstance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("centre_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("traits"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("RivalView"), kind: crate::LayoutKind::Memory, size: 240, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("view_from_relative"), offset: 64, size: 64 }, crate::FieldLayout { name: Borrowed("clip_from_view"), offset: 128, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 192, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 204, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 208, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 220, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 224, size: 4 }, crate::FieldLayout { name: Borrowed("on_axis"), offset: 228, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 232, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 236, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `first`.
+pub const FIRST: &str = "first";
+/// `rest`.
+pub const REST: &str = "rest";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `seen`.
+pub const SEEN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `found`.
+pub const FOUND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `rest_found`.
+pub const REST_FOUND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `drawn`.
+pub const DRAWN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 8 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `first`.
+pub const FIRST: [u32; 3] = [64, 1, 1];
+/// Of `rest`.
+pub const REST: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/rival_niagara.wgsl`.
+pub mod rival_niagara {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/rival_niagara.wgsl"), include_str!("../wgsl/shared/rival_slots.wgsl"), include_str!("../wgsl/shared/rival.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/relative_box.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("rival_niagara"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/rival_niagara.wgsl"), first_line: 1, lines: 35 }, crate::SourcePart { file: Borrowed("wgsl/shared/rival_slots.wgsl"), first_line: 36, lines: 39 }, crate::SourcePart { file: Borrowed("wgsl/shared/rival.wgsl"), first_line: 75, lines: 99 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 174, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/relative_box.wgsl"), first_line: 192, lines: 28 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 220, lines: 22 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(240) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("seen"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("found"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("rest_found"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("drawn"), entry: wgpu::BindGroupLayoutEntry { binding: 8, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("JudgedInstance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("centre_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("traits"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("RivalView"), kind: crate::LayoutKind::Memory, size: 240, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("view_from_relative"), offset: 64, size: 64 }, crate::FieldLayout { name: Borrowed("clip_from_view"), offset: 128, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 192, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 204, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 208, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 220, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 224, size: 4 }, crate::FieldLayout { name: Borrowed("on_axis"), offset: 228, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 232, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 236, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `first`.
+pub const FIRST: &str = "first";
+/// `rest`.
+pub const REST: &str = "rest";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `seen`.
+pub const SEEN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `found`.
+pub const FOUND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `rest_found`.
+pub const REST_FOUND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `drawn`.
+pub const DRAWN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 8 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `first`.
+pub const FIRST: [u32; 3] = [64, 1, 1];
+/// Of `rest`.
+pub const REST: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/rival_pyramid_many.wgsl`.
+pub mod rival_pyramid_many {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/rival_pyramid_many.wgsl"), include_str!("../wgsl/shared/rival_pyramid.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_many.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("rival_pyramid_many"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/rival_pyramid_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/rival_pyramid.wgsl"), first_line: 4, lines: 86 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 90, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 112, lines: 11 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("copied"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [8, 8, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("halved"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [8, 8, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("in_eighths"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [8, 8, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("sampled"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [8, 8, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("enlarged"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [8, 8, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("copied"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("halved"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("in_eighths"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("sampled"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("enlarged"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("copied"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("halved"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("in_eighths"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("sampled"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("enlarged"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("depth"), entry: wgpu::BindGroupLayoutEntry { binding: 7, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: false }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: true }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("copied"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("halved"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("in_eighths"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("sampled"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("enlarged"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `copied`.
+pub const COPIED: &str = "copied";
+/// `halved`.
+pub const HALVED: &str = "halved";
+/// `in_eighths`.
+pub const IN_EIGHTHS: &str = "in_eighths";
+/// `sampled`.
+pub const SAMPLED: &str = "sampled";
+/// `enlarged`.
+pub const ENLARGED: &str = "enlarged";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `depth`.
+pub const DEPTH: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 7 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `copied`.
+pub const COPIED: [u32; 3] = [8, 8, 1];
+/// Of `halved`.
+pub const HALVED: [u32; 3] = [8, 8, 1];
+/// Of `in_eighths`.
+pub const IN_EIGHTHS: [u32; 3] = [8, 8, 1];
+/// Of `sampled`.
+pub const SAMPLED: [u32; 3] = [8, 8, 1];
+/// Of `enlarged`.
+pub const ENLARGED: [u32; 3] = [8, 8, 1];
+}
+}
+/// `wgsl/rival_pyramid_one.wgsl`.
+pub mod rival_pyramid_one {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/rival_pyramid_one.wgsl"), include_str!("../wgsl/shared/rival_pyramid.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/depth_one.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("rival_pyramid_one"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/rival_pyramid_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/rival_pyramid.wgsl"), first_line: 4, lines: 86 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 90, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 112, lines: 7 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("copied"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [8, 8, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("halved"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [8, 8, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("in_eighths"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [8, 8, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("sampled"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [8, 8, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("enlarged"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [8, 8, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("copied"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("halved"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("in_eighths"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("sampled"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("enlarged"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("copied"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("halved"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("in_eighths"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("sampled"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("enlarged"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("depth"), entry: wgpu::BindGroupLayoutEntry { binding: 7, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Float { filterable: false }, view_dimension: wgpu::TextureViewDimension::D2, multisampled: false }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("copied"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("halved"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("in_eighths"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("sampled"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("enlarged"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `copied`.
+pub const COPIED: &str = "copied";
+/// `halved`.
+pub const HALVED: &str = "halved";
+/// `in_eighths`.
+pub const IN_EIGHTHS: &str = "in_eighths";
+/// `sampled`.
+pub const SAMPLED: &str = "sampled";
+/// `enlarged`.
+pub const ENLARGED: &str = "enlarged";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `depth`.
+pub const DEPTH: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 7 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `copied`.
+pub const COPIED: [u32; 3] = [8, 8, 1];
+/// Of `halved`.
+pub const HALVED: [u32; 3] = [8, 8, 1];
+/// Of `in_eighths`.
+pub const IN_EIGHTHS: [u32; 3] = [8, 8, 1];
+/// Of `sampled`.
+pub const SAMPLED: [u32; 3] = [8, 8, 1];
+/// Of `enlarged`.
+pub const ENLARGED: [u32; 3] = [8, 8, 1];
+}
+}
+/// `wgsl/rival_pyramid_rest.wgsl`.
+pub mod rival_pyramid_rest {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/rival_pyramid_rest.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("rival_pyramid_rest"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/rival_pyramid_rest.wgsl"), first_line: 1, lines: 40 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 41, lines: 22 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("level"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("levels"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("range"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(8) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("level"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("levels"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("level"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("levels"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("level"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("levels"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `level`.
+pub const LEVEL: &str = "level";
+/// `levels`.
+pub const LEVELS: &str = "levels";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `range`.
+pub const RANGE: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `level`.
+pub const LEVEL: [u32; 3] = [64, 1, 1];
+/// Of `levels`.
+pub const LEVELS: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/rival_unity.wgsl`.
+pub mod rival_unity {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/rival_unity.wgsl"), include_str!("../wgsl/shared/rival_slots.wgsl"), include_str!("../wgsl/shared/rival.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/relative_box.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("rival_unity"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/rival_unity.wgsl"), first_line: 1, lines: 48 }, crate::SourcePart { file: Borrowed("wgsl/shared/rival_slots.wgsl"), first_line: 49, lines: 39 }, crate::SourcePart { file: Borrowed("wgsl/shared/rival.wgsl"), first_line: 88, lines: 99 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 187, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/relative_box.wgsl"), first_line: 205, lines: 28 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 233, lines: 22 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(240) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("seen"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("found"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("rest_found"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("drawn"), entry: wgpu::BindGroupLayoutEntry { binding: 8, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("JudgedInstance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("centre_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("traits"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("RivalView"), kind: crate::LayoutKind::Memory, size: 240, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("view_from_relative"), offset: 64, size: 64 }, crate::FieldLayout { name: Borrowed("clip_from_view"), offset: 128, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 192, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 204, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 208, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 220, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 224, size: 4 }, crate::FieldLayout { name: Borrowed("on_axis"), offset: 228, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 232, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 236, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `first`.
+pub const FIRST: &str = "first";
+/// `rest`.
+pub const REST: &str = "rest";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `seen`.
+pub const SEEN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `found`.
+pub const FOUND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `rest_found`.
+pub const REST_FOUND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `drawn`.
+pub const DRAWN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 8 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `first`.
+pub const FIRST: [u32; 3] = [64, 1, 1];
+/// Of `rest`.
+pub const REST: [u32; 3] = [64, 1, 1];
+}
+}
+/// `wgsl/rival_vk_lod_clusters.wgsl`.
+pub mod rival_vk_lod_clusters {
+#[allow(unused_imports, reason = "which of them depends on the job")]
+use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
+/// The text for wgpu, imports included.
+pub const SOURCE: &str = concat!(include_str!("../wgsl/rival_vk_lod_clusters.wgsl"), include_str!("../wgsl/shared/rival_slots.wgsl"), include_str!("../wgsl/shared/rival.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/relative_box.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), );
+/// The job.
+pub static JOB: crate::Job = crate::Job {
+name: Borrowed("rival_vk_lod_clusters"), source: Borrowed(SOURCE),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/rival_vk_lod_clusters.wgsl"), first_line: 1, lines: 26 }, crate::SourcePart { file: Borrowed("wgsl/shared/rival_slots.wgsl"), first_line: 27, lines: 39 }, crate::SourcePart { file: Borrowed("wgsl/shared/rival.wgsl"), first_line: 66, lines: 99 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 165, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/relative_box.wgsl"), first_line: 183, lines: 28 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 211, lines: 22 }, ]),
+entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, crate::EntryPoint { name: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
+}, ]),
+bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(240) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("instances"), entry: wgpu::BindGroupLayoutEntry { binding: 1, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(64) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("seen"), entry: wgpu::BindGroupLayoutEntry { binding: 2, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("found"), entry: wgpu::BindGroupLayoutEntry { binding: 3, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("rest_found"), entry: wgpu::BindGroupLayoutEntry { binding: 4, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("pyramid"), entry: wgpu::BindGroupLayoutEntry { binding: 5, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(288) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("texels"), entry: wgpu::BindGroupLayoutEntry { binding: 6, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("first"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, crate::Binding { group: 0, name: Borrowed("drawn"), entry: wgpu::BindGroupLayoutEntry { binding: 8, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: false }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(4) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("rest"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
+}, ]),
+structs: Borrowed(&[crate::StructLayout { name: Borrowed("JudgedInstance"), kind: crate::LayoutKind::Memory, size: 64, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("row_x"), offset: 0, size: 16 }, crate::FieldLayout { name: Borrowed("row_y"), offset: 16, size: 16 }, crate::FieldLayout { name: Borrowed("row_z"), offset: 32, size: 16 }, crate::FieldLayout { name: Borrowed("centre_low"), offset: 48, size: 12 }, crate::FieldLayout { name: Borrowed("traits"), offset: 60, size: 4 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("Pyramid"), kind: crate::LayoutKind::Memory, size: 288, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("width"), offset: 0, size: 4 }, crate::FieldLayout { name: Borrowed("height"), offset: 4, size: 4 }, crate::FieldLayout { name: Borrowed("samples"), offset: 8, size: 4 }, crate::FieldLayout { name: Borrowed("towards"), offset: 12, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 16, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 20, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 24, size: 4 }, crate::FieldLayout { name: Borrowed("padding_c"), offset: 28, size: 4 }, crate::FieldLayout { name: Borrowed("levels"), offset: 32, size: 256 }, ]),
+tail: None }, crate::StructLayout { name: Borrowed("RivalView"), kind: crate::LayoutKind::Memory, size: 240, align: 16, fields: Borrowed(&[crate::FieldLayout { name: Borrowed("clip_from_relative"), offset: 0, size: 64 }, crate::FieldLayout { name: Borrowed("view_from_relative"), offset: 64, size: 64 }, crate::FieldLayout { name: Borrowed("clip_from_view"), offset: 128, size: 64 }, crate::FieldLayout { name: Borrowed("eye_high"), offset: 192, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_wide"), offset: 204, size: 4 }, crate::FieldLayout { name: Borrowed("eye_low"), offset: 208, size: 12 }, crate::FieldLayout { name: Borrowed("pixels_high"), offset: 220, size: 4 }, crate::FieldLayout { name: Borrowed("count"), offset: 224, size: 4 }, crate::FieldLayout { name: Borrowed("on_axis"), offset: 228, size: 4 }, crate::FieldLayout { name: Borrowed("padding_a"), offset: 232, size: 4 }, crate::FieldLayout { name: Borrowed("padding_b"), offset: 236, size: 4 }, ]),
+tail: None }, ]),
+overrides: Borrowed(&[]),
+immediate_size: 0,
+features: wgpu::Features::empty(), downlevel: wgpu::DownlevelFlags::empty().union(wgpu::DownlevelFlags::COMPUTE_SHADERS), };
+/// Names of the entry points.
+pub mod entry {
+/// `first`.
+pub const FIRST: &str = "first";
+/// `rest`.
+pub const REST: &str = "rest";
+}
+/// Places of the variables in use.
+pub mod binding {
+/// `view`.
+pub const VIEW: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 0 };
+/// `instances`.
+pub const INSTANCES: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 1 };
+/// `seen`.
+pub const SEEN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 2 };
+/// `found`.
+pub const FOUND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 3 };
+/// `rest_found`.
+pub const REST_FOUND: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 4 };
+/// `pyramid`.
+pub const PYRAMID: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 5 };
+/// `texels`.
+pub const TEXELS: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 6 };
+/// `drawn`.
+pub const DRAWN: crate::BindingPlace = crate::BindingPlace { group: 0, binding: 8 };
+}
+/// Workgroup sizes of the compute entry points.
+pub mod workgroup {
+/// Of `first`.
+pub const FIRST: [u32; 3] = [64, 1, 1];
+/// Of `rest`.
+pub const REST: [u32; 3] = [64, 1, 1];
 }
 }
 /// `wgsl/sample_identity.wgsl`.
@@ -1715,11 +2274,11 @@ pub mod test_slots_many {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/test_slots_many.wgsl"), include_str!("../wgsl/shared/test_slots.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/seen_shape.wgsl"), include_str!("../wgsl/shared/slot_states.wgsl"), include_str!("../wgsl/shared/depth_many.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/test_slots_many.wgsl"), include_str!("../wgsl/shared/test_slots.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/relative_box.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/seen_shape.wgsl"), include_str!("../wgsl/shared/slot_states.wgsl"), include_str!("../wgsl/shared/depth_many.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("test_slots_many"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/test_slots_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 4, lines: 38 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 42, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 179, lines: 143 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 322, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 340, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 362, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 565, lines: 6 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 571, lines: 11 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/test_slots_many.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 4, lines: 38 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 42, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 179, lines: 118 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 297, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/relative_box.wgsl"), first_line: 315, lines: 28 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 343, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 365, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 568, lines: 6 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_many.wgsl"), first_line: 574, lines: 11 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),
@@ -1776,11 +2335,11 @@ pub mod test_slots_one {
 #[allow(unused_imports, reason = "which of them depends on the job")]
 use std::{borrow::Cow::Borrowed, num::{NonZeroU32, NonZeroU64}};
 /// The text for wgpu, imports included.
-pub const SOURCE: &str = concat!(include_str!("../wgsl/test_slots_one.wgsl"), include_str!("../wgsl/shared/test_slots.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/seen_shape.wgsl"), include_str!("../wgsl/shared/slot_states.wgsl"), include_str!("../wgsl/shared/depth_one.wgsl"), );
+pub const SOURCE: &str = concat!(include_str!("../wgsl/test_slots_one.wgsl"), include_str!("../wgsl/shared/test_slots.wgsl"), include_str!("../wgsl/shared/box_test.wgsl"), include_str!("../wgsl/shared/judged.wgsl"), include_str!("../wgsl/shared/judged_instance.wgsl"), include_str!("../wgsl/shared/relative_box.wgsl"), include_str!("../wgsl/shared/pyramid.wgsl"), include_str!("../wgsl/shared/seen_shape.wgsl"), include_str!("../wgsl/shared/slot_states.wgsl"), include_str!("../wgsl/shared/depth_one.wgsl"), );
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("test_slots_one"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/test_slots_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 4, lines: 38 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 42, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 179, lines: 143 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 322, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 340, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 362, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 565, lines: 6 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 571, lines: 7 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/test_slots_one.wgsl"), first_line: 1, lines: 3 }, crate::SourcePart { file: Borrowed("wgsl/shared/test_slots.wgsl"), first_line: 4, lines: 38 }, crate::SourcePart { file: Borrowed("wgsl/shared/box_test.wgsl"), first_line: 42, lines: 137 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged.wgsl"), first_line: 179, lines: 118 }, crate::SourcePart { file: Borrowed("wgsl/shared/judged_instance.wgsl"), first_line: 297, lines: 18 }, crate::SourcePart { file: Borrowed("wgsl/shared/relative_box.wgsl"), first_line: 315, lines: 28 }, crate::SourcePart { file: Borrowed("wgsl/shared/pyramid.wgsl"), first_line: 343, lines: 22 }, crate::SourcePart { file: Borrowed("wgsl/shared/seen_shape.wgsl"), first_line: 365, lines: 203 }, crate::SourcePart { file: Borrowed("wgsl/shared/slot_states.wgsl"), first_line: 568, lines: 6 }, crate::SourcePart { file: Borrowed("wgsl/shared/depth_one.wgsl"), first_line: 574, lines: 7 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, ]),
 bindings: Borrowed(&[crate::Binding { group: 0, name: Borrowed("view"), entry: wgpu::BindGroupLayoutEntry { binding: 0, visibility: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), ty: wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: NonZeroU64::new(112) }, count: NonZeroU32::new(0) }, uses: Borrowed(&[crate::BindingUse { entry_point: Borrowed("test_slots"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), filters: false }, ]),

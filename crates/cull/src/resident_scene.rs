@@ -15,8 +15,8 @@ use crate::view_nodes::ViewNodes;
 /// The scene on the device, the same for all views of a stage.
 #[derive(Debug, Clone, Copy)]
 pub struct ResidentScene {
-    /// A box a slot.
-    pub(crate) boxes: Buffer,
+    /// The boxes of all slots: a [`JudgedInstance`] a slot.
+    pub boxes: Buffer,
     /// The full meshes of all opaque entities, inside and outside of any frustum. [`FrameGraph::compact`] keeps those with any sample.
     pub opaque: IndirectLayout,
     /// The slots of the transparent entities, ascending.
@@ -32,6 +32,13 @@ struct Held {
     arrangement: Option<u64>,
 }
 
+impl ResidentScene {
+    /// Bytes of the [boxes](Self::boxes).
+    pub fn box_bytes(g: &FrameGraph<'_>) -> u64 {
+        u64::from(g.scene_layout().slots.max(1)) * size_of::<JudgedInstance>() as u64
+    }
+}
+
 impl FrameGraph<'_> {
     /// The scene on the device. It is uploaded when it has changed, and until the device has said that it has it: a host may drop the encoder with an upload.
     pub fn resident_scene(&mut self, view: &ViewNodes) -> ResidentScene {
@@ -39,8 +46,7 @@ impl FrameGraph<'_> {
             return made;
         }
         let scene = view.inputs().scene;
-        let record = size_of::<JudgedInstance>() as u64;
-        let bytes = u64::from(self.scene_layout().slots.max(1)) * record;
+        let bytes = ResidentScene::box_bytes(self);
         let size = LayoutSize {
             runs: self.scene_layout().batches,
             entries_a_slot: 1,

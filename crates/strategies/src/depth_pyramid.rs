@@ -14,6 +14,7 @@ use antumbra_cull::{
 use antumbra_graph::Host;
 
 use crate::found_on_gpu::{ExemptEntities, opaque, transparent, verdicts};
+use crate::rivals::{self, Rival};
 
 /// The strategy `depth-pyramid`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -28,6 +29,8 @@ pub struct DepthPyramid {
     pub detail: TestDetail,
     /// With one phase, what is done with what nothing is known of.
     pub late: LateEntities,
+    /// The engine whose test is played instead, as a yardstick; `None`: none. Then no other setting counts.
+    pub like: Option<Rival>,
 }
 
 /// In how many phases is drawn.
@@ -96,6 +99,21 @@ const PARAMETERS: &[Parameter<DepthPyramid>] = &[
         |s| ["keep", "cull"][s.late as usize],
         |s, at| s.late = [LateEntities::Keep, LateEntities::Cull][at],
     ),
+    Parameter::words(
+        "like",
+        &[
+            "ours",
+            "bevy",
+            "bevy-meshlets",
+            "niagara",
+            "helio",
+            "unity",
+            "vk-lod-clusters",
+        ],
+        "the engine whose test is played, for study: docs/rivals.md; ours: none",
+        |s| s.like.map_or("ours", Rival::word),
+        |s, at| s.like = at.checked_sub(1).map(|at| Rival::ALL[at]),
+    ),
 ];
 
 impl DepthPyramid {
@@ -118,11 +136,11 @@ impl Strategy for DepthPyramid {
     }
 
     fn summary(&self) -> &str {
-        "draws last frame's visible first, tests all boxes against a pyramid of its depth, and draws what it finds (Haar and Aaltonen 2015)"
+        self.like.map_or("draws last frame's visible first, tests all boxes against a pyramid of its depth, and draws what it finds (Haar and Aaltonen 2015)", Rival::summary)
     }
 
     fn conservative(&self) -> bool {
-        self.phases == DrawPhases::Two
+        self.like.is_none() && self.phases == DrawPhases::Two
     }
 
     fn latency(&self) -> Option<Latency> {
@@ -148,6 +166,9 @@ impl Strategy for DepthPyramid {
                 lacking: "shaders that read the samples of what was drawn".to_owned(),
                 instead: "draw one sample a pixel, or take another strategy".to_owned(),
             });
+        }
+        if let Some(rival) = self.like {
+            return rivals::declare(rival, g, view);
         }
         let boxes = g.view_boxes(view, self.rules());
         let states = g.sample_counts(view);

@@ -70,6 +70,7 @@ fn what_needs_indirect_draws_alone_conforms_on_default_limits() {
             "three-pass:latency=on-gpu",
             "coherent:latency=on-gpu",
             "depth-pyramid",
+            "depth-pyramid:like=bevy",
         ] {
             let make = || registry().parse(text).unwrap();
             if let Err(failure) = kit().check_on(&gpu, make) {

@@ -1,4 +1,5 @@
 //!import judged_instance
+//!import relative_box
 // Instances that are judged by their boxes, and the view that they are judged for. The view's matrix may be any: nothing here knows a near
 // plane, a far plane or an eye but from the matrix.
 
@@ -47,32 +48,6 @@ const NEW: u32 = 5u;
 
 // The error of the maths in f32, here and where the instances are drawn, as a fraction of the terms.
 const ROUNDING: f32 = 1e-6;
-
-// A box relative to the eye.
-struct RelativeBox {
-    centre: vec3<f32>,
-    x: vec3<f32>,
-    y: vec3<f32>,
-    z: vec3<f32>,
-    // The greatest absolute coordinates that occur on the way.
-    reach: vec3<f32>,
-    // What is in it lies in the ellipsoid whose half axes are the half edges times this; 0: it may fill the box.
-    round: f32,
-}
-
-fn relative_box(instance: JudgedInstance) -> RelativeBox {
-    let high = vec3<f32>(instance.row_x.w, instance.row_y.w, instance.row_z.w) - view.eye_high;
-    let low = instance.centre_low - view.eye_low;
-    var made: RelativeBox;
-    made.centre = high + low;
-    made.x = vec3<f32>(instance.row_x.x, instance.row_y.x, instance.row_z.x);
-    made.y = vec3<f32>(instance.row_x.y, instance.row_y.y, instance.row_z.y);
-    made.z = vec3<f32>(instance.row_x.z, instance.row_y.z, instance.row_z.z);
-    made.reach = abs(made.centre) + abs(made.x) + abs(made.y) + abs(made.z);
-    let steps = (instance.traits >> 3u) & 31u;
-    made.round = select(0.0, 1.0 + (f32(steps) - 1.0) * 0.025, steps > 0u);
-    return made;
-}
 
 // A row of the matrix: a clip coordinate as a function of the place.
 fn clip_row(number: u32) -> vec4<f32> {

@@ -74,7 +74,7 @@ pub const LOST_FIND: Fault = Fault {
         "test_slots_one" | "test_slots_many" => with(
             source,
             "let state = state_of(instances[slot]);",
-            "let state = select(state_of(instances[slot]), SLOT_UNKNOWN, slot % 5u == 3u);",
+            "let state = select(state_of(instances[slot]), SLOT_HIDDEN, slot % 5u == 3u);",
         ),
         _ => None,
     },
