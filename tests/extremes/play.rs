@@ -26,7 +26,7 @@ pub fn strategies() -> Vec<String> {
                     format!(":latency=same-frame:{exact}"),
                     format!(":latency=on-gpu:counting=queries:{exact}"),
                 ],
-                "coherent" | "stereo-coherent" | "occupancy-map" => {
+                "coherent" | "stereo-coherent" | "occupancy-map" | "chc-plus-plus" => {
                     vec![":latency=same-frame".to_owned()]
                 }
                 other => panic!("say here which settings of '{other}' promise no wrong pixel"),

@@ -86,6 +86,16 @@ impl Aabb {
         self.max * 0.5 - self.min * 0.5
     }
 
+    /// Half the surface area, in square metres; 0 for an empty box.
+    #[must_use]
+    pub fn half_area(&self) -> f64 {
+        if self.is_empty() {
+            return 0.0;
+        }
+        let size = self.max - self.min;
+        size.x * size.y + size.y * size.z + size.z * size.x
+    }
+
     /// The eight corners; bit 0 of the index picks x, bit 1 y, bit 2 z (set = `max`).
     #[must_use]
     pub fn corners(&self) -> [DVec3; 8] {

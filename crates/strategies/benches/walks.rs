@@ -12,7 +12,7 @@ use antumbra_scene::hierarchy::HierarchyShape;
 use antumbra_scene::{EntityKey, Scene};
 use antumbra_strategies::occupancy::{BlockRect, OccupancyMap};
 use antumbra_strategies::traversal::{
-    LateTraversal, Traversal, TraversalContext, TraversalSettings,
+    LateTraversal, Traversal, TraversalContext, TraversalSettings, WaitingTraversal,
 };
 use antumbra_testing::{balls, look_at, perspective};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
@@ -77,7 +77,7 @@ fn frame_late(
     verdicts.reset_outside(context.table);
     traversal.begin(context, 0);
     traversal.traverse(context, &SETTINGS, verdicts, &mut boxes);
-    let queried = traversal.queried(&boxes);
+    let queried = traversal.queried();
     // The far half of the scene is hidden.
     let hierarchy = context.tree.hierarchy();
     let visible = |node: &u32| {

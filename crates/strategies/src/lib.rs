@@ -8,6 +8,7 @@
 //! | `coherent`, `stereo-coherent` | [`Coherent`], [`StereoCoherent`] | Mansa, Amundarain, Garcia-Alonso, Matey 2007 |
 //! | `depth-pyramid` | [`DepthPyramid`] | Haar, Aaltonen 2015 |
 //! | `occupancy-map`, `occupancy-map-single` | [`OccupancyMapBatched`], [`OccupancyMapSingle`] | Staneker, Bartz, Strasser 2004 |
+//! | `chc-plus-plus` | [`ChcPlusPlus`] | Mattausch, Bittner, Wimmer 2008 |
 //!
 //! [`registry`] makes a strategy from its name and settings, as the command line writes them:
 //!
@@ -37,6 +38,7 @@
 //! Every strategy is an ordinary plug-in of `antumbra-cull` and uses its public interface only. [`traversal`] and [`occupancy`] are the parts of
 //! the hierarchical strategies that other strategies can reuse.
 
+mod chc_plus_plus;
 mod coherent;
 mod depth_pyramid;
 mod found_on_gpu;
@@ -52,6 +54,7 @@ pub mod traversal;
 
 use antumbra_cull::{Everything, FrustumOnly, Ideal, Registry};
 
+pub use chc_plus_plus::ChcPlusPlus;
 pub use coherent::{Coherent, CoherentSettings, StereoCoherent};
 pub use depth_pyramid::DepthPyramid;
 pub use occupancy_map::{OccupancyMapBatched, OccupancyMapSingle, OccupancySettings};
@@ -73,5 +76,6 @@ pub fn registry() -> Registry {
     registry.register(|| Box::new(DepthPyramid::default()));
     registry.register(|| Box::new(OccupancyMapBatched::default()));
     registry.register(|| Box::new(OccupancyMapSingle::default()));
+    registry.register(|| Box::new(ChcPlusPlus::default()));
     registry
 }

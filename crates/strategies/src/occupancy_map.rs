@@ -6,7 +6,7 @@
 
 mod settings;
 
-use crate::traversal::{QueryMode, TraversalSettings, frame_late, same_frame};
+use crate::traversal::{QueryMode, Traversal, TraversalSettings, frame_late, same_frame};
 use antumbra_cull::{
     DeclareError, FrameGraph, Latency, Parameter, Setting, SettingError, Step, Strategy, Tunable,
     Value, ViewNodes, VisibleSet, assign, describe,
@@ -78,7 +78,7 @@ impl Strategy for OccupancyMapBatched {
         let shape = self.settings.tree;
         Ok(match self.latency {
             Latency::FrameLate => frame_late(g, view, shape, settings),
-            _ => same_frame(g, view, shape, settings),
+            _ => same_frame::<Traversal>(g, view, shape, settings),
         })
     }
 }
@@ -117,7 +117,12 @@ impl Strategy for OccupancyMapSingle {
             worth: 0,
             ..self.settings.traversal(QueryMode::Single)
         };
-        Ok(same_frame(g, view, self.settings.tree, settings))
+        Ok(same_frame::<Traversal>(
+            g,
+            view,
+            self.settings.tree,
+            settings,
+        ))
     }
 }
 

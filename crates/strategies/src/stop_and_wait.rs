@@ -17,7 +17,7 @@ use antumbra_scene::hierarchy::HierarchyShape;
 
 use crate::query_results::query_results;
 use crate::transparent::shade_transparent;
-use crate::traversal::{QueryMode, TraversalSettings, same_frame};
+use crate::traversal::{QueryMode, Traversal, TraversalSettings, same_frame};
 
 /// The strategy `stop-and-wait`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -129,7 +129,7 @@ impl Strategy for StopAndWait {
                             .to_owned(),
                 });
             }
-            return Ok(same_frame(g, view, shape, QUERY_PER_NODE));
+            return Ok(same_frame::<Traversal>(g, view, shape, QUERY_PER_NODE));
         }
         let candidates = g.in_frustum(view);
         let mut state = begin(g, view, candidates);

@@ -17,16 +17,29 @@ mod frontier;
 mod inputs;
 mod late;
 mod memory;
+mod multiquery;
 mod one_frame;
+mod pending;
 mod queue;
 mod remaining;
 mod same_frame;
 mod settings;
 mod shared_queries;
+mod tight_boxes;
+mod waiting;
 
 pub use context::{TraversalContext, VisitedNode};
 pub use frame_late::frame_late;
 pub use late::{LateTraversal, QueriedNodes, TreeVersion};
 pub use one_frame::Traversal;
 pub use same_frame::same_frame;
-pub use settings::{AnswerLifetime, DrawOrder, QueryMode, TraversalSettings};
+pub use settings::{
+    AnswerLifetime, DrawOrder, QueryMode, Retests, Sharing, TightBoxes, TraversalSettings,
+};
+pub use waiting::WaitingTraversal;
+
+pub(crate) use context::{QueuedNode, Visit};
+pub(crate) use frontier::Frontier;
+pub(crate) use one_frame::QUERY_TRIANGLES;
+pub(crate) use pending::{BatchOrganiser, PendingNode, Purpose};
+pub(crate) use shared_queries::{QuerySubject, SharedQueries};

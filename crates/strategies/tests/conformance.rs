@@ -166,6 +166,19 @@ fn walks(gpu: &Gpu) {
     conform(gpu, &fewer, named(&single));
 }
 
+/// CHC++ in both latencies, with all of its parts and with none of them, over every kind of tree.
+fn chc_plus_plus(gpu: &Gpu) {
+    let parts_off = "batch=1:multiqueries=false:tight-depth=0:visible-for=0:randomised=false:free-screen=false:worth=0";
+    let all = [
+        "chc-plus-plus:latency=same-frame".to_owned(),
+        format!("chc-plus-plus:latency=same-frame:tree=boxes:grain=0:{parts_off}"),
+        "chc-plus-plus:latency=same-frame:tree=groups:grain=0:worth=0:tight-depth=8:tight-surface=16".to_owned(),
+        "chc-plus-plus:latency=frame-late".to_owned(),
+        format!("chc-plus-plus:latency=frame-late:grain=0:{parts_off}"),
+    ];
+    conform(gpu, &small(), all);
+}
+
 fn depth_pyramid(gpu: &Gpu) {
     let all = [
         "depth-pyramid",
@@ -214,6 +227,16 @@ fn depth_pyramid_conforms_on_vulkan() {
 #[test]
 fn depth_pyramid_conforms_on_gl() {
     depth_pyramid(gl());
+}
+
+#[test]
+fn chc_plus_plus_conforms_on_vulkan() {
+    chc_plus_plus(vulkan());
+}
+
+#[test]
+fn chc_plus_plus_conforms_on_gl() {
+    chc_plus_plus(gl());
 }
 
 #[test]

@@ -53,6 +53,8 @@ fn what_needs_no_feature_conforms_on_default_limits() {
             "coherent:latency=frame-late",
             "occupancy-map:latency=same-frame",
             "occupancy-map:latency=frame-late",
+            "chc-plus-plus:latency=same-frame",
+            "chc-plus-plus:latency=frame-late",
         ] {
             let make = || registry().parse(text).unwrap();
             if let Err(failure) = kit().check_on(&gpu, make) {

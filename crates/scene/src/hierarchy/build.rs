@@ -4,7 +4,6 @@
 use super::bvh::divide_wide_groups;
 use super::error::HierarchyError;
 use super::input::{CheckedTree, GroupTree, Member, NONE};
-use super::refit::half_area;
 use super::shape::HierarchyShape;
 use super::tree::{Hierarchy, HierarchyNode};
 use crate::bounds::Aabb;
@@ -85,7 +84,7 @@ fn lay_out(checked: &CheckedTree) -> Hierarchy {
     }
     tree.unattached_from = tree.nodes.len() as u32;
     let inner = tree.nodes.iter().filter(|node| !node.is_leaf());
-    tree.area = inner.map(|node| half_area(&node.bounds)).sum();
+    tree.area = inner.map(|node| node.bounds.half_area()).sum();
     tree.built_area = tree.area;
     tree
 }

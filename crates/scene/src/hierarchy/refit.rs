@@ -100,17 +100,8 @@ impl Hierarchy {
         if around == node.bounds {
             return false;
         }
-        self.area += half_area(&around) - half_area(&node.bounds);
+        self.area += around.half_area() - node.bounds.half_area();
         self.nodes[number as usize].bounds = around;
         true
     }
-}
-
-/// Half the surface area of a box in square metres; 0 for an empty box.
-pub(super) fn half_area(bounds: &Aabb) -> f64 {
-    if bounds.is_empty() {
-        return 0.0;
-    }
-    let size = bounds.max - bounds.min;
-    size.x * size.y + size.y * size.z + size.z * size.x
 }

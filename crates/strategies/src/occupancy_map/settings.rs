@@ -3,7 +3,9 @@
 use antumbra_cull::{Parameter, shortest};
 use antumbra_scene::hierarchy::HierarchyShape;
 
-use crate::traversal::{AnswerLifetime, DrawOrder, QueryMode, TraversalSettings};
+use crate::traversal::{
+    AnswerLifetime, DrawOrder, QueryMode, Retests, Sharing, TightBoxes, TraversalSettings,
+};
 
 /// The settings of both strategies.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,13 +68,16 @@ impl OccupancySettings {
             grain: self.grain,
             small: self.small,
             least_seen: self.least_seen,
-            together: self.together,
+            batch: 1,
+            sharing: Sharing::Neighbours(self.together),
+            tight: TightBoxes::OFF,
             worth: self.worth,
             lifetime: AnswerLifetime {
                 visible: self.visible_for,
                 occluded: self.occluded_for,
                 slow: self.slow,
             },
+            retests: Retests::Spread,
             order: self.order,
             sketch: self.sketch,
         }

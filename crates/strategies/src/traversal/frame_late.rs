@@ -58,7 +58,7 @@ pub fn frame_late(
             fill(&mut list, context.table, traversal.found(), settings.order);
             Ok(())
         })?;
-        *ctx.get_mut(queried)? = traversal.queried(&boxes);
+        *ctx.get_mut(queried)? = traversal.queried();
         ctx.upload(visible.slots, 0, bytemuck::cast_slice(list.slots()))?;
         ctx.upload(query_boxes.buffer, 0, bytemuck::cast_slice(boxes.boxes()))?;
         if let Some(sketch) = sketch {

@@ -7,7 +7,7 @@ use antumbra_cull::{Verdict, Verdicts};
 
 /// The frontier of a traversal.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Frontier {
+pub(crate) struct Frontier {
     queue: NodeQueue,
     /// Blocks that may be covered by what is drawn.
     pub covered: OccupancyMap,

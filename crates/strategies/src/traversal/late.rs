@@ -12,10 +12,10 @@ use antumbra_cull::boxes::BoxList;
 use super::context::{QueuedNode, TraversalContext, Visit, VisitedNode};
 use super::eye_path::EyePath;
 use super::frontier::Frontier;
-use super::settings::TraversalSettings;
-use super::shared_queries::SharedQueries;
+use super::settings::{Retests, TraversalSettings};
+use super::shared_queries::{QuerySubject, SharedQueries};
 use crate::sketch::{NodeOutcome, Sketch};
-use antumbra_cull::{Verdict, Verdicts};
+use antumbra_cull::{Tree, Verdict, Verdicts};
 
 /// What answers belong to. An answer about another tree, or from before a camera cut, is dropped.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -24,6 +24,16 @@ pub struct TreeVersion {
     pub generation: u64,
     /// Camera cuts of the view so far.
     pub cuts: u64,
+}
+
+impl TreeVersion {
+    /// The version of a tree after this many camera cuts of its view.
+    pub fn new(tree: &Tree, cuts: u64) -> Self {
+        Self {
+            generation: tree.generation(),
+            cuts,
+        }
+    }
 }
 
 /// The nodes of one frame's queries. They travel with the answers.
@@ -45,6 +55,8 @@ struct NodeState {
     visible: bool,
     /// The frame of the last query that has an answer; 0: there is none.
     queried: u32,
+    /// The frame of the first of the answers "occluded" that followed each other.
+    hidden_since: u32,
     /// The first frame in which it is queried again.
     query_from: u32,
     /// Until this frame it does not become occluded by the answers about its children.
@@ -65,6 +77,7 @@ pub struct LateTraversal {
     frontier: Frontier,
     /// The nodes of this frame's queries.
     queried: Vec<u32>,
+    queries: SharedQueries,
     /// A record of the traversal, where the settings ask for one.
     pub sketch: Sketch,
 }
@@ -86,10 +99,7 @@ impl LateTraversal {
     /// Starts a frame. Answers about another tree, or from before a camera cut, are dropped. `cuts`: camera cuts of the view so far.
     pub fn begin(&mut self, context: &TraversalContext<'_>, cuts: u64) {
         self.frame += 1;
-        let now = TreeVersion {
-            generation: context.tree.generation(),
-            cuts,
-        };
+        let now = TreeVersion::new(context.tree, cuts);
         if self.version != Some(now) {
             self.nodes.clear();
             self.path.restart();
@@ -154,32 +164,34 @@ impl LateTraversal {
     }
 
     /// The nodes of this frame's queries, to travel with the answers.
-    pub fn queried(&mut self, boxes: &BoxList) -> QueriedNodes {
+    pub fn queried(&mut self) -> QueriedNodes {
         QueriedNodes {
             version: self.version.unwrap_or_default(),
             frame: self.frame,
             nodes: Arc::new(std::mem::take(&mut self.queried)),
-            ends: Arc::new(boxes.query_ends().to_vec()),
+            ends: Arc::new(self.queries.ends().to_vec()),
         }
     }
 
     /// Stores the answer of a query of frame `queried`.
     fn store(&mut self, settings: &TraversalSettings, queried: u32, node: u32, visible: bool) {
-        let frames = match visible {
-            true => settings.lifetime.visible,
-            false => settings.lifetime.occluded,
-        };
         let was_hidden = self.is_hidden(node, settings);
         let travelled = self.path.length();
         let frame = self.frame;
         let state = self.state_mut(node);
-        // Lifetimes are spread, so that the nodes of one frame do not all need a query in the same frame again.
-        let hash = node.wrapping_mul(0x9E37_79B9) >> 16;
-        let spread = match frames {
-            0 | 1 => 0,
-            _ => hash % (frames / 2 + 1),
+        // Lifetimes differ, so that the nodes of one frame do not all need a query in the same frame again.
+        let frames = match visible {
+            true => {
+                let first = state.queried == 0 || !state.visible;
+                let lifetime = settings.lifetime.visible;
+                (settings.retests).frames_to_next(lifetime, node, frame, first)
+            }
+            false => Retests::Spread.frames_to_next(settings.lifetime.occluded, node, frame, true),
         };
-        state.query_from = frame + frames - spread;
+        if !was_hidden {
+            state.hidden_since = queried;
+        }
+        state.query_from = frame + frames;
         (state.visible, state.queried, state.travelled) = (visible, queried, travelled);
         if visible && was_hidden {
             state.open_until = frame + HOLD;
@@ -210,6 +222,7 @@ impl LateTraversal {
             let frame = self.frame;
             let state = self.state_mut(parent);
             (state.visible, state.queried, state.query_from) = (false, oldest.queried, frame);
+            state.hidden_since = oldest.queried;
             state.travelled = oldest.travelled;
             at = parent;
         }
@@ -294,27 +307,35 @@ impl LateTraversal {
         }
     }
 
-    /// Writes a box for each node to be queried. Neighbours that are occluded share a query.
+    /// Writes the boxes of the nodes to be queried. Nodes that are occluded share queries.
     fn write_queries(
         &mut self,
         context: &TraversalContext<'_>,
         settings: &TraversalSettings,
         boxes: &mut BoxList,
     ) {
-        // Siblings, and children of siblings, are neighbours by number.
-        self.queried.sort_unstable();
         let mut queried = std::mem::take(&mut self.queried);
-        let mut queries = SharedQueries::new(boxes, settings.together);
-        queried.retain(|number| {
-            let Some(query_box) = context.query_box(*number) else {
-                return false;
-            };
-            let state = self.nodes.get(*number as usize);
-            let alone = state.is_some_and(|state| state.alone_until > self.frame);
-            queries.push(query_box, !alone && self.is_hidden(*number, settings));
-            true
+        let mut queries = std::mem::take(&mut self.queries);
+        queries.clear();
+        queried.sort_unstable_by_key(|node| self.subject(*node, settings).place(settings.sharing));
+        queried.retain(|node| {
+            let subject = self.subject(*node, settings);
+            queries.push(context, settings, subject, boxes)
         });
-        self.queried = queried;
+        (self.queried, self.queries) = (queried, queries);
+    }
+
+    /// What is queried about a node, and with which others.
+    fn subject(&self, node: u32, settings: &TraversalSettings) -> QuerySubject {
+        let state = self.nodes.get(node as usize).copied().unwrap_or_default();
+        let shares = self.is_hidden(node, settings) && state.alone_until <= self.frame;
+        QuerySubject {
+            node,
+            hidden_for: match shares {
+                true => state.queried - state.hidden_since.min(state.queried) + 1,
+                false => 0,
+            },
+        }
     }
 }
 

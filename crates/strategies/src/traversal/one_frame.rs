@@ -9,54 +9,40 @@ use antumbra_cull::boxes::BoxList;
 use super::context::{QueuedNode, TraversalContext, Visit, VisitedNode};
 use super::frontier::Frontier;
 use super::memory::NodeMemory;
+use super::pending::{BatchOrganiser, PendingNode, Purpose};
 use super::settings::{QueryMode, TraversalSettings};
-use super::shared_queries::SharedQueries;
-use crate::occupancy::OccupancyMap;
+use super::shared_queries::{QuerySubject, SharedQueries};
+use super::waiting::WaitingTraversal;
 use crate::sketch::{NodeOutcome, Sketch};
 use antumbra_cull::{Verdict, Verdicts};
-
-/// A node that needs a query.
-#[derive(Debug, Clone, Copy)]
-struct WaitingNode {
-    /// The square of the distance from the eye to its nearest corner, in square metres.
-    distance_squared: f32,
-    visited: VisitedNode,
-    /// It shared a query that found a sample: it gets a query of its own.
-    alone: bool,
-}
 
 /// The state of a traversal. It is kept from frame to frame.
 #[derive(Debug, Clone, Default)]
 pub struct Traversal {
     frontier: Frontier,
     /// Nodes that need a query and are not in the present batch.
-    waiting: Vec<WaitingNode>,
+    waiting: Vec<PendingNode>,
     /// Nodes of the present batch.
-    queried: Vec<WaitingNode>,
-    /// For each query of the present batch, the end of its nodes in `queried`.
-    ends: Vec<u32>,
-    /// Reused memory of `organise`.
-    spare: Vec<WaitingNode>,
-    /// Blocks under the boxes of the present batch.
-    batch_blocks: OccupancyMap,
+    queried: Vec<PendingNode>,
+    /// The queries of the present batch, about the nodes in `queried`.
+    queries: SharedQueries,
+    organiser: BatchOrganiser,
     memory: NodeMemory,
     /// Batches of this frame so far.
     batches: u32,
     /// Most organised batches of this frame.
     most_organised: Option<u32>,
-    /// A record of the traversal, where the settings ask for one.
-    pub sketch: Sketch,
+    sketch: Sketch,
 }
 
 /// The cost of a query, in triangles (section 2 of the paper, after Severson).
-const QUERY_TRIANGLES: u64 = 190;
+pub(crate) const QUERY_TRIANGLES: u64 = 190;
 
 /// Organised batches of the first frame. Every later frame organises 7/10 as many batches as the last frame had.
 const FIRST_ORGANISED: u32 = 8;
 
-impl Traversal {
-    /// Starts a frame at the roots. `cuts`: camera cuts of the view so far.
-    pub fn begin(
+impl WaitingTraversal for Traversal {
+    fn begin(
         &mut self,
         context: &TraversalContext<'_>,
         settings: &TraversalSettings,
@@ -70,21 +56,18 @@ impl Traversal {
         });
         self.waiting.clear();
         self.queried.clear();
-        let [wide, high] = context.screen.blocks();
-        self.batch_blocks.reset(wide, high);
+        self.organiser.begin(context.screen.blocks());
         self.memory
             .begin(context.tree, context.table, cuts, &context.screen);
         self.sketch.begin(settings.sketch, settings.block);
         self.frontier.begin(context, verdicts);
     }
 
-    /// The slots to be drawn that were found since the caller last cleared this list.
-    pub fn found(&mut self) -> &mut Vec<u32> {
+    fn found(&mut self) -> &mut Vec<u32> {
         &mut self.frontier.found
     }
 
-    /// Visits nodes until a batch of queries is full, and writes the batch's boxes. No box: the traversal is complete.
-    pub fn advance(
+    fn advance(
         &mut self,
         context: &TraversalContext<'_>,
         settings: &TraversalSettings,
@@ -102,32 +85,27 @@ impl Traversal {
         }
         match settings.queries {
             QueryMode::Single => self.queried.append(&mut self.waiting),
-            QueryMode::Batches => self.organise(),
+            QueryMode::Batches => self.organise(settings),
         }
         self.batches += u32::from(!self.queried.is_empty());
         let mut queried = std::mem::take(&mut self.queried);
-        // Siblings, and children of siblings, are neighbours by number.
-        queried.sort_unstable_by_key(|waiting| waiting.visited.node);
-        let mut queries = SharedQueries::new(boxes, settings.together);
+        let mut queries = std::mem::take(&mut self.queries);
+        queries.clear();
+        queried.sort_unstable_by_key(|waiting| self.subject(waiting).place(settings.sharing));
         queried.retain(|waiting| {
-            let node = waiting.visited.node;
-            let Some(query_box) = context.query_box(node) else {
+            let subject = self.subject(waiting);
+            let fits = queries.push(context, settings, subject, boxes);
+            if !fits {
                 self.frontier
                     .expand(context, &waiting.visited, Verdict::Untested, verdicts);
-                return false;
-            };
-            let hidden = !waiting.alone && self.memory.was_hidden(node);
-            queries.push(query_box, hidden);
-            true
+            }
+            fits
         });
-        self.queried = queried;
-        self.ends.clear();
-        self.ends.extend_from_slice(boxes.query_ends());
+        (self.queried, self.queries) = (queried, queries);
         verdicts.add_tested(boxes.query_count());
     }
 
-    /// Takes the answers of the batch in the order of its queries: whether any sample was visible.
-    pub fn answer(
+    fn answer(
         &mut self,
         context: &TraversalContext<'_>,
         settings: &TraversalSettings,
@@ -135,18 +113,18 @@ impl Traversal {
         answers: impl Iterator<Item = bool>,
     ) {
         let queried = std::mem::take(&mut self.queried);
-        let ends = std::mem::take(&mut self.ends);
+        let queries = std::mem::take(&mut self.queries);
         let (mut first, mut seen) = (0, 0);
         // A node without an answer must not be culled.
         let answers = answers.chain(std::iter::repeat(true));
-        for (end, visible) in ends.iter().zip(answers) {
+        for (end, visible) in queries.ends().iter().zip(answers) {
             let members = queried.get(first..*end as usize).unwrap_or_default();
             first = *end as usize;
             seen += usize::from(visible) * members.len();
             if visible && members.len() > 1 {
                 // At least one of them is visible: each gets a query of its own.
-                let again = members.iter().map(|waiting| WaitingNode {
-                    alone: true,
+                let again = members.iter().map(|waiting| PendingNode {
+                    purpose: Purpose::FindAlone,
                     ..*waiting
                 });
                 self.waiting.extend(again);
@@ -159,8 +137,27 @@ impl Traversal {
         if (seen as f32) < settings.least_seen * queried.len() as f32 {
             self.most_organised = Some(0);
         }
-        (self.ends, self.queried) = (ends, queried);
+        (self.queries, self.queried) = (queries, queried);
         self.queried.clear();
+    }
+
+    fn is_done(&self) -> bool {
+        self.queried.is_empty() && self.waiting.is_empty() && self.frontier.is_done()
+    }
+
+    fn sketch(&self) -> &Sketch {
+        &self.sketch
+    }
+}
+
+impl Traversal {
+    /// What is queried about a node, and with which others.
+    fn subject(&self, waiting: &PendingNode) -> QuerySubject {
+        let node = waiting.visited.node;
+        QuerySubject {
+            node,
+            hidden_for: u32::from(waiting.purpose == Purpose::Find && self.memory.was_hidden(node)),
+        }
     }
 
     /// Applies the answer about one node.
@@ -181,11 +178,6 @@ impl Traversal {
             true => (self.frontier).expand(context, visited, Verdict::Visible, verdicts),
             false => context.mark(visited, Verdict::Occluded, verdicts),
         }
-    }
-
-    /// Whether no node is left to be visited or queried.
-    pub fn is_done(&self) -> bool {
-        self.queried.is_empty() && self.waiting.is_empty() && self.frontier.is_done()
     }
 
     /// Visits all queued nodes. With single queries it stops at the first node that needs one.
@@ -231,10 +223,10 @@ impl Traversal {
             self.frontier
                 .expand(context, &visited, Verdict::Visible, verdicts);
         } else {
-            self.waiting.push(WaitingNode {
+            self.waiting.push(PendingNode {
                 distance_squared: next.distance_squared,
                 visited,
-                alone: false,
+                purpose: Purpose::Find,
             });
         }
     }
@@ -248,7 +240,7 @@ impl Traversal {
         verdicts: &mut Verdicts,
     ) {
         loop {
-            let was_visible = |waiting: &WaitingNode| self.memory.was_visible(waiting.visited.node);
+            let was_visible = |waiting: &PendingNode| self.memory.was_visible(waiting.visited.node);
             let (mut queries, mut triangles) = (0, 0);
             for waiting in self.waiting.iter().filter(|waiting| !was_visible(waiting)) {
                 queries += 1;
@@ -257,7 +249,7 @@ impl Traversal {
             if triangles > queries * QUERY_TRIANGLES + u64::from(settings.worth) {
                 return;
             }
-            let visible: Vec<WaitingNode> = self
+            let visible: Vec<PendingNode> = self
                 .waiting
                 .extract_if(.., |waiting| was_visible(waiting))
                 .collect();
@@ -278,26 +270,15 @@ impl Traversal {
 
     /// Chooses the next batch. While organised batches are left: the nearest waiting nodes whose boxes each reach a block that no other box of the batch
     /// covers. After that: all waiting nodes.
-    fn organise(&mut self) {
+    fn organise(&mut self, settings: &TraversalSettings) {
         if self.batches >= self.most_organised.unwrap_or(0) {
             self.queried.append(&mut self.waiting);
             return;
         }
-        self.waiting.sort_unstable_by(|a, b| {
-            a.distance_squared
-                .total_cmp(&b.distance_squared)
-                .then(a.visited.node.cmp(&b.visited.node))
-        });
-        self.batch_blocks.clear();
-        self.spare.clear();
-        for waiting in self.waiting.drain(..) {
-            if self.batch_blocks.has_free(waiting.visited.blocks) {
-                self.batch_blocks.take(waiting.visited.blocks);
-                self.queried.push(waiting);
-            } else {
-                self.spare.push(waiting);
-            }
-        }
-        std::mem::swap(&mut self.waiting, &mut self.spare);
+        (self.organiser).choose(
+            &mut self.waiting,
+            &mut self.queried,
+            settings.batch as usize,
+        );
     }
 }

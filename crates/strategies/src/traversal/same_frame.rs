@@ -9,28 +9,27 @@ use antumbra_graph::{BufferDesc, Host};
 use antumbra_scene::hierarchy::HierarchyShape;
 
 use super::inputs::TraversalInputs;
-use super::one_frame::Traversal;
 use super::settings::{DrawOrder, QueryMode, TraversalSettings};
+use super::waiting::WaitingTraversal;
 use crate::query_results::query_results;
 use crate::sketch::Sketch;
 use crate::transparent::shade_transparent;
 
 /// What one iteration of the loop hands to the next.
-#[derive(Clone, Copy)]
-struct LoopState {
-    traversal: Host<Traversal>,
+struct LoopState<T> {
+    traversal: Host<T>,
     verdicts: Host<Verdicts>,
 }
 
 /// Declares a traversal that waits for each batch of answers.
-pub fn same_frame(
+pub fn same_frame<T: WaitingTraversal>(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
     shape: HierarchyShape,
     settings: TraversalSettings,
 ) -> VisibleSet {
     let inputs = TraversalInputs::new(g, view, shape, settings);
-    let mut state = begin(g, view, inputs);
+    let mut state = begin::<T>(g, view, inputs);
     g.host_loop(view.named("traversal"), |g| {
         iterate(g, view, inputs, &mut state)
     });
@@ -47,33 +46,36 @@ pub fn same_frame(
 }
 
 /// Starts the traversal at the roots.
-fn begin(g: &mut FrameGraph<'_>, view: &ViewNodes, inputs: TraversalInputs) -> LoopState {
-    let traversal = g.graph().host::<Traversal>(view.named("traversal"));
+fn begin<T: WaitingTraversal>(
+    g: &mut FrameGraph<'_>,
+    view: &ViewNodes,
+    inputs: TraversalInputs,
+) -> LoopState<T> {
+    let traversal = g.graph().host::<T>(view.named("traversal"));
     let verdicts = g.graph().host::<Verdicts>(view.named("verdicts"));
     let mut node = g.graph().host_node(view.named("start at the roots"));
     inputs.read_by(&mut node);
-    let state = LoopState {
-        traversal: node.updates(traversal),
-        verdicts: node.write(verdicts),
-    };
+    let (traversal, verdicts) = (node.updates(traversal), node.write(verdicts));
     node.run(move |ctx| {
-        let (mut traversal, mut verdicts) =
-            (ctx.get_mut(state.traversal)?, ctx.get_mut(state.verdicts)?);
+        let (mut traversal, mut verdicts) = (ctx.get_mut(traversal)?, ctx.get_mut(verdicts)?);
         inputs.with_context(ctx, |context, frame| {
             verdicts.reset_outside(context.table);
             traversal.begin(context, &inputs.settings, frame.cuts, &mut verdicts);
             Ok(())
         })
     });
-    state
+    LoopState {
+        traversal,
+        verdicts,
+    }
 }
 
 /// Declares one iteration: visit nodes, draw the visible ones, query a batch, wait. Returns whether the loop is done.
-fn iterate(
+fn iterate<T: WaitingTraversal>(
     g: &mut FrameGraph<'_>,
     view: &mut ViewNodes,
     inputs: TraversalInputs,
-    state: &mut LoopState,
+    state: &mut LoopState<T>,
 ) -> Host<bool> {
     let settings = inputs.settings;
     let most = match settings.queries {
@@ -168,17 +170,18 @@ pub(super) fn fill(list: &mut DrawList, table: &SceneTable, found: &mut [u32], o
 }
 
 /// Copies the sketch of a finished traversal into a host value of its own.
-fn copy_sketch(
+fn copy_sketch<T: WaitingTraversal>(
     g: &mut FrameGraph<'_>,
     view: &ViewNodes,
-    traversal: Host<Traversal>,
+    traversal: Host<T>,
 ) -> Host<Sketch> {
     let sketch = g.graph().host::<Sketch>(view.named("sketch"));
     let mut node = g.graph().host_node(view.named("sketch traversal"));
     node.group(CULL).read(traversal);
     let sketch = node.write(sketch);
     node.run(move |ctx| {
-        ctx.get_mut(sketch)?.clone_from(&ctx.get(traversal)?.sketch);
+        ctx.get_mut(sketch)?
+            .clone_from(ctx.get(traversal)?.sketch());
         Ok(())
     });
     sketch

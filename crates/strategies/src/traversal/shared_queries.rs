@@ -1,37 +1,89 @@
-//! Several nodes in one query: neighbours in the tree that were hidden when they were last queried mostly stay hidden, so one query about all
-//! of their boxes mostly suffices.
+//! Several nodes in one query: nodes that were hidden when they were last queried mostly stay hidden, so one query about the boxes of all of
+//! them mostly suffices.
 
 use antumbra_cull::boxes::{BoxList, GpuBox};
 
-/// Fills a box list. Consecutive hidden nodes share a query.
-pub(super) struct SharedQueries<'a> {
-    boxes: &'a mut BoxList,
-    /// Most nodes a query.
-    most: u32,
-    /// Nodes in the last query.
-    members: u32,
-    last_was_hidden: bool,
+use super::context::TraversalContext;
+use super::multiquery::Multiquery;
+use super::settings::{Sharing, TraversalSettings};
+use super::tight_boxes::TightNodes;
+
+/// A node to be queried.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct QuerySubject {
+    /// The node's number.
+    pub node: u32,
+    /// The frames for which it has been hidden. 0: it shares no query.
+    pub hidden_for: u32,
 }
 
-impl<'a> SharedQueries<'a> {
-    /// `most`: the most nodes that share a query.
-    pub fn new(boxes: &'a mut BoxList, most: u32) -> Self {
-        Self {
-            boxes,
-            most,
-            members: 1,
-            last_was_hidden: false,
+impl QuerySubject {
+    /// The place in the order in which nodes are pushed, so that those which may share a query are neighbours.
+    pub fn place(&self, sharing: Sharing) -> (u32, u32) {
+        match sharing {
+            // Siblings, and children of siblings, are neighbours by number.
+            Sharing::Neighbours(_) => (0, self.node),
+            Sharing::Multiqueries => (Multiquery::place(self.hidden_for), self.node),
         }
     }
+}
 
-    /// Adds a node's box. `was_hidden`: whether the node may share the query of its neighbour.
-    pub fn push(&mut self, query_box: GpuBox, was_hidden: bool) {
-        let joins = was_hidden && self.last_was_hidden && self.members < self.most;
-        self.members = if joins { self.members + 1 } else { 1 };
-        self.last_was_hidden = was_hidden;
-        match joins {
-            true => self.boxes.push_to_last(query_box),
-            false => self.boxes.push(query_box),
+/// The queries of a batch. They are kept while their answers are awaited.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct SharedQueries {
+    /// For each query, the end of its nodes.
+    ends: Vec<u32>,
+    /// Nodes of all queries.
+    nodes: u32,
+    /// The nodes of the last query.
+    members: Multiquery,
+    geometry: TightNodes,
+    boxes: Vec<GpuBox>,
+}
+
+impl SharedQueries {
+    /// Drops all queries. The memory is kept.
+    pub fn clear(&mut self) {
+        self.ends.clear();
+        self.nodes = 0;
+        self.members = Multiquery::default();
+    }
+
+    /// For each query, the end of its nodes, in the order in which they were pushed.
+    pub fn ends(&self) -> &[u32] {
+        &self.ends
+    }
+
+    /// Adds a node, and its query geometry to `list`. Returns whether the GPU can hold its geometry; a node of which this is false must be
+    /// drawn.
+    pub fn push(
+        &mut self,
+        context: &TraversalContext<'_>,
+        settings: &TraversalSettings,
+        subject: QuerySubject,
+        list: &mut BoxList,
+    ) -> bool {
+        self.boxes.clear();
+        for node in (self.geometry).below(|node| context.node(node), subject.node, settings.tight) {
+            let Some(query_box) = context.query_box(*node) else {
+                return false;
+            };
+            self.boxes.push(query_box);
         }
+        let Some((first, others)) = self.boxes.split_first() else {
+            return false;
+        };
+        self.nodes += 1;
+        if self.members.joins(settings.sharing, subject.hidden_for) {
+            self.ends.pop();
+            list.push_to_last(*first);
+        } else {
+            list.push(*first);
+        }
+        self.ends.push(self.nodes);
+        for other in others {
+            list.push_to_last(*other);
+        }
+        true
     }
 }
