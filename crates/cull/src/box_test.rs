@@ -135,7 +135,7 @@ impl FrameGraph<'_> {
         let pipeline = self.compute_pipeline(&jobs::recall_slots::JOB, "test_slots");
         let scene = view.inputs().scene;
         let words = BufferDesc::new(self.slot_bytes()).zeroed();
-        let mut buffer = |name: &str| self.graph().buffer(view.named(name), words.clone());
+        let mut buffer = |name: &str| self.graph().buffer(view.named(name), words);
         let (none, recalled) = (buffer("recall: none"), buffer("recalled"));
         let (rest, drawn) = (buffer("recall: rest"), buffer("recall: drawn"));
         let (uniform, texels) = (of.uniform.previous(), of.pyramid.texels.previous());
