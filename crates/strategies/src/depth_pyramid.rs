@@ -108,7 +108,7 @@ const PARAMETERS: &[Parameter<DepthPyramid>] = &[
             "niagara",
             "helio",
             "unity",
-            "vk-lod-clusters",
+            "vk_lod_clusters",
         ],
         "the engine whose test is played, for study: docs/rivals.md; ours: none",
         |s| s.like.map_or("ours", Rival::word),

@@ -97,7 +97,7 @@ impl Rival {
             Self::Niagara => "niagara",
             Self::Helio => "helio",
             Self::Unity => "unity",
-            Self::VkLodClusters => "vk-lod-clusters",
+            Self::VkLodClusters => "vk_lod_clusters",
         }
     }
 

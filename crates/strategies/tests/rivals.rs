@@ -170,7 +170,7 @@ fn helio_loses_for_a_frame_what_comes_into_sight() {
         "bevy-meshlets",
         "niagara",
         "unity",
-        "vk-lod-clusters",
+        "vk_lod_clusters",
         "ours",
     ] {
         assert_eq!(story.false_culls(vulkan(), rival), [], "{rival}");
@@ -217,7 +217,7 @@ fn vk_lod_clusters_lose_what_shows_in_the_last_two_columns() {
     slab(&mut built, [-40.0, -40.0, 4.0], [30.0, 40.0, 5.0]);
     let edge = slab(&mut built, [30.0, -1.9, -10.0], [32.0, 1.9, -9.0]);
     let camera = over_pixels(DVec3::new(0.0, 0.0, 20.0), [64, 64]);
-    Story::still(built, [64, 64], camera).is_lost_by(&["vk-lod-clusters"], &[edge]);
+    Story::still(built, [64, 64], camera).is_lost_by(&["vk_lod_clusters"], &[edge]);
 }
 
 /// The stories of a ball behind two walls with a slit of a pixel between them, at all columns of images of several sizes.
