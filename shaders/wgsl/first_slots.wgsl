@@ -8,7 +8,7 @@
 @group(0) @binding(3) var<storage, read_write> first: array<u32>;
 
 // Half of the least size on the screen, as a part of its width or height, at which an entity that nothing is known of is drawn before the test: it may hide much.
-const LARGE: f32 = 0.06;
+const LARGE: f32 = 0.035;
 
 // Of what is smaller, by no more than this, one in four is drawn: in a crowd of equals they hide many of the others.
 const SMALLER: f32 = 0.25;
