@@ -168,7 +168,7 @@ pub const SOURCE: &str = concat!(include_str!("../wgsl/compact.wgsl"), include_s
 /// The job.
 pub static JOB: crate::Job = crate::Job {
 name: Borrowed("compact"), source: Borrowed(SOURCE),
-parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/compact.wgsl"), first_line: 1, lines: 165 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 166, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/prefix_sum.wgsl"), first_line: 176, lines: 29 }, ]),
+parts: Borrowed(&[crate::SourcePart { file: Borrowed("wgsl/compact.wgsl"), first_line: 1, lines: 167 }, crate::SourcePart { file: Borrowed("wgsl/shared/threshold.wgsl"), first_line: 168, lines: 10 }, crate::SourcePart { file: Borrowed("wgsl/shared/prefix_sum.wgsl"), first_line: 178, lines: 29 }, ]),
 entry_points: Borrowed(&[crate::EntryPoint { name: Borrowed("mark"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, crate::EntryPoint { name: Borrowed("scan"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),
 }, crate::EntryPoint { name: Borrowed("gather"), stage: wgpu::ShaderStages::empty().union(wgpu::ShaderStages::COMPUTE), workgroup_size: [64, 1, 1], forces_early_depth: false, vertex_inputs: Borrowed(&[]),

@@ -57,17 +57,13 @@ const RUN: u32 = 8u;
 
 // The batch that an entry lies in. The batches lie one after the other, and none is empty.
 fn batch_at(entry: u32) -> u32 {
-    var low = 0u;
-    var high = settings.count;
-    while high - low > 1u {
-        let middle = (low + high) / 2u;
-        if batches[middle].first <= entry {
-            low = middle;
-        } else {
-            high = middle;
-        }
+    var found = 0u;
+    // All threads take the same steps: Mesa 22's llvmpipe loses those that leave a loop before the others.
+    for (var length = settings.count; length > 1u; length -= length / 2u) {
+        let half = length / 2u;
+        found += select(0u, half, batches[found + half].first <= entry);
     }
-    return low;
+    return found;
 }
 
 fn keeps(batch: Batch, entry: u32) -> bool {
@@ -86,12 +82,14 @@ fn mark(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups
     if own < settings.entries {
         var number = batch_at(own);
         var batch = batches[number];
-        for (var at = 0u; at < min(RUN, settings.entries - own); at++) {
-            if own + at >= batch.first + batch.count {
-                number += 1u;
-                batch = batches[number];
+        for (var at = 0u; at < RUN; at++) {
+            if own + at < settings.entries {
+                if own + at >= batch.first + batch.count {
+                    number += 1u;
+                    batch = batches[number];
+                }
+                kept_here |= select(0u, 1u, keeps(batch, candidates[own + at])) << at;
             }
-            kept_here |= select(0u, 1u, keeps(batch, candidates[own + at])) << at;
         }
     }
     let count = countOneBits(kept_here);
@@ -112,15 +110,19 @@ fn scan(@builtin(local_invocation_index) lane: u32) {
     for (var start = 0u; start < number; start += 64u * RUN) {
         let own = start + lane * RUN;
         var here = 0u;
-        for (var at = own; at < min(own + RUN, number); at++) {
-            here += blocks[at];
+        for (var at = own; at < own + RUN; at++) {
+            if at < number {
+                here += blocks[at];
+            }
         }
         let sum = prefix_sum(lane, here);
         var place = before + sum.up_to_own - here;
-        for (var at = own; at < min(own + RUN, number); at++) {
-            let count = blocks[at];
-            blocks[at] = place;
-            place += count;
+        for (var at = own; at < own + RUN; at++) {
+            if at < number {
+                let count = blocks[at];
+                blocks[at] = place;
+                place += count;
+            }
         }
         before += sum.all;
     }
