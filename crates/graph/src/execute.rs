@@ -56,9 +56,11 @@ impl Plan {
         self.run(device, queue, Target::Caller(encoder))
     }
 
-    /// Drops last frame's values: the next frame finds zero and `Default`, and `has_previous` is false.
+    /// Drops last frame's values: the next frame finds zero and `Default`, and `has_previous` is false. Results of earlier frames that are still on their way are dropped too: they
+    /// tell of contents that are gone.
     pub fn reset_history(&mut self, device: &wgpu::Device) {
         self.has_previous = false;
+        self.discard_read_backs();
         for placed in &self.layout.placed {
             if !placed.history {
                 continue;
