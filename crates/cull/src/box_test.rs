@@ -1,7 +1,7 @@
 //! Tests the boxes of all entities against a pyramid of what a view has drawn so far: the steps of strategies that draw what was visible first, and then what
 //! they find. Nothing is read back, and nothing by entity is done on the host while the scene stands still.
 
-use antumbra_graph::{Bind, Buffer, BufferDesc, Texture};
+use antumbra_graph::{Bind, Buffer, BufferDesc};
 use antumbra_shaders::jobs;
 
 use crate::compute_pipeline::rows_of;
@@ -132,12 +132,10 @@ impl FrameGraph<'_> {
     /// Tests the boxes of all entities against the last frame's pyramid, from the last frame's view: [states](BoxTest::states) for [`Self::first_by_boxes`] that know of movement, and no
     /// more than the finest level of the pyramid does.
     pub fn recall_by_pyramid(&mut self, view: &ViewNodes, of: ViewBoxes) -> Buffer {
-        let pipeline = self.compute_pipeline(&jobs::recall_slots::JOB, "test_slots");
+        let pipeline = self.compute_pipeline(&jobs::recall_slots::JOB, "recall_slots");
         let scene = view.inputs().scene;
-        let words = BufferDesc::new(self.slot_bytes()).zeroed();
-        let mut buffer = |name: &str| self.graph().buffer(view.named(name), words);
-        let (none, recalled) = (buffer("recall: none"), buffer("recalled"));
-        let (rest, drawn) = (buffer("recall: rest"), buffer("recall: drawn"));
+        let recalled = BufferDesc::new(self.slot_bytes()).zeroed();
+        let recalled = self.graph().buffer(view.named("recalled"), recalled);
         let (uniform, texels) = (of.uniform.previous(), of.pyramid.texels.previous());
         let mut node = self.graph().compute(view.named("recall"));
         node.group(CULL)
@@ -146,19 +144,15 @@ impl FrameGraph<'_> {
             .storage_read(of.boxes)
             .storage_read(of.pyramid.layout)
             .storage_read(texels);
-        let [none, recalled, rest, drawn] =
-            [none, recalled, rest, drawn].map(|words| node.storage_write(words));
+        let recalled = node.storage_write(recalled);
         node.run(move |ctx| {
             let slots = ctx.get(scene)?.table.slots();
             let binds = [
                 Bind::Buffer(0, uniform),
                 Bind::Buffer(1, of.boxes),
-                Bind::Buffer(2, none),
-                Bind::Buffer(3, recalled),
-                Bind::Buffer(4, rest),
+                Bind::Buffer(2, recalled),
                 Bind::Buffer(5, of.pyramid.layout),
                 Bind::Buffer(6, texels),
-                Bind::Buffer(8, drawn),
             ];
             pipeline.dispatch(ctx, &binds, rows_of(slots.div_ceil(64)))
         });
@@ -214,7 +208,16 @@ impl FrameGraph<'_> {
         let depth = view.targets.depth;
         let scene = view.inputs().scene;
         let ViewBoxes { boxes, uniform, .. } = of;
-        let PyramidNodes { layout, texels } = self.pyramid(view, depth, host, of.pyramid);
+        let Shared { gpu, pipelines, .. } = &mut *self.shared;
+        let PyramidNodes { layout, texels } = fill_pyramid(
+            self.graph,
+            gpu,
+            pipelines,
+            &view.named(""),
+            (depth, host),
+            view.size(),
+            of.pyramid,
+        );
         let job = match host.samples {
             1 => &jobs::test_slots_one::JOB,
             _ => &jobs::test_slots_many::JOB,
@@ -265,25 +268,5 @@ impl FrameGraph<'_> {
             samples: self.samples(),
             ..HostDepth::default()
         }
-    }
-
-    fn pyramid(
-        &mut self,
-        view: &ViewNodes,
-        depth: Texture,
-        host: HostDepth,
-        declared: PyramidNodes,
-    ) -> PyramidNodes {
-        let Shared { gpu, pipelines, .. } = &mut *self.shared;
-        let prefix = view.named("");
-        fill_pyramid(
-            self.graph,
-            gpu,
-            pipelines,
-            &prefix,
-            (depth, host),
-            view.size(),
-            declared,
-        )
     }
 }

@@ -1,5 +1,4 @@
-//!import box_test
-//!import slot_states
+//!import slot_state_of
 // Tests the boxes of all slots, whatever was drawn so far: what is known of each in the next frame, what is visible and was not drawn first, and what is drawn in all.
 
 // Not 0 for what was drawn before the test. It is read and not found again.
@@ -7,21 +6,6 @@
 @group(0) @binding(3) var<storage, read_write> states: array<u32>;
 @group(0) @binding(4) var<storage, read_write> rest: array<u32>;
 @group(0) @binding(8) var<storage, read_write> drawn: array<u32>;
-
-fn state_of(instance: JudgedInstance) -> u32 {
-    if (instance.traits & LIVE) == 0u {
-        return SLOT_UNKNOWN;
-    }
-    let box = relative_box(instance);
-    let at = place_of(box);
-    if at == BEYOND {
-        return SLOT_UNKNOWN;
-    }
-    if at == WITHIN && (instance.traits & TESTED) != 0u && !shows(box) {
-        return SLOT_HIDDEN;
-    }
-    return SLOT_VISIBLE;
-}
 
 @compute @workgroup_size(64)
 fn test_slots(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {

@@ -113,19 +113,11 @@ impl WaitingTraversal for ChcTraversal {
     ) {
         let queried = std::mem::take(&mut self.queried);
         let queries = std::mem::take(&mut self.queries);
-        let mut first = 0;
-        // A node without an answer must not be culled.
-        let answers = answers.chain(std::iter::repeat(true));
-        for (end, seen) in queries.ends().iter().zip(answers) {
-            let members = queried.get(first..*end as usize).unwrap_or_default();
-            first = *end as usize;
+        for (members, seen) in queries.answered(&queried, answers) {
             if seen && members.len() > 1 {
                 // At least one of them is visible: each gets a query of its own.
-                let again = members.iter().map(|pending| PendingNode {
-                    purpose: Purpose::FindAlone,
-                    ..*pending
-                });
-                self.invisible.extend(again);
+                self.invisible
+                    .extend(members.iter().map(PendingNode::alone));
                 continue;
             }
             for pending in members {

@@ -114,20 +114,12 @@ impl WaitingTraversal for Traversal {
     ) {
         let queried = std::mem::take(&mut self.queried);
         let queries = std::mem::take(&mut self.queries);
-        let (mut first, mut seen) = (0, 0);
-        // A node without an answer must not be culled.
-        let answers = answers.chain(std::iter::repeat(true));
-        for (end, visible) in queries.ends().iter().zip(answers) {
-            let members = queried.get(first..*end as usize).unwrap_or_default();
-            first = *end as usize;
+        let mut seen = 0;
+        for (members, visible) in queries.answered(&queried, answers) {
             seen += usize::from(visible) * members.len();
             if visible && members.len() > 1 {
                 // At least one of them is visible: each gets a query of its own.
-                let again = members.iter().map(|waiting| PendingNode {
-                    purpose: Purpose::FindAlone,
-                    ..*waiting
-                });
-                self.waiting.extend(again);
+                self.waiting.extend(members.iter().map(PendingNode::alone));
                 continue;
             }
             for waiting in members {

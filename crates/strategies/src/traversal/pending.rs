@@ -25,6 +25,16 @@ pub(crate) struct PendingNode {
     pub purpose: Purpose,
 }
 
+impl PendingNode {
+    /// The same, to get a query of its own.
+    pub fn alone(&self) -> Self {
+        Self {
+            purpose: Purpose::FindAlone,
+            ..*self
+        }
+    }
+}
+
 /// Chooses batches of nodes that do not cover each other (Staneker, Bartz, Strasser 2004, section 4.2).
 #[derive(Debug, Clone, Default)]
 pub(crate) struct BatchOrganiser {

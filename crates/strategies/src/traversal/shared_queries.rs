@@ -54,6 +54,22 @@ impl SharedQueries {
         &self.ends
     }
 
+    /// Each query's nodes, of all that were pushed in this order, with its answer. A query without one counts as visible: its nodes must not be culled.
+    pub fn answered<'a, T>(
+        &'a self,
+        pushed: &'a [T],
+        answers: impl Iterator<Item = bool> + 'a,
+    ) -> impl Iterator<Item = (&'a [T], bool)> + 'a {
+        let answers = answers.chain(std::iter::repeat(true));
+        let mut first = 0;
+        self.ends.iter().zip(answers).map(move |(end, visible)| {
+            let end = *end as usize;
+            let members = pushed.get(first..end).unwrap_or_default();
+            first = end;
+            (members, visible)
+        })
+    }
+
     /// Adds a node, and its query geometry to `list`. Returns whether the GPU can hold its geometry; a node of which this is false must be
     /// drawn.
     pub fn push(
