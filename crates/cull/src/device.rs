@@ -56,6 +56,11 @@ impl fmt::Display for AdapterChoice {
 #[derive(Debug, Clone, Error)]
 #[non_exhaustive]
 pub enum DeviceError {
+    /// wgpu was compiled without a backend for this platform.
+    #[error(
+        "no backend of wgpu is compiled in for this platform: switch on `vulkan`, `gles`, `metal` or `dx12`, of `antumbra` or of your own `wgpu`"
+    )]
+    NoBackend,
     /// No adapter matches the choice.
     #[error(
         "no adapter found for '{choice}' (found: {}). A software Vulkan driver comes with the packages \
@@ -143,12 +148,15 @@ impl Gpu {
     /// Opens a device on the chosen adapter.
     ///
     /// # Errors
-    /// [`DeviceError::NoAdapter`] with the available adapters, or an error about what the chosen one lacks.
+    /// [`DeviceError::NoBackend`]; [`DeviceError::NoAdapter`] with the available adapters; or an error about what the chosen one lacks.
     pub fn open(choice: &AdapterChoice) -> Result<Self, DeviceError> {
         pollster::block_on(Self::open_async(choice))
     }
 
     async fn open_async(choice: &AdapterChoice) -> Result<Self, DeviceError> {
+        if wgpu::Instance::enabled_backend_features().is_empty() {
+            return Err(DeviceError::NoBackend);
+        }
         let native = wgpu::Backends::VULKAN | wgpu::Backends::METAL | wgpu::Backends::DX12;
         let backends = match choice {
             AdapterChoice::Named(_) => native | wgpu::Backends::GL,
@@ -369,8 +377,12 @@ fn check_capabilities(
     }
 }
 
-/// All adapters of some backends, in wgpu's order.
+/// All adapters of some backends, in wgpu's order; none where no backend is compiled in.
 pub async fn adapters(backends: wgpu::Backends) -> Vec<wgpu::Adapter> {
+    // wgpu panics without one.
+    if wgpu::Instance::enabled_backend_features().is_empty() {
+        return Vec::new();
+    }
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     descriptor.backends = backends;
     wgpu::Instance::new(descriptor)
