@@ -10,10 +10,12 @@ fn nearness(pixel: vec2<u32>) -> f32 {
 }
 
 @compute @workgroup_size(64)
-fn recall_slots(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+fn recall_slots(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     // More workgroups than a dimension of a dispatch may have come in rows.
-    let slot = at.y * groups.x * 64u + at.x;
-    if slot < view.count {
-        states[slot] = state_of(instances[slot]);
+    let slot = (group.y * groups.x + group.x) * 64u + lane;
+    let is_slot = slot < view.count;
+    let state = state_of(slot, lane, is_slot);
+    if is_slot {
+        states[slot] = state;
     }
 }

@@ -7,11 +7,25 @@
 @group(0) @binding(5) var<storage, read> pyramid: Pyramid;
 @group(0) @binding(6) var<storage, read> texels: array<f32>;
 
-// Whether a box that is wholly in front of the near plane may show anywhere.
-fn shows(place: RelativeBox) -> bool {
+// What a look finds. What is open is for a closer look.
+const LOOK_HIDDEN: u32 = 0u;
+const LOOK_SHOWS: u32 = 1u;
+const LOOK_OPEN: u32 = 2u;
+
+// Whether a box that is wholly in front of the near plane may show anywhere, by a few texels of the pyramid.
+fn look(place: RelativeBox) -> u32 {
+    return look_at(place, false);
+}
+
+// The same of a box that is open, down to the pixel: it is no longer open.
+fn look_closely(place: RelativeBox) -> u32 {
+    return look_at(place, true);
+}
+
+fn look_at(place: RelativeBox, is_close: bool) -> u32 {
     let seen = seen_box_of(place);
     if !(seen.least_w > 0.0) {
-        return true;
+        return LOOK_SHOWS;
     }
     let round = select(place.round, 0.0, (view.flags & BOXES_ALONE) != 0u);
     let ellipsoid = seen_ellipsoid_of(round, seen.centre, seen.x, seen.y, seen.z);
@@ -40,7 +54,7 @@ fn shows(place: RelativeBox) -> bool {
     let lower = max(one, other);
     // What is not a number, or too large for one, shows.
     if !all(upper <= lower) || !all(max(abs(upper), abs(lower)) < vec2<f32>(3e38)) {
-        return true;
+        return LOOK_SHOWS;
     }
     // How far from a pixel's middle its samples may be.
     let off_middle = select(0.5, 0.0, (view.flags & AT_MIDDLES) != 0u);
@@ -51,18 +65,22 @@ fn shows(place: RelativeBox) -> bool {
     let end = floor(middle + lower + SNAPPING - (0.5 - off_middle));
     if any(begin > end) {
         // Between the samples.
-        return false;
+        return LOOK_HIDDEN;
     }
     let least = vec2<u32>(clamp(begin, vec2<f32>(0.0), last));
     let greatest = vec2<u32>(clamp(end, vec2<f32>(0.0), last));
     let extent = max(greatest.x - least.x, greatest.y - least.y);
-    if extent >= 4u && nearest + lost < farthest(least, greatest, extent) {
-        return false;
+    if is_close {
+        let shape = shape_of(seen, round, ellipsoid, nearest, margin, lost);
+        return select(LOOK_HIDDEN, LOOK_SHOWS, any_behind(shape, least, greatest, extent));
     }
-    if extent >= 4u && (view.flags & ONE_LOOK) != 0u {
-        return true;
+    if extent < 4u {
+        return LOOK_OPEN;
     }
-    return any_behind(shape_of(seen, ellipsoid, nearest, margin, lost), least, greatest, extent);
+    if nearest + lost < farthest(least, greatest, extent) {
+        return LOOK_HIDDEN;
+    }
+    return select(LOOK_OPEN, LOOK_SHOWS, (view.flags & ONE_LOOK) != 0u);
 }
 
 // Blocks and pixels that are looked at before an instance that is still undecided counts as visible.

@@ -1,4 +1,4 @@
-//!import box_test
+//!import look_together
 // Judges instances: what is found visible that was not drawn first, and what is hidden, a bit an instance. (Two phases: Haar and Aaltonen,
 // GPU-Driven Rendering Pipelines, 2015.)
 
@@ -16,15 +16,25 @@ fn test(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups
     let number = group.y * groups.x + group.x;
     let index = number * 64u + lane;
     let bit = 1u << (lane % 32u);
-    if index < view.count {
+    let is_instance = index < view.count;
+    var found = ABSENT;
+    var seen = LOOK_SHOWS;
+    var is_tested = false;
+    if is_instance {
         let instance = instances[index];
         let place = relative_box(instance);
-        let known = knowledge(instance, place_of(place), states[index]);
-        var found = known;
-        if known == HIDDEN || known == VISIBLE || known == NEW {
-            found = select(HIDDEN, VISIBLE, shows(place));
+        found = knowledge(instance, place_of(place), states[index]);
+        is_tested = found == HIDDEN || found == VISIBLE || found == NEW;
+        if is_tested {
+            seen = look(place);
         }
-        states[index] = found | (instance.traits & ~255u);
+    }
+    seen = look_together(seen, index, lane);
+    if is_tested {
+        found = select(VISIBLE, HIDDEN, seen == LOOK_HIDDEN);
+    }
+    if is_instance {
+        states[index] = found | (instances[index].traits & ~255u);
         let more_to_come = (view.flags & FRAME_LATE) == 0u;
         let is_drawn = (first[index / 32u] & bit) != 0u;
         if more_to_come && found >= VISIBLE && !is_drawn {

@@ -106,6 +106,9 @@ fn seen_ellipsoid_of(round: f32, centre: vec4<f32>, x: vec4<f32>, y: vec4<f32>, 
     return seen;
 }
 
+// Up to this, an ellipsoid is taken to lie within its box.
+const ROUND: f32 = 1.03;
+
 // What bounds an instance's nearness: its box by planes, and, where it is round, its ellipsoid.
 struct SeenShape {
     // Nowhere is it nearer than this.
@@ -118,10 +121,12 @@ struct SeenShape {
     // Its nearness is at most these linear functions of x and y: one along each pair of faces.
     planes: array<vec3<f32>, 3>,
     ellipsoid: SeenEllipsoid,
+    // The ellipsoid lies within the box, so that the box says nothing more.
+    is_round: bool,
 }
 
 // A linear function over a box is greatest at a corner. So directions and slopes may be chosen with any error: what is greatest at the corners bounds all of the box.
-fn shape_of(seen: SeenBox, ellipsoid: SeenEllipsoid, nearest: f32, margin: vec2<f32>, lost: f32) -> SeenShape {
+fn shape_of(seen: SeenBox, round: f32, ellipsoid: SeenEllipsoid, nearest: f32, margin: vec2<f32>, lost: f32) -> SeenShape {
     let middle = seen.centre.xyz / seen.centre.w;
     var edges = array<vec4<f32>, 3>(seen.x, seen.y, seen.z);
     var shape: SeenShape;
@@ -129,6 +134,10 @@ fn shape_of(seen: SeenBox, ellipsoid: SeenEllipsoid, nearest: f32, margin: vec2<
     shape.margin = margin;
     shape.lost = lost;
     shape.ellipsoid = ellipsoid;
+    shape.is_round = ellipsoid.known && ellipsoid.by_pixel && round <= ROUND;
+    if shape.is_round {
+        return shape;
+    }
     for (var axis = 0u; axis < 3u; axis++) {
         let edge = edges[axis].xyz - middle * edges[axis].w;
         let across = vec2<f32>(-edge.y, edge.x);
@@ -166,7 +175,10 @@ fn nearest_in(shape: SeenShape, first: vec2<u32>, last: vec2<u32>) -> f32 {
     let off_middle = select(0.5, 0.0, (view.flags & AT_MIDDLES) != 0u);
     let middle = (vec2<f32>(first + last + 1u) / pixels - 1.0) * vec2<f32>(1.0, -1.0);
     let half = (vec2<f32>(last - first) + 2.0 * (off_middle + SNAPPING)) / pixels + shape.margin;
-    var nearest = shape.nearest;
+    var nearest = min(shape.nearest, nearest_of_ellipsoid(shape.ellipsoid, middle, half));
+    if shape.is_round {
+        return nearest + shape.lost;
+    }
     for (var axis = 0u; axis < 3u; axis++) {
         let slab = shape.slabs[axis];
         let along = dot(slab.xy, middle);
@@ -178,7 +190,7 @@ fn nearest_in(shape: SeenShape, first: vec2<u32>, last: vec2<u32>) -> f32 {
         let here = plane.z + dot(plane.xy, middle) + dot(abs(plane.xy), half + 1e-6 * abs(middle)) + 1e-6 * abs(plane.z);
         nearest = min(nearest, here);
     }
-    return min(nearest, nearest_of_ellipsoid(shape.ellipsoid, middle, half)) + shape.lost;
+    return nearest + shape.lost;
 }
 
 // The same of an ellipsoid, for a block with this middle and half of its size.

@@ -8,15 +8,15 @@
 @group(0) @binding(8) var<storage, read_write> drawn: array<u32>;
 
 @compute @workgroup_size(64)
-fn test_slots(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+fn test_slots(@builtin(workgroup_id) group: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     // More workgroups than a dimension of a dispatch may have come in rows.
-    let slot = at.y * groups.x * 64u + at.x;
-    if slot >= view.count {
-        return;
+    let slot = (group.y * groups.x + group.x) * 64u + lane;
+    let is_slot = slot < view.count;
+    let state = state_of(slot, lane, is_slot);
+    if is_slot {
+        let is_drawn = first[slot] != 0u;
+        states[slot] = state;
+        rest[slot] = select(0u, 1u, state == SLOT_VISIBLE && !is_drawn);
+        drawn[slot] = select(0u, 1u, state == SLOT_VISIBLE || is_drawn);
     }
-    let state = state_of(instances[slot]);
-    let is_drawn = first[slot] != 0u;
-    states[slot] = state;
-    rest[slot] = select(0u, 1u, state == SLOT_VISIBLE && !is_drawn);
-    drawn[slot] = select(0u, 1u, state == SLOT_VISIBLE || is_drawn);
 }
