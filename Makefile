@@ -25,9 +25,10 @@ test: ## run every test, on Vulkan and on OpenGL (installs Mesa's software drive
 	scripts/vulkan.sh --with-egl
 	$(CARGO) test --workspace --locked
 
-kit: ## play the whole conformance kit to all strategies, two thousand random views to the judge, and depths of every size to its pyramid
+kit: ## play the whole conformance kit to all strategies, a million trials to depth-pyramid, two thousand random views to the judge, and depths of every size to its pyramid
 	scripts/vulkan.sh --with-egl
 	KIT=whole JUDGE_TRIALS=2000 PYRAMID_SEEDS=500 $(CARGO) test --workspace --locked --test conformance --test judge
+	TRIALS=1000000 $(CARGO) test --workspace --locked --test depth_pyramid_trials
 	PYRAMID_SIZES=whole $(CARGO) test --package antumbra-cull --locked --lib pyramid
 
 lint: ## formatting, clippy and rustdoc, warnings as errors
