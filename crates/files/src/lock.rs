@@ -65,7 +65,9 @@ impl Drop for FolderLock {
 #[cfg(unix)]
 pub(crate) fn is_at(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
-    let both = file.metadata().and_then(|one| Ok((one, fs::metadata(path)?)));
+    let both = file
+        .metadata()
+        .and_then(|one| Ok((one, fs::metadata(path)?)));
     both.is_ok_and(|(one, other)| (one.dev(), one.ino()) == (other.dev(), other.ino()))
 }
 

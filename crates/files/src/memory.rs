@@ -96,7 +96,9 @@ impl MemoryBudget {
 pub fn default_memory() -> u64 {
     let text = |path: &str| fs::read_to_string(path).ok();
     let free = text("/proc/meminfo").and_then(|text| {
-        let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
+        let line = text
+            .lines()
+            .find_map(|line| line.strip_prefix("MemAvailable:"))?;
         let kib: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
         kib.checked_mul(1024)
     });
@@ -131,7 +133,9 @@ pub fn size(bytes: u64) -> String {
 /// # Errors
 /// How it is written.
 pub fn parse_size(text: &str) -> Result<u64, String> {
-    let digits = text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
+    let digits = text
+        .find(|c: char| !c.is_ascii_digit())
+        .unwrap_or(text.len());
     let (number, unit) = text.split_at(digits);
     let scale = match unit.trim().to_ascii_lowercase().as_str() {
         "" | "b" => Some(1),
@@ -144,6 +148,8 @@ pub fn parse_size(text: &str) -> Result<u64, String> {
         _ => None,
     };
     let number = number.parse::<u64>().ok().filter(|number| *number > 0);
-    let bytes = number.zip(scale).and_then(|(number, scale)| number.checked_mul(scale));
+    let bytes = number
+        .zip(scale)
+        .and_then(|(number, scale)| number.checked_mul(scale));
     bytes.ok_or_else(|| "write it as 4GiB, 512MiB, or a number of bytes".to_owned())
 }

@@ -17,7 +17,12 @@ fn what_exceeds_a_budget_is_refused_by_name() {
 
 #[test]
 fn sizes_are_read_and_written() {
-    for (text, bytes) in [("7", 7), ("4GiB", 4 << 30), ("512M", 512 << 20), ("2 GB", 2_000_000_000)] {
+    for (text, bytes) in [
+        ("7", 7),
+        ("4GiB", 4 << 30),
+        ("512M", 512 << 20),
+        ("2 GB", 2_000_000_000),
+    ] {
         assert_eq!(parse_size(text), Ok(bytes));
     }
     for text in ["", "GiB", "0", "-1", "1.5GiB", "4XiB", "99999999999GiB"] {

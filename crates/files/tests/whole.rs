@@ -120,7 +120,11 @@ mod unix {
         fs::create_dir(folder.path().join("deep")).unwrap();
         let file = folder.path().join("deep/file.txt");
         fs::write(&file, "old").unwrap();
-        for (link, to) in [("one", "deep/file.txt"), ("two", "one"), ("new", "deep/later.txt")] {
+        for (link, to) in [
+            ("one", "deep/file.txt"),
+            ("two", "one"),
+            ("new", "deep/later.txt"),
+        ] {
             symlink(to, folder.path().join(link)).unwrap();
         }
         write(&folder.path().join("two"), b"new").unwrap();

@@ -77,7 +77,10 @@ fn files_of_earlier(folder: &Path) -> Vec<String> {
     let Ok(earlier) = Report::load(folder.join(REPORT)) else {
         return Vec::new();
     };
-    let worst = earlier.strategies.into_iter().filter_map(|entry| entry.worst);
+    let worst = earlier
+        .strategies
+        .into_iter()
+        .filter_map(|entry| entry.worst);
     let pictures = worst.flat_map(|worst| {
         let images = worst.images;
         [images.reference, images.strategy, images.marked]

@@ -103,7 +103,9 @@ fn row(
 /// The bytes of a picture's file.
 fn read<'a>(from: Pictures<'a>, name: &str) -> Result<Cow<'a, [u8]>, MeasureError> {
     match from {
-        Pictures::Folder(dir) => read_limited(&dir.join(name), "picture", MAX_BYTES).map(Cow::Owned),
+        Pictures::Folder(dir) => {
+            read_limited(&dir.join(name), "picture", MAX_BYTES).map(Cow::Owned)
+        }
         Pictures::Memory(pictures) => match pictures.get(name) {
             Some(bytes) => Ok(Cow::Borrowed(bytes)),
             None => Err(MeasureError::Report {
