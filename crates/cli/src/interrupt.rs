@@ -51,11 +51,8 @@ impl fmt::Display for Interruption {
             _ => "a signal",
         };
         write!(f, "ended by {name}")?;
-        match self.frames {
-            None => write!(f, " before any frame was drawn")?,
-            Some(CompareProgress { phase, done, total }) => {
-                write!(f, " after {done} of {total} frames of the phase '{phase}'")?;
-            }
+        if let Some(CompareProgress { phase, done, total }) = self.frames {
+            write!(f, " after {done} of {total} frames of the phase '{phase}'")?;
         }
         match finished() {
             0 => write!(f, "; no file was written"),

@@ -10,6 +10,9 @@ use antumbra::scene::{Camera, Scene};
 
 use crate::print::warn;
 
+/// How long an adapter may take where the command line does not say it.
+pub const USUAL_PATIENCE: Duration = Duration::from_secs(600);
+
 /// Ends the program where no frame is finished for long. It watches until it is dropped.
 pub struct Watch {
     signs: Sender<()>,

@@ -8,12 +8,14 @@ mod common;
 
 use std::fmt::Write as _;
 use std::fs;
-use std::io::Write as _;
+use std::io::{Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
+use antumbra::subsurface::{BrickSource, SubsurfaceError, VolumeLayout, write_volume};
 use common::QUIET_MESA;
+use glam::DVec3;
 use tempfile::TempDir;
 
 /// What a run has taken.
@@ -97,12 +99,10 @@ fn render<'a>(scene: &'a str, image: &'a str) -> Vec<&'a str> {
     vec!["render", scene, "--size", "64x48", "-o", image]
 }
 
-#[test]
-#[ignore = "takes seconds, and GNU time"]
-fn a_scene_of_many_small_objects_reaches_the_gpu_in_bounded_memory() {
-    let folder = Folder::new();
+/// An OBJ of so many objects of a triangle each.
+fn objects(count: u32) -> String {
     let mut text = String::new();
-    for i in 0..100_000 {
+    for i in 0..count {
         let (x, y) = (i % 300, i / 300);
         writeln!(
             text,
@@ -110,8 +110,77 @@ fn a_scene_of_many_small_objects_reaches_the_gpu_in_bounded_memory() {
         )
         .unwrap();
     }
-    let scene = folder.file("many.obj", text.as_bytes());
+    text
+}
+
+#[test]
+#[ignore = "takes seconds, and GNU time"]
+fn a_scene_of_many_small_objects_reaches_the_gpu_in_bounded_memory() {
+    let folder = Folder::new();
+    let scene = folder.file("many.obj", objects(100_000).as_bytes());
     drawn(&run(&render(&scene, &folder.out("a.png"))));
+    // Three times as many, in 17 MB, are more than is allowed here.
+    let scene = folder.file("more.obj", objects(300_000).as_bytes());
+    let image = folder.out("a.png");
+    let asked = [&render(&scene, &image)[..], &["--memory", "512MiB"]].concat();
+    refused(&run(&asked), &["the object", "512 MiB"]);
+}
+
+/// A volume of one value in bricks of two samples an edge.
+struct Tiny(VolumeLayout);
+
+impl BrickSource for Tiny {
+    fn layout(&self) -> &VolumeLayout {
+        &self.0
+    }
+
+    fn read(&self, _: [u32; 3], samples: &mut [u8]) -> Result<(), SubsurfaceError> {
+        samples.fill(7);
+        Ok(())
+    }
+}
+
+#[test]
+#[ignore = "takes seconds, and GNU time"]
+fn a_volume_of_tiny_bricks_is_drawn_or_refused() {
+    let folder = Folder::new();
+    let image = folder.out("a.png");
+    for (name, size) in [
+        ("drawn.vol", [2048, 2048, 2]),
+        ("refused.vol", [1 << 20, 8192, 1]),
+    ] {
+        let source = Tiny(VolumeLayout {
+            size,
+            brick: 2,
+            origin: DVec3::ZERO,
+            steps: [DVec3::X, DVec3::Y, DVec3::Z],
+            range: [0.0, 1.0],
+        });
+        let volume = folder.out(name);
+        if name == "drawn.vol" {
+            write_volume(Path::new(&volume), "tiny", &source, &mut |_, _| ()).unwrap();
+            let asked = [&render("grid:2", &image)[..], &["--volume", &volume]].concat();
+            drawn(&run(&asked));
+            continue;
+        }
+        // Sparse: its header, and bricks that were never written.
+        let small = Tiny(VolumeLayout {
+            size: [2; 3],
+            ..source.0
+        });
+        write_volume(Path::new(&volume), "tiny", &small, &mut |_, _| ()).unwrap();
+        let mut file = fs::OpenOptions::new().write(true).open(&volume).unwrap();
+        file.seek(SeekFrom::Start(16)).unwrap();
+        for side in size {
+            file.write_all(&side.to_le_bytes()).unwrap();
+        }
+        let header = file.metadata().unwrap().len() - 8;
+        let length = header + source.0.total_bytes().unwrap();
+        file.set_len(length).unwrap();
+        drop(file);
+        let asked = [&render("grid:2", &image)[..], &["--volume", &volume]].concat();
+        refused(&run(&asked), &["tiles", "larger bricks"]);
+    }
 }
 
 #[test]

@@ -230,7 +230,7 @@ fn scene_is_whole(out: &Path, leftovers: bool) -> bool {
 
 fn prepare(out: &Path) -> Vec<String> {
     let file = out.with_extension("glb");
-    let words = ["prepare", "terrain:3000", "-o", file.to_str().unwrap()];
+    let words = ["prepare", "terrain:600", "-o", file.to_str().unwrap()];
     words.map(str::to_owned).to_vec()
 }
 

@@ -38,7 +38,9 @@ impl OutFolder {
             match FolderLock::take(path) {
                 Ok(lock) => folder.lock = Some(lock),
                 // The run that made the folder has removed it again.
-                Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
+                Err(error) if error.kind() == io::ErrorKind::NotFound && !path.is_dir() => {
+                    continue;
+                }
                 Err(error) => return Err(error),
             }
             break;

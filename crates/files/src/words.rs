@@ -8,11 +8,17 @@ pub fn clean(text: &str) -> String {
         .collect()
 }
 
-/// As [`clean`], with line breaks kept: for a text of ours that has names in it.
+/// As [`clean`], with line breaks and tabs kept: for a text of ours that has names in it.
 #[must_use]
 pub fn clean_lines(text: &str) -> String {
     text.chars()
-        .map(|c| if c != '\n' && is_hostile(c) { '?' } else { c })
+        .map(|c| {
+            if !matches!(c, '\n' | '\t') && is_hostile(c) {
+                '?'
+            } else {
+                c
+            }
+        })
         .collect()
 }
 

@@ -389,6 +389,9 @@ fn many_equal_triangles_and_many_at_one_vertex_are_no_endless_work() {
     };
     assert!(!equal.is_collapsible());
     assert_eq!(proxy(&equal, &ProxyOptions::default()).triangle_count(), 1);
+    let mut mesh = Mesh::new("equal", equal.clone());
+    mesh.ensure_proxy(&ProxyOptions::default());
+    assert!(mesh.proxy_hausdorff_distance() < 1e-3);
     // A triangle and its back are two.
     let both = Geometry {
         indices: vec![0, 1, 2, 0, 2, 1],

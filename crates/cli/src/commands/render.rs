@@ -44,7 +44,10 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
         .iter()
         .for_each(|sketch| outputs.writes("--sketch", sketch));
     outputs.check()?;
-    is_png(&args.output)?;
+    has_ending("--output", &args.output, "png")?;
+    if let Some(sketch) = &args.sketch {
+        has_ending("--sketch", sketch, "svg")?;
+    }
     // Wrong usage is found before anything is loaded.
     chosen(&args, None)?;
     outputs.probe()?;
@@ -145,13 +148,14 @@ impl OutputFiles {
     }
 }
 
-fn is_png(output: &Path) -> Result<(), Failure> {
-    let ending = output.extension().and_then(|ending| ending.to_str());
-    match ending.is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
+/// Refuses a name that says the file is something else.
+fn has_ending(role: &str, path: &Path, wanted: &str) -> Result<(), Failure> {
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    match ending.is_some_and(|ending| ending.eq_ignore_ascii_case(wanted)) {
         true => Ok(()),
         false => Err(Failure::Usage(format!(
-            "--output '{}': images are written as .png alone",
-            output.display()
+            "{role} '{}': it is written as .{wanted} alone",
+            path.display()
         ))),
     }
 }
