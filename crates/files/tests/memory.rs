@@ -1,4 +1,5 @@
 //! Budgets of memory, and sizes in words.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use antumbra_files::{MemoryBudget, default_memory, parse_size, size};
 

@@ -1,4 +1,5 @@
 //! A folder of outputs: one writer at a time, nothing left where nothing was written, and no file of an earlier set.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::fs;
 use std::io::ErrorKind;

@@ -1,4 +1,5 @@
 //! Whole files: what was there stays until the new file is complete, links are followed, permissions kept, and leftovers swept.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
