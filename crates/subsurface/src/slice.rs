@@ -75,8 +75,8 @@ impl Slice {
     /// them. `parent` should have no transform if the volume is to be at the position of its layout.
     ///
     /// # Errors
-    /// [`SubsurfaceError::BadLayout`]; [`SubsurfaceError::Outside`] for a section outside the volume;
-    /// [`SubsurfaceError::Setting`] for tiles of no brick or more than 4096 samples a side;
+    /// [`SubsurfaceError::BadLayout`], also for a slice of more than 16,384 tiles; [`SubsurfaceError::Outside`] for a
+    /// section outside the volume; [`SubsurfaceError::Setting`] for tiles of no brick or more than 4096 samples a side;
     /// [`SubsurfaceError::Scene`] for an unknown parent. After an error the scene has no new entity.
     pub fn spawn(
         scene: &mut Scene,
@@ -105,12 +105,10 @@ impl Slice {
             .map(|along| u64::from(along.of(layout.size).div_ceil(side)));
         let [right, down] = tiles;
         if right * down > MAX_TILES {
-            return Err(SubsurfaceError::Setting {
-                what: "the bricks along a tile of a slice",
-                value: options.tile_bricks.to_string(),
+            return Err(SubsurfaceError::BadLayout {
                 problem: format!(
-                    "with bricks of {} samples an edge a slice through this volume has {right} x {down} tiles, and {MAX_TILES} are the most: write the volume with larger bricks",
-                    layout.brick
+                    "with bricks of {} samples an edge a slice has {right} x {down} tiles of {} bricks, and {MAX_TILES} are the most: write the volume with larger bricks",
+                    layout.brick, options.tile_bricks
                 ),
             });
         }
