@@ -50,6 +50,6 @@ bench: ## run the benches; loading is measured on data/2CylinderEngine.glb where
 data: ## fetch the real scenes into data/
 	scripts/data.sh all
 
-fuzz: ## fuzz the loaders for ten minutes (FUZZ_SECONDS=600, FUZZ=surfaces for the sub-surface readers); see fuzz/README.md
+fuzz: ## fuzz the loaders for ten minutes (FUZZ_SECONDS=600, FUZZ=surfaces, rasters, volumes, horizons, words); see fuzz/README.md
 	@$(CARGO) fuzz --version >/dev/null 2>&1 || { echo "make fuzz needs cargo-fuzz: cargo install cargo-fuzz --locked"; exit 1; }
 	RUSTC_BOOTSTRAP=1 $(CARGO) fuzz run $(FUZZ) -- -max_total_time=$(FUZZ_SECONDS)

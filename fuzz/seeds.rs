@@ -1,4 +1,4 @@
-//! Writes the seed files of the fuzzers into `corpus/loaders` and `corpus/surfaces`.
+//! Writes the seed files of the fuzzers into a folder each of `corpus`.
 
 #[path = "../crates/formats/tests/common/mod.rs"]
 mod common;
@@ -9,11 +9,141 @@ mod files;
 #[allow(dead_code)]
 mod roff;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+use antumbra_scene::Raster;
+use antumbra_subsurface::{BrickSource, SubsurfaceError, VolumeLayout, write_volume};
+use antumbra_terrain::{Field, PreparedScene, RasterDetail, Sectors, Terrain, TerrainOptions};
+use glam::{DVec2, DVec3};
 
 fn main() -> std::io::Result<()> {
     loaders()?;
-    surfaces()
+    surfaces()?;
+    rasters()?;
+    volumes()?;
+    horizons()?;
+    words()
+}
+
+/// A folder of seeds.
+fn folder(name: &str) -> std::io::Result<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = root.join("corpus").join(name);
+    std::fs::create_dir_all(&folder)?;
+    Ok(folder)
+}
+
+/// An `.npy` array in an archive without compression: its local header, its directory and its end.
+fn npz(kind: &str, shape: &str, data: &[u8]) -> Vec<u8> {
+    let header = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}\n");
+    let mut array = b"\x93NUMPY\x01\x00".to_vec();
+    array.extend((header.len() as u16).to_le_bytes());
+    array.extend(header.as_bytes());
+    array.extend(data);
+    let length = (array.len() as u32).to_le_bytes();
+    let crc = crc32(&array).to_le_bytes();
+    let mut entry = vec![20, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+    entry.extend(
+        crc.into_iter()
+            .chain(length)
+            .chain(length)
+            .chain([5, 0, 0, 0]),
+    );
+    let local = [&b"PK\x03\x04"[..], &entry, b"z.npy", &array].concat();
+    let directory = [&b"PK\x01\x02\x14\x00"[..], &entry, &[0; 14], b"z.npy"].concat();
+    let mut end = b"PK\x05\x06\0\0\0\0\x01\0\x01\0".to_vec();
+    end.extend((directory.len() as u32).to_le_bytes());
+    end.extend((local.len() as u32).to_le_bytes());
+    end.extend([0, 0]);
+    [local, directory, end].concat()
+}
+
+fn crc32(bytes: &[u8]) -> u32 {
+    let step = |crc: u32, byte: &u8| {
+        (0..8).fold(crc ^ u32::from(*byte), |crc, _| {
+            (crc >> 1) ^ (0xedb8_8320 * (crc & 1))
+        })
+    };
+    !bytes.iter().fold(u32::MAX, step)
+}
+
+fn rasters() -> std::io::Result<()> {
+    let seeds = [
+        (0, npz("<f4", "(3, 4)", &[0; 48])),
+        (0, npz("|u1", "(2, 2)", &[1, 2, 3, 4])),
+        (1, files::esri().into_bytes()),
+        (2, files::geotiff(&[])),
+    ];
+    write(&folder("rasters")?, seeds.into_iter())
+}
+
+/// A volume of one value.
+struct Plain(VolumeLayout);
+
+impl BrickSource for Plain {
+    fn layout(&self) -> &VolumeLayout {
+        &self.0
+    }
+
+    fn read(&self, _: [u32; 3], samples: &mut [u8]) -> Result<(), SubsurfaceError> {
+        samples.fill(7);
+        Ok(())
+    }
+}
+
+fn volumes() -> std::io::Result<()> {
+    let folder = folder("volumes")?;
+    for (name, brick) in [("seed-0", 4), ("seed-1", 1)] {
+        let layout = VolumeLayout {
+            size: [5, 4, 3],
+            brick,
+            origin: DVec3::ZERO,
+            steps: [DVec3::X, DVec3::Y, DVec3::Z],
+            range: [0.0, 1.0],
+        };
+        let written = write_volume(&folder.join(name), "seed", &Plain(layout), &mut |_, _| ());
+        written.map_err(std::io::Error::other)?;
+    }
+    Ok(())
+}
+
+fn horizons() -> std::io::Result<()> {
+    let folder = folder("horizons")?;
+    let raster = Raster {
+        columns: 5,
+        rows: 5,
+        origin: DVec2::ZERO,
+        step_u: DVec2::X,
+        step_v: DVec2::Y,
+        elevation: (0..25).map(|i| (i * 7 % 5) as f32).collect(),
+    };
+    let made = || {
+        let field = Field::from_raster(&raster, RasterDetail::Vertices(25))?;
+        let options = TerrainOptions {
+            sectors: Sectors::new(4, 1)?,
+            ..TerrainOptions::default()
+        };
+        let terrain = Terrain::prepare(field, &options, &|| ())?;
+        let made = PreparedScene::from_terrain(terrain, "seed")?;
+        made.terrain
+            .save(&made.scene, &made.shown, &folder.join("seed-0"))
+    };
+    made().map_err(std::io::Error::other)
+}
+
+fn words() -> std::io::Result<()> {
+    let path = r#"{"projection":{"perspective":{"fov_y_degrees":45,"near":0.1}},"poses":[{"eye":[0,0,9],"target":[0,0,0],"up":[0,1,0],"cut":true},{"eye":[0,0,9],"rotation":[0,0,0,1]}]}"#;
+    let seeds = [
+        (0, path),
+        (1, "three-pass:threshold=50:latency=on-gpu"),
+        (1, "depth-pyramid:phases=2"),
+        (2, "wrong_pixels=0.02%"),
+        (2, "frame_time=16ms"),
+        (3, "false_culls=3"),
+        (4, "4GiB"),
+    ];
+    let seeds = seeds.map(|(pick, text)| (pick, text.as_bytes().to_vec()));
+    write(&folder("words")?, seeds.into_iter())
 }
 
 fn loaders() -> std::io::Result<()> {

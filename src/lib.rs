@@ -11,6 +11,7 @@
 //! | [`cull`] | the contract: strategy, visible set, stage, renderer, entities, draw sources, audit, budget; [`cull::judge`], for engines that draw by themselves | |
 //! | `strategies` | the built-in strategies and their registry | `strategies`, on by default |
 //! | `draw` | the built-in renderer: meshes on the GPU, pipelines, passes | `draw`, on by default |
+//! | `files` | regular files in, whole files out; one writer a folder | `files` |
 //! | `formats` | scene files in and out: glTF, OBJ, PLY, STL, CityJSON, rasters | `formats` |
 //! | `verify` | the oracle and the conformance kit | `verify` |
 //! | `measure` | camera paths, comparisons, image errors, the report | `measure` |
@@ -60,6 +61,8 @@ pub use antumbra_cull as cull;
 pub use antumbra_demo_scenes as demo_scenes;
 #[cfg(feature = "draw")]
 pub use antumbra_draw as draw;
+#[cfg(feature = "files")]
+pub use antumbra_files as files;
 #[cfg(feature = "formats")]
 pub use antumbra_formats as formats;
 pub use antumbra_graph as graph;

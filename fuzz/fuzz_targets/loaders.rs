@@ -2,6 +2,9 @@
 //! format, the rest is the file.
 #![no_main]
 
+mod allocator;
+
+use allocator::MEMORY;
 use antumbra_formats::{LoadOptions, SceneFormat, load_slice};
 use antumbra_scene::ProxyOptions;
 use libfuzzer_sys::fuzz_target;
@@ -24,6 +27,8 @@ fuzz_target!(|data: &[u8]| {
         max_entities: 1 << 12,
         max_image_pixels: 1 << 16,
         max_json_objects: 1 << 14,
+        max_memory: MEMORY,
+        max_work: 1 << 24,
         skip_images: false,
     };
     let format = formats[usize::from(*pick) % formats.len()];

@@ -2,6 +2,9 @@
 //! byte selects the file extension, the rest is the file.
 #![no_main]
 
+mod allocator;
+
+use allocator::MEMORY;
 use antumbra_subsurface::read::{ReadOptions, property_from_bytes, surfaces_from_bytes};
 use antumbra_subsurface::{PrepareOptions, prepare_surface};
 use libfuzzer_sys::fuzz_target;
@@ -21,7 +24,11 @@ fuzz_target!(|data: &[u8]| {
         decimation: 5.0,
         ..PrepareOptions::default()
     };
-    match surfaces_from_bytes(path, bytes, &ReadOptions::default(), &mut |_, _| ()) {
+    let read = ReadOptions {
+        max_memory: Some(MEMORY),
+        ..ReadOptions::default()
+    };
+    match surfaces_from_bytes(path, bytes, &read, &mut |_, _| ()) {
         Err(error) => assert!(error.to_string().contains(&name)),
         Ok(surfaces) => {
             assert!(!surfaces.is_empty());

@@ -12,6 +12,8 @@ use antumbra::subsurface::SubsurfaceError;
 use antumbra::terrain::TerrainError;
 use thiserror::Error;
 
+use crate::interrupt::Interruption;
+
 /// What went wrong, in words for the user.
 #[derive(Debug, Error)]
 pub enum Failure {
@@ -62,6 +64,17 @@ pub enum Failure {
     /// The measuring, or a path or report file.
     #[error(transparent)]
     Measure(#[from] MeasureError),
+    /// An output that cannot be written.
+    #[error("cannot write '{}': {error}", path.display())]
+    Output {
+        /// The file or folder.
+        path: PathBuf,
+        /// Why.
+        error: std::io::Error,
+    },
+    /// A signal asked the program to end.
+    #[error("{0}")]
+    Interrupted(Interruption),
     /// Drivers whose answers are wrong.
     #[error(
         "the self-test found wrong answers on {}. A stage there counts in another way or draws all that is in the frustum; another version of the driver may be right",
@@ -88,9 +101,10 @@ impl Failure {
         matches!(self, Self::ClosedPipe)
     }
 
-    /// The exit status: 2 for wrong usage, 1 for failed work, 0 for a reader that has read enough.
+    /// The exit status: 2 for wrong usage, 1 for failed work, 0 for a reader that has read enough, 128 and the signal's number for a signal.
     pub fn status(&self) -> u8 {
         match self {
+            Self::Interrupted(interruption) => interruption.status(),
             Self::ClosedPipe => 0,
             Self::Usage(_)
             | Self::Registry(_)

@@ -1,10 +1,10 @@
 //! Terrains of what the command line names: fields of rasters and meshes, and the built-in landscape, with progress.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use antumbra::demo_scenes::terrain::TerrainSceneOptions;
-use antumbra::formats::load_raster;
-use antumbra::formats::{LoadOptions, RasterFormat, SceneFormat, load};
+use antumbra::formats::load_raster_within;
+use antumbra::formats::{LoadOptions, RasterFormat, SceneFormat, load_with_attachments};
 use antumbra::terrain::{
     Field, PreparedScene, RasterDetail, Terrain, TerrainError, TerrainOptions,
 };
@@ -31,11 +31,24 @@ fn ending(file: &Path) -> Option<&str> {
     file.extension().and_then(|ending| ending.to_str())
 }
 
+/// A field, and the files that it was read from.
+pub struct FieldOfFile {
+    /// The field.
+    pub field: Field,
+    /// The file, and those that it refers to.
+    pub files: Vec<PathBuf>,
+}
+
 /// A field out of a file. A mesh is taken whole, and has no detail to choose.
 ///
 /// # Errors
 /// What is wrong with the file; [`Failure::Usage`] for a detail of a mesh.
-pub fn field(file: &Path, detail: Option<RasterDetail>) -> Result<Field, Failure> {
+pub fn field(
+    file: &Path,
+    detail: Option<RasterDetail>,
+    memory: Option<u64>,
+) -> Result<FieldOfFile, Failure> {
+    let options = load_options(memory);
     let named = |error| match error {
         TerrainError::Setting { .. } => Failure::Terrain(error),
         _ => Failure::Field {
@@ -45,7 +58,11 @@ pub fn field(file: &Path, detail: Option<RasterDetail>) -> Result<Field, Failure
     };
     if is_raster(file) {
         let detail = detail.unwrap_or(RasterDetail::Vertices(VERTICES));
-        return Field::from_raster(&load_raster(file)?, detail).map_err(named);
+        return Ok(FieldOfFile {
+            field: Field::from_raster(&load_raster_within(file, options.max_memory)?, detail)
+                .map_err(named)?,
+            files: vec![file.to_owned()],
+        });
     }
     if detail.is_some() {
         return Err(Failure::Usage(format!(
@@ -53,8 +70,20 @@ pub fn field(file: &Path, detail: Option<RasterDetail>) -> Result<Field, Failure
             file.display()
         )));
     }
-    let scene = load(file, &LoadOptions::default())?;
-    Field::from_scene(&scene).map_err(named)
+    let loaded = load_with_attachments(file, &options, &[])?;
+    Ok(FieldOfFile {
+        field: Field::from_scene(&loaded.scene).map_err(named)?,
+        files: loaded.files,
+    })
+}
+
+/// The limits of a load, with the memory that the command line allows.
+pub fn load_options(memory: Option<u64>) -> LoadOptions {
+    let usual = LoadOptions::default();
+    LoadOptions {
+        max_memory: memory.unwrap_or(usual.max_memory),
+        ..usual
+    }
 }
 
 /// Prepares a field.

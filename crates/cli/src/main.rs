@@ -2,9 +2,9 @@
 //!
 //! It is the library on the command line, and adds nothing to it: `args` is what is typed, `input` makes a scene, views and a camera path of
 //! it, `contenders` and `vary` the strategies to measure, `outputs` refuses to overwrite what is read, and `commands` has a file for each
-//! command. All text goes through `print`.
+//! command. All text goes through `print`. `interrupt` and `watch` end what would not end.
 //!
-//! Exit status: 0, also where a pipe's reader is gone; 1 when the work failed; 2 for wrong usage.
+//! Exit status: 0, also where a pipe's reader is gone; 1 when the work failed; 2 for wrong usage; 130 after SIGINT and 143 after SIGTERM.
 
 mod args;
 mod commands;
@@ -13,6 +13,7 @@ mod eyes;
 mod failure;
 mod fixed_setting;
 mod input;
+mod interrupt;
 mod landscape;
 mod measuring;
 mod outputs;
@@ -20,6 +21,7 @@ mod print;
 mod progress;
 mod strategies;
 mod vary;
+mod watch;
 
 use std::process::ExitCode;
 
@@ -34,7 +36,10 @@ fn main() -> ExitCode {
     tracing_subscriber::fmt()
         .with_env_filter(filter)
         .with_writer(std::io::stderr)
+        // A closed standard error is no reason to panic.
+        .log_internal_errors(false)
         .init();
+    interrupt::listen();
     let args = Args::parse();
     let outcome = match args.command() {
         Command::Compare(args) => commands::compare::run(args),

@@ -6,7 +6,9 @@ use antumbra::measure::compare::{CompareOptions, Comparison, Contender, Script, 
 use crate::args::ViewArgs;
 use crate::failure::Failure;
 use crate::input::{FaceLenses, Input};
+use crate::interrupt::{self, Stoppable};
 use crate::progress::Bars;
+use crate::watch::{Watch, Watched};
 
 /// Compares the contenders on the input, lenses rotated to face each pose. The report has the command line and the seeds.
 ///
@@ -33,16 +35,28 @@ pub fn measure(
         Some(lenses) => lenses,
         None => &mut nothing,
     };
+    let mut watched = Watched {
+        script: &mut Stoppable(script),
+        watch: Watch::start(view.patience),
+    };
     let comparison = compare_scripted(
         gpu,
         &mut input.scene,
-        script,
+        &mut watched,
         &input.path,
         contenders,
         &options,
-        &mut |progress| bars.show(progress),
+        &mut |progress| {
+            interrupt::note(progress);
+            bars.show(progress);
+        },
     );
     bars.finish();
+    if comparison.is_err()
+        && let Some(interruption) = interrupt::asked()
+    {
+        return Err(Failure::Interrupted(interruption));
+    }
     let mut comparison = comparison?;
     let seeds = &mut comparison.report.seeds;
     seeds.insert("path".to_owned(), view.seed);
@@ -52,17 +66,46 @@ pub fn measure(
     Ok(comparison)
 }
 
-/// What was typed, from the program's name on.
+/// What was typed, from the program's name on, quoted for a shell. Bytes that are no text are replaced.
 fn command_line() -> String {
-    let words = std::env::args().skip(1).map(|word| {
-        if word.contains(' ') {
-            format!("'{word}'")
-        } else {
-            word
-        }
-    });
-    std::iter::once("antumbra".to_owned())
+    let words = std::env::args_os().skip(1);
+    let words = words.map(|word| quoted(&word.to_string_lossy()));
+    let words: Vec<String> = std::iter::once("antumbra".to_owned())
         .chain(words)
-        .collect::<Vec<_>>()
-        .join(" ")
+        .collect();
+    words.join(" ")
+}
+
+fn quoted(word: &str) -> String {
+    // What settings and paths are usually made of means nothing to a shell.
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./:=,+".contains(c);
+    if !word.is_empty() && word.chars().all(is_plain) {
+        return word.to_owned();
+    }
+    // A word without zero bytes can always be quoted, and no argument has any.
+    shlex::try_quote(word).map_or_else(|_| String::new(), |quoted| quoted.into_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn recorded_commands_are_quoted_for_a_shell() {
+        for word in [
+            "a b",
+            "it's",
+            "$HOME",
+            "a;rm -rf b",
+            "`id`",
+            "a\nb",
+            "",
+            "*.glb",
+        ] {
+            let line = format!("antumbra {}", quoted(word));
+            let read = shlex::split(&line).unwrap();
+            assert_eq!(read, ["antumbra", word], "{line}");
+        }
+        assert_eq!(quoted("three-pass:threshold=5"), "three-pass:threshold=5");
+    }
 }

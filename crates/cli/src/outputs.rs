@@ -2,19 +2,17 @@
 //!
 //! Before any work, the real path of each output, links followed, is held against those of all inputs and of all other outputs. An output
 //! that exists and is no regular file, such as a device, a FIFO or a folder, is refused as well: a finished file is renamed to its name, and
-//! would take its place.
+//! would take its place. What cannot be written is found then too, and not when the work is done.
 
 use std::ffi::OsStr;
-use std::fs::{self, FileType, Metadata};
-use std::path::{Component, Path, PathBuf};
+use std::fs::{self, Metadata};
+use std::path::{Path, PathBuf};
 
+use antumbra::files::{OutFolder, kind, probe, real_path};
 use antumbra::measure::compare::is_report_file;
 
 use crate::args::{PathArg, ViewArgs};
 use crate::failure::Failure;
-
-/// Links that lead to links, before a path counts as leading nowhere; as many as Linux follows.
-const MOST_LINKS: u32 = 40;
 
 /// The files that a command reads and writes.
 #[derive(Debug, Default)]
@@ -92,6 +90,30 @@ impl Outputs {
         }
         Ok(())
     }
+
+    /// Tries whether every output can be written, and sweeps away what killed runs left beside them. After [`check`](Self::check).
+    ///
+    /// # Errors
+    /// [`Failure::Output`], with the first that cannot.
+    pub fn probe(&self) -> Result<(), Failure> {
+        self.outputs.iter().try_for_each(|output| {
+            probe(&output.path).map_err(|error| Failure::Output {
+                path: output.path.clone(),
+                error,
+            })
+        })
+    }
+}
+
+/// Opens the folder of a report, until whose end no other run writes into it.
+///
+/// # Errors
+/// [`Failure::Output`], for a folder that another run writes into, or that cannot be written.
+pub fn open_folder(path: &Path) -> Result<OutFolder, Failure> {
+    OutFolder::open(path).map_err(|error| Failure::Output {
+        path: path.to_owned(),
+        error,
+    })
 }
 
 fn named(role: &'static str, path: &Path) -> Named {
@@ -148,10 +170,7 @@ fn report_files(folder: &Named) -> Result<Vec<Named>, Failure> {
         Some(found) if !found.is_dir() => {
             return Err(Failure::Usage(format!(
                 "{folder} is {}: name a folder",
-                match found.is_file() {
-                    true => "a file",
-                    false => kind(found.file_type()),
-                }
+                kind(found.file_type())
             )));
         }
         Some(_) => {}
@@ -178,7 +197,7 @@ struct Place {
 
 impl Place {
     fn of(path: &Path) -> Self {
-        let path = real(path, MOST_LINKS);
+        let path = real_path(path);
         Self {
             found: fs::metadata(&path).ok(),
             path,
@@ -202,55 +221,4 @@ fn is_same_file(one: &Metadata, other: &Metadata) -> bool {
 #[cfg(not(unix))]
 fn is_same_file(_: &Metadata, _: &Metadata) -> bool {
     false
-}
-
-/// The absolute path with all links followed, of which the last parts need not exist.
-fn real(path: &Path, links: u32) -> PathBuf {
-    if let Ok(real) = path.canonicalize() {
-        return real;
-    }
-    // A link that leads to nothing yet.
-    if let Ok(target) = fs::read_link(path)
-        && let Some(links) = links.checked_sub(1)
-    {
-        let from = path.parent().unwrap_or(Path::new(""));
-        return real(&from.join(target), links);
-    }
-    let mut parts = path.components();
-    let last = parts.next_back();
-    let before = match parts.as_path() {
-        none if none.as_os_str().is_empty() => Path::new("."),
-        before => before,
-    };
-    match last {
-        Some(Component::Normal(name)) => real(before, links).join(name),
-        Some(Component::ParentDir) => {
-            let mut above = real(before, links);
-            above.pop();
-            above
-        }
-        // Without a folder to start from, the path as it is.
-        _ => path.to_owned(),
-    }
-}
-
-/// A file type in words.
-fn kind(found: FileType) -> &'static str {
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::FileTypeExt;
-        if found.is_char_device() || found.is_block_device() {
-            return "a device";
-        }
-        if found.is_fifo() {
-            return "a FIFO";
-        }
-        if found.is_socket() {
-            return "a socket";
-        }
-    }
-    match found.is_dir() {
-        true => "a folder",
-        false => "no regular file",
-    }
 }

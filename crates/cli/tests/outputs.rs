@@ -113,11 +113,17 @@ fn names_of_two_eyes_are_held_against_the_inputs_too() {
 }
 
 #[test]
-fn only_png_images_are_written() {
+fn only_png_images_and_svg_sketches_are_written() {
     let folder = Folder::new();
     for name in ["image.jpg", "image", "image.glb", ".png"] {
         let image = folder.text(name);
         folder.keeps(&render("grid:2", &["-o", &image]), &[name, ".png"]);
+    }
+    let image = folder.text("image.png");
+    for name in ["sketch", "sketch.png", "sketch.glb"] {
+        let sketch = folder.text(name);
+        let asked = ["-o", &image, "--sketch", &sketch];
+        folder.keeps(&render("grid:2", &asked), &[name, ".svg"]);
     }
 }
 

@@ -1,6 +1,7 @@
 //! A growing GPU buffer of elements of one type. It never shrinks, and is copied into a larger buffer when it grows.
-
-use std::marker::PhantomData;
+//!
+//! Each write takes a staging buffer of its own, which costs some KB however short it is, and stays until it was submitted and is done. So
+//! what is appended is gathered, and written in portions.
 
 use bytemuck::Pod;
 
@@ -15,8 +16,12 @@ pub struct Arena<T> {
     buffer: wgpu::Buffer,
     capacity: u64,
     len: u64,
-    element: PhantomData<T>,
+    /// Appended elements that are not written yet: the last ones.
+    pending: Vec<T>,
 }
+
+/// Bytes of a portion.
+const PORTION: usize = 16 << 20;
 
 impl<T: Pod> Arena<T> {
     /// An arena with room for `capacity` elements (at least one, since empty buffers cannot be bound).
@@ -38,7 +43,7 @@ impl<T: Pod> Arena<T> {
             buffer,
             capacity,
             len: 0,
-            element: PhantomData,
+            pending: Vec::new(),
         })
     }
 
@@ -52,15 +57,33 @@ impl<T: Pod> Arena<T> {
         self.capacity
     }
 
-    /// Appends elements and returns the index of the first.
+    /// Appends elements and returns the index of the first. They reach the device with [`Self::flush`] at the latest.
     ///
     /// # Errors
     /// [`DrawError::TooLarge`] where it would have to grow beyond the device's limits.
     pub fn append(&mut self, gpu: &Gpu, elements: &[T]) -> Result<u64, DrawError> {
         let first = self.len;
         self.reserve(gpu, first + elements.len() as u64)?;
-        self.write(gpu, first, elements);
+        self.pending.extend_from_slice(elements);
+        self.len += elements.len() as u64;
+        if size_of_val(self.pending.as_slice()) >= PORTION {
+            self.flush(gpu);
+            submit_portion(gpu);
+        }
         Ok(first)
+    }
+
+    /// Writes what was appended.
+    pub fn flush(&mut self, gpu: &Gpu) {
+        if !self.pending.is_empty() {
+            let first = self.len - self.pending.len() as u64;
+            gpu.queue.write_buffer(
+                &self.buffer,
+                first * size_of::<T>() as u64,
+                bytemuck::cast_slice(&self.pending),
+            );
+            self.pending.clear();
+        }
     }
 
     /// Grows to a capacity of at least `wanted` elements. The contents are kept.
@@ -74,7 +97,7 @@ impl<T: Pod> Arena<T> {
         let most = gpu.device.limits().max_buffer_size / size_of::<T>() as u64;
         let capacity = wanted.next_power_of_two().min(most).max(wanted);
         let grown = create::<T>(gpu, self.label, self.usage, capacity)?;
-        let bytes = bytes_of::<T>(self.len);
+        let bytes = bytes_of::<T>(self.len - self.pending.len() as u64);
         if bytes > 0 {
             let mut encoder = gpu
                 .device
@@ -119,6 +142,14 @@ impl<T: Pod> Arena<T> {
             self.len = self.len.max(first + elements.len() as u64);
         }
     }
+}
+
+/// Submits what was written, so that its staging memory is given back as soon as the device has it. Does not wait: a host may be in the middle
+/// of a frame.
+pub(crate) fn submit_portion(gpu: &Gpu) {
+    gpu.queue.submit(None);
+    // A lost device is found when the next frame is drawn.
+    let _ = gpu.device.poll(wgpu::PollType::Poll);
 }
 
 /// Bytes of `len` elements, rounded up to the alignment of copies.

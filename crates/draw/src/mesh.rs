@@ -103,6 +103,13 @@ impl MeshArenas {
         })
     }
 
+    /// Writes what was added.
+    pub fn flush(&mut self, gpu: &Gpu) {
+        self.positions.flush(gpu);
+        self.attributes.flush(gpu);
+        self.indices.flush(gpu);
+    }
+
     fn append(&mut self, gpu: &Gpu, geometry: &Geometry) -> Result<IndexRange, DrawError> {
         let first_index = self.indices.append(gpu, &geometry.indices)?;
         let base_vertex = self.positions.append(gpu, &geometry.positions)?;

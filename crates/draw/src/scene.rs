@@ -64,6 +64,8 @@ pub struct GpuScene {
     mesh_index: SecondaryMap<MeshKey, u32>,
     material_index: SecondaryMap<MaterialKey, u32>,
     texture_index: SecondaryMap<ImageKey, u32>,
+    /// Bytes of images that were written and not submitted.
+    unsubmitted: u64,
     batch_index: HashMap<Batch, u32>,
     slot_of: SecondaryMap<EntityKey, u32>,
     group_of: SecondaryMap<EntityKey, u32>,
@@ -126,6 +128,7 @@ impl GpuScene {
             mesh_index: SecondaryMap::new(),
             material_index: SecondaryMap::new(),
             texture_index: SecondaryMap::new(),
+            unsubmitted: 0,
             batch_index: HashMap::new(),
             slot_of: SecondaryMap::new(),
             group_of: SecondaryMap::new(),
@@ -248,6 +251,8 @@ impl GpuScene {
             moved,
         };
         let outcome = self.change(table, scene, entities);
+        self.arenas.flush(&self.gpu);
+        self.materials.flush(&self.gpu);
         self.clear_groups(table, scene);
         self.table = shared;
         let dirty = outcome?;

@@ -1,17 +1,24 @@
 //! The errors of loading.
 
+use antumbra_files::{OverBudget, words};
 use antumbra_scene::SceneError;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 /// Why a file could not be loaded.
 #[derive(Debug, Error)]
-#[error("{}{problem}", prefix(file.as_deref(), problem))]
+#[error("{}", message(file.as_deref(), problem))]
 pub struct LoadError {
     /// The file; `None` if it was read from memory.
     pub file: Option<PathBuf>,
     /// The problem.
     pub problem: Box<LoadProblem>,
+}
+
+/// The message: what it quotes of the file is clean and not too long.
+fn message(file: Option<&Path>, problem: &LoadProblem) -> String {
+    let problem_in_words = words::clean(&words::shorten(&problem.to_string(), 500));
+    format!("{}{problem_in_words}", prefix(file, problem))
 }
 
 /// The file's name before a problem that does not name it.
@@ -62,6 +69,21 @@ pub enum LoadProblem {
         limit: u64,
         /// The option with the limit.
         option: &'static str,
+    },
+    /// The file would take more memory than [`LoadOptions::max_memory`](crate::LoadOptions::max_memory).
+    #[error(transparent)]
+    TooMuchMemory(#[from] OverBudget),
+    /// The file would take more work than [`LoadOptions::max_work`](crate::LoadOptions::max_work).
+    #[error(
+        "{part} takes {steps} steps of work, more than the {limit} allowed: raise LoadOptions::max_work if you trust the file"
+    )]
+    TooMuchWork {
+        /// The part of the file.
+        part: String,
+        /// The steps so far, with those of this part.
+        steps: u64,
+        /// The limit.
+        limit: u64,
     },
     /// The file is shorter than it declares.
     #[error(
@@ -188,10 +210,4 @@ pub enum LoadProblem {
     Scene(#[from] SceneError),
 }
 
-/// The beginning of a text, at most 60 characters, for messages.
-pub(crate) fn shorten(text: &str) -> String {
-    match text.char_indices().nth(60) {
-        Some((end, _)) => format!("{}...", text.get(..end).unwrap_or_default()),
-        None => text.to_owned(),
-    }
-}
+pub(crate) use antumbra_files::words::name as shorten;

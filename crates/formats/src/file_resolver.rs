@@ -5,7 +5,6 @@ use crate::budget::Budget;
 use crate::error::{LoadProblem, shorten};
 use base64::Engine;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
-use std::fs::File;
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
 
@@ -20,50 +19,20 @@ const BASE64: GeneralPurpose = GeneralPurpose::new(
     GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent),
 );
 
-/// The contents of an opened file, if it has at most `largest` bytes.
-///
-/// # Errors
-/// The system's errors; anything but a regular file; a file that is too large; insufficient memory.
-pub fn read_whole_file(file: File, largest: u64) -> std::io::Result<Vec<u8>> {
-    let metadata = file.metadata()?;
-    if !metadata.is_file() {
-        return Err(std::io::Error::other(
-            "it is no regular file, so that its length is not known",
-        ));
-    }
-    let mut bytes = Vec::new();
-    if metadata.len() <= largest {
-        let wanted = usize::try_from(metadata.len()).unwrap_or(usize::MAX);
-        bytes
-            .try_reserve_exact(wanted)
-            .map_err(std::io::Error::other)?;
-        // The file may have grown meanwhile.
-        file.take(largest + 1).read_to_end(&mut bytes)?;
-    }
-    if metadata.len().max(bytes.len() as u64) > largest {
-        let problem = format!("larger than {largest} bytes; cut it into parts");
-        return Err(std::io::Error::other(problem));
-    }
-    Ok(bytes)
-}
-
 /// The contents of a file, if the budget allows it.
 pub(super) fn read(path: &Path, budget: &mut Budget) -> Result<Vec<u8>, LoadProblem> {
     let refused = |source| LoadProblem::Io {
         file: path.display().to_string(),
         source,
     };
-    let file = File::open(path).map_err(refused)?;
+    let file = antumbra_files::open(path).map_err(refused)?;
     let metadata = file.metadata().map_err(refused)?;
-    if metadata.is_dir() {
-        return Err(refused(std::io::ErrorKind::IsADirectory.into()));
-    }
     let left = budget.bytes_left();
     if metadata.len() > left {
         budget.bytes(metadata.len())?;
     }
     let mut bytes = Vec::new();
-    // A device or a growing file may have more bytes than its length.
+    // A growing file may have more bytes than its length.
     (file.take(left.saturating_add(1)).read_to_end(&mut bytes)).map_err(refused)?;
     budget.bytes(bytes.len() as u64)?;
     budget.file(path);
@@ -94,6 +63,8 @@ impl<'a> FileResolver<'a> {
             if !kind.ends_with(";base64") {
                 return Err(bad("a data URI that is not base64"));
             }
+            // Three bytes for four letters.
+            budget.memory(data.len() as u64 / 4 * 3)?;
             let bytes = BASE64.decode(data);
             return bytes.map_err(|_| bad("a data URI whose base64 is broken"));
         }

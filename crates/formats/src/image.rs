@@ -24,6 +24,7 @@ pub(super) fn add_image(
     let size = open().map_err(|e| bad(e.to_string()))?.into_dimensions();
     let (width, height) = size.map_err(|e| bad(e.to_string()))?;
     let pixels = u64::from(width) * u64::from(height);
+    budget.enter(place);
     budget.pixels(pixels)?;
     let mut reader = open().map_err(|e| bad(e.to_string()))?;
     let mut limits = image::Limits::default();

@@ -37,11 +37,13 @@ mod read_scene;
 mod stl;
 
 pub use error::{LoadError, LoadProblem};
-pub use file_resolver::read_whole_file;
 pub use gltf::{Attachment, SaveError, SaveProblem, save_glb, save_glb_with_attachments};
 pub use load::{
     LoadedScene, SceneFormat, load, load_gltf_slice, load_slice, load_slice_with_attachments,
     load_with_attachments,
 };
 pub use options::LoadOptions;
-pub use raster::{RasterError, RasterFormat, load_raster, load_raster_slice};
+pub use raster::{
+    RasterError, RasterFormat, load_raster, load_raster_slice, load_raster_slice_within,
+    load_raster_within,
+};

@@ -4,7 +4,7 @@
 mod check;
 
 use crate::budget::Budget;
-use crate::error::LoadProblem;
+use crate::error::{LoadProblem, shorten};
 use crate::file_resolver::{self, FileResolver};
 use crate::image;
 use antumbra_scene::{
@@ -12,8 +12,11 @@ use antumbra_scene::{
 };
 use glam::DAffine3;
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
+
+/// Bytes of a material of a library in memory, without its name.
+const LIBRARY_MATERIAL: u64 = 512;
 
 pub(super) fn read(
     bytes: &[u8],
@@ -38,21 +41,51 @@ pub(super) fn read(
     };
     // Without the material library the colours are missing, not the shapes.
     let shared = RefCell::new(budget);
+    let refused: RefCell<Option<LoadProblem>> = RefCell::new(None);
+    let known_libraries = RefCell::new(HashSet::new());
     let library = |name: &Path| {
+        // A library that is named again adds nothing.
+        if !known_libraries.borrow_mut().insert(name.to_owned()) {
+            return Ok((Vec::new(), Default::default()));
+        }
         let read = || {
             let name = name.to_str().ok_or(tobj::LoadError::OpenFileFailed)?;
             let path = files
                 .resolve(name)
                 .map_err(|_| tobj::LoadError::OpenFileFailed)?;
             let bytes = file_resolver::read(&path, &mut shared.borrow_mut());
-            bytes.map_err(|_| tobj::LoadError::OpenFileFailed)
+            bytes.map_err(|problem| {
+                // A library that is missing costs the colours, one that exceeds the limits the file.
+                if !matches!(problem, LoadProblem::Io { .. }) {
+                    refused.borrow_mut().get_or_insert(problem);
+                }
+                tobj::LoadError::OpenFileFailed
+            })
         };
-        let text = check::materials(&String::from_utf8_lossy(&read()?));
+        let bytes = read()?;
+        let text = check::materials(&String::from_utf8_lossy(&bytes));
+        let count = text
+            .lines()
+            .filter(|line| line.starts_with("newmtl"))
+            .count() as u64;
+        let mut budget = shared.borrow_mut();
+        budget.enter(format!(
+            "the material library \"{}\"",
+            shorten(&name.to_string_lossy())
+        ));
+        if let Err(problem) = budget.memory(count * LIBRARY_MATERIAL + text.len() as u64) {
+            refused.borrow_mut().get_or_insert(problem);
+            return Err(tobj::LoadError::GenericFailure);
+        }
+        drop(budget);
         tobj::load_mtl_buf(&mut text.as_bytes())
     };
     let (models, materials) = tobj::load_obj_buf(&mut text.as_bytes(), &options, library)
-        .map_err(|e| broken(e.to_string()))?;
+        .map_err(|e| broken(shorten(&e.to_string())))?;
     let budget = shared.into_inner();
+    if let Some(problem) = refused.into_inner() {
+        return Err(problem);
+    }
     let materials = materials.unwrap_or_else(|error| {
         tracing::warn!(%error, "the OBJ's material library cannot be read; its surfaces are white");
         Vec::new()
@@ -64,14 +97,18 @@ pub(super) fn read(
         if geometry.indices.is_empty() {
             continue;
         }
+        budget.enter(format!("the object \"{}\"", shorten(&model.name)));
         budget.vertices(geometry.positions.len() as u64)?;
         budget.entities(1)?;
+        budget.mesh(&model.name)?;
+        budget.name(&model.name)?;
         let id = model.mesh.material_id.filter(|id| *id < materials.len());
         let material = match known.get(&id) {
             Some(key) => *key,
             None => {
                 let source = id.and_then(|id| materials.get(id));
                 let material = material(source, &mut scene, files, budget)?;
+                budget.material(&material.name)?;
                 *known.entry(id).or_insert(scene.add_material(material))
             }
         };
@@ -143,10 +180,10 @@ fn material(
         .as_deref()
         .filter(|_| !budget.options.skip_images)
     {
-        let place = format!("the image of material \"{}\"", source.name);
+        let place = format!("the image of material \"{}\"", shorten(&source.name));
         let path = files.resolve(name).map_err(|problem| LoadProblem::BadUri {
             place: place.clone(),
-            uri: name.to_owned(),
+            uri: shorten(name),
             problem,
         })?;
         let bytes = file_resolver::read(&path, budget)?;

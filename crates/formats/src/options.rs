@@ -16,6 +16,12 @@ pub struct LoadOptions {
     /// Objects and arrays in the JSON of a glTF, of a CityJSON document or of one line of a CityJSON sequence, plus a
     /// sixteenth of its commas. One takes up to about 700 bytes while the file is read.
     pub max_json_objects: u64,
+    /// Bytes of memory of everything that the file becomes: geometry, names, images and what is derived of them, up to the GPU's copies and the
+    /// proxies. They are estimated, and taken before they are allocated.
+    pub max_memory: u64,
+    /// Steps of work that grow with the product of two of the file's numbers, such as morph targets times vertices. A step takes some
+    /// nanoseconds.
+    pub max_work: u64,
     /// Whether images are left out. Materials keep their colours.
     pub skip_images: bool,
 }
@@ -29,6 +35,8 @@ impl Default for LoadOptions {
             max_entities: 4_000_000,
             max_image_pixels: 1 << 28,
             max_json_objects: 6_000_000,
+            max_memory: antumbra_files::default_memory(),
+            max_work: 1 << 30,
             skip_images: false,
         }
     }

@@ -2,7 +2,7 @@
 //! against the following bytes before an element is read.
 
 use crate::budget::Budget;
-use crate::error::LoadProblem;
+use crate::error::{LoadProblem, shorten};
 use antumbra_scene::{Geometry, Topology};
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{
@@ -27,6 +27,9 @@ struct Face {
 /// An element that is skipped.
 struct Skipped;
 
+/// Bytes of a face's list of corners, without the corners.
+const FACE: u64 = 64;
+
 /// Reads vertices and faces. Polygons become fans of triangles. Without faces the vertices are points.
 pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Geometry, LoadProblem> {
     let broken = |place: &str, problem: String| LoadProblem::Syntax {
@@ -49,14 +52,22 @@ pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Geometry, LoadPr
         // The last line of an ASCII file may lack its end.
         if needed > left + 1 {
             return Err(LoadProblem::Truncated {
-                what: format!("{} elements \"{}\"", element.count, element.name),
+                what: format!("{} elements \"{}\"", element.count, shorten(&element.name)),
                 needed,
                 available: left,
             });
         }
         let failed = |e: ply_rs_bw::parser::ParseError| {
-            broken(&format!("element \"{}\"", element.name), e.to_string())
+            broken(
+                &format!("element \"{}\"", shorten(&element.name)),
+                e.to_string(),
+            )
         };
+        budget.enter(format!(
+            "{} elements \"{}\"",
+            element.count,
+            shorten(&element.name)
+        ));
         match element.name.as_str() {
             "vertex" => {
                 budget.vertices(element.count as u64)?;
@@ -67,6 +78,12 @@ pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Geometry, LoadPr
             }
             "face" => {
                 budget.triangles(element.count as u64)?;
+                // A list of corners each, and the bytes that they are read from.
+                budget.memory(
+                    (element.count as u64)
+                        .saturating_mul(FACE)
+                        .saturating_add(left),
+                )?;
                 faces = Parser::<Face>::new()
                     .read_payload_for_element(&mut reader, element, &header)
                     .map_err(failed)?;

@@ -8,14 +8,12 @@ mod geotiff;
 mod npz;
 pub mod text;
 
-use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
+use antumbra_files::{MemoryBudget, OverBudget, default_memory, words};
 use antumbra_scene::Raster;
-
-use crate::file_resolver::read_whole_file;
 
 /// The greatest size of a file in bytes.
 const MAX_FILE_BYTES: u64 = 4 << 30;
@@ -87,43 +85,88 @@ pub enum RasterError {
     },
 }
 
-/// Reads a raster from a file. The extension determines the format.
+/// Bytes of memory that a post becomes: its elevation, and while a terrain or a horizon is made of it, its position and its error.
+const POST: u64 = 32;
+
+/// Reads a raster from a file. The extension determines the format. It may take half of the memory that the machine has free.
 ///
 /// # Errors
 /// [`RasterError`], with the problem and its place.
 pub fn load_raster(file: &Path) -> Result<Raster, RasterError> {
+    load_raster_within(file, default_memory())
+}
+
+/// As [`load_raster`], in `max_memory` bytes, with what is made of the posts.
+///
+/// # Errors
+/// [`RasterError`], with the problem and its place.
+pub fn load_raster_within(file: &Path, max_memory: u64) -> Result<Raster, RasterError> {
     let extension = file.extension().and_then(|extension| extension.to_str());
     let format = extension.and_then(RasterFormat::from_extension);
     let format = format.ok_or_else(|| RasterError::UnknownExtension { file: file.into() })?;
-    let opened = File::open(file);
-    let bytes = opened.and_then(|opened| read_whole_file(opened, MAX_FILE_BYTES));
+    let bytes = antumbra_files::read_whole_file(file, MAX_FILE_BYTES.min(max_memory));
     let bytes = bytes.map_err(|source| RasterError::Io {
         file: file.into(),
         source,
     })?;
-    read(format, &bytes).map_err(|problem| RasterError::Format {
+    read(format, &bytes, max_memory).map_err(|problem| RasterError::Format {
         file: Some(file.into()),
         format,
-        problem,
+        problem: in_words(problem),
     })
 }
 
-/// Reads a raster from memory.
+/// Reads a raster from memory, as [`load_raster`] does.
 ///
 /// # Errors
 /// [`RasterError::Format`], with the problem and its place.
 pub fn load_raster_slice(format: RasterFormat, bytes: &[u8]) -> Result<Raster, RasterError> {
-    read(format, bytes).map_err(|problem| RasterError::Format {
+    load_raster_slice_within(format, bytes, default_memory())
+}
+
+/// Reads a raster from memory, as [`load_raster_within`] does.
+///
+/// # Errors
+/// [`RasterError::Format`], with the problem and its place.
+pub fn load_raster_slice_within(
+    format: RasterFormat,
+    bytes: &[u8],
+    max_memory: u64,
+) -> Result<Raster, RasterError> {
+    read(format, bytes, max_memory).map_err(|problem| RasterError::Format {
         file: None,
         format,
-        problem,
+        problem: in_words(problem),
     })
 }
 
-fn read(format: RasterFormat, bytes: &[u8]) -> Result<Raster, String> {
+fn read(format: RasterFormat, bytes: &[u8], max_memory: u64) -> Result<Raster, String> {
+    let mut memory = MemoryBudget::new(max_memory);
+    let text = |over: OverBudget| over.to_string();
+    memory
+        .take(bytes.len() as u64, || "the file")
+        .map_err(text)?;
     match format {
-        RasterFormat::Esri => esri::read(bytes),
-        RasterFormat::GeoTiff => geotiff::read(bytes),
-        RasterFormat::Npz => npz::read(bytes),
+        RasterFormat::Esri => esri::read(bytes, &mut memory),
+        RasterFormat::GeoTiff => geotiff::read(bytes, &mut memory),
+        RasterFormat::Npz => npz::read(bytes, &mut memory),
     }
+}
+
+/// A problem for a message: what it quotes of the file is clean and not too long.
+fn in_words(problem: String) -> String {
+    words::clean(&words::shorten(&problem, 400))
+}
+
+/// Takes the memory of a grid's posts, `decoded` bytes each while they are read.
+fn take_posts(
+    memory: &mut MemoryBudget,
+    columns: u32,
+    rows: u32,
+    decoded: u64,
+) -> Result<(), String> {
+    let posts = u64::from(columns) * u64::from(rows);
+    let bytes = posts.saturating_mul(POST + decoded);
+    let taken = memory.take(bytes, || format!("its {columns} x {rows} posts"));
+    taken.map_err(|over| over.to_string())
 }

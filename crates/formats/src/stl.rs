@@ -9,6 +9,8 @@ use std::io::Cursor;
 
 const HEADER: usize = 80;
 const TRIANGLE: u64 = 50;
+/// Bytes of memory of a triangle's corners while they are welded.
+const TRIANGLE_MEMORY: u64 = 128;
 
 /// Reads the triangles and welds their corners by position. The stored normals are ignored, since they are often
 /// zero.
@@ -58,6 +60,8 @@ fn collect(bytes: &[u8], budget: &mut Budget) -> Result<Geometry, LoadProblem> {
     let mut known: HashMap<[u32; 3], u32> = HashMap::new();
     for (i, triangle) in triangles.enumerate() {
         let triangle = triangle.map_err(|e| broken(format!("triangle {i}"), e))?;
+        // Three corners, each with an entry in the map.
+        budget.memory(TRIANGLE_MEMORY)?;
         for corner in triangle.vertices {
             let position: [f32; 3] = corner.into();
             let next = known.len() as u32;

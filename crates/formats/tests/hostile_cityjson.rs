@@ -323,8 +323,11 @@ fn lines_without_end_are_refused_shortly() {
     assert_says(&refused(&text), &["line 2", "\"a-0\"", "20000 corners"]);
     let name = "n".repeat(1_000_000);
     let text = changed("[[0,1,5,4]]", "[[0,1,5,99]]").replace("a-0", &name);
-    assert_says(&refused(&text), &["line 2", "nnn..."]);
-    assert_says(&refused(&changed("CityJSON", &name)), &["line 1", "nnn..."]);
+    assert_says(&refused(&text), &["line 2", "nnn\u{2026}"]);
+    assert_says(
+        &refused(&changed("CityJSON", &name)),
+        &["line 1", "nnn\u{2026}"],
+    );
     let text = changed(
         r#""type":"CityJSONFeature""#,
         &format!(r#""type":[],"{name}":0"#),

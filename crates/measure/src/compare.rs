@@ -5,7 +5,6 @@
 //! strategy is measured twice; the difference of the two is the noise.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::Arc;
 
 use antumbra_cull::{
@@ -16,14 +15,14 @@ use antumbra_draw::GpuScene;
 use antumbra_scene::{Scene, Stereo};
 use image::RgbaImage;
 
-use crate::files::write_beside;
 use crate::path::CameraPath;
 use crate::report::{Adapter, Noise, PoseRecord, Report, SceneFacts};
-use crate::{MeasureError, plots, stats, views};
+use crate::{MeasureError, stats, views};
 
 mod accuracy;
 mod audited;
 mod entry;
+mod save;
 mod script;
 mod speed;
 
@@ -146,33 +145,6 @@ pub struct Comparison {
     pub report: Report,
     /// Pictures by file name.
     pub pictures: BTreeMap<String, RgbaImage>,
-}
-
-impl Comparison {
-    /// Writes `report.json`, its pictures and `report.html` into a folder, which is created if needed. For a sweep, also writes `trade.svg`,
-    /// its plot of speed against error.
-    ///
-    /// # Errors
-    /// [`MeasureError`] where a file cannot be written. The files that exist then are complete.
-    pub fn save(&self, dir: &Path) -> Result<(), MeasureError> {
-        let failed = |source| MeasureError::File {
-            action: "create",
-            path: dir.to_owned(),
-            source,
-        };
-        std::fs::create_dir_all(dir).map_err(failed)?;
-        for (name, picture) in &self.pictures {
-            crate::image_error::save_png(picture, &dir.join(name))?;
-        }
-        self.report.save(dir.join("report.json"))?;
-        crate::html::write_html(&self.report, dir)?;
-        if self.report.sweep.is_some()
-            && let Some(svg) = plots::speed_against_error(&self.report)?
-        {
-            write_beside(&dir.join("trade.svg"), plots::on_paper(&svg).as_bytes())?;
-        }
-        Ok(())
-    }
 }
 
 /// Compares strategies in a scene along a path.

@@ -1,5 +1,8 @@
 //! Formats numbers and strings for people: few digits, the same number of them everywhere, and no control characters from file contents.
 
+pub(crate) use antumbra_files::words::clean;
+use antumbra_files::words::shorten;
+
 /// Milliseconds with three significant digits or so: `0.042`, `1.25`, `16.7`, `250`.
 pub(crate) fn milliseconds(ms: f64) -> String {
     match ms.abs() {
@@ -73,27 +76,9 @@ pub(crate) fn flip(flip: f64) -> String {
     }
 }
 
-/// The text with control characters and direction overrides replaced by `?`. They could change a terminal's contents or reverse a line.
-pub(crate) fn clean(text: &str) -> String {
-    let hostile = |c: char| {
-        c.is_control()
-            || matches!(c, '\u{200e}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
-    };
-    text.chars()
-        .map(|c| if hostile(c) { '?' } else { c })
-        .collect()
-}
-
 /// [`clean`], and no longer than `letters` characters. A cut is shown by an ellipsis.
 pub(crate) fn short(text: &str, letters: usize) -> String {
-    let text = clean(text);
-    if text.chars().count() <= letters {
-        return text;
-    }
-    text.chars()
-        .take(letters.saturating_sub(1))
-        .chain(['\u{2026}'])
-        .collect()
+    clean(&shorten(text, letters))
 }
 
 /// A number and its noun, in the plural but for exactly one.

@@ -3,10 +3,11 @@
 //! It has no scripts and no fonts and loads nothing; styles and pictures are embedded. All text of the report is escaped, since names of scenes,
 //! adapters and strategies are untrusted.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use crate::MeasureError;
-use crate::files::write_beside;
+use crate::files::write_whole;
 use crate::report::Report;
 use crate::{format, plots};
 
@@ -24,7 +25,7 @@ const CSS: &str = include_str!("html/page.css");
 pub fn write_html(report: &Report, dir: impl AsRef<Path>) -> Result<PathBuf, MeasureError> {
     let dir = dir.as_ref();
     let file = dir.join("report.html");
-    write_beside(&file, page(report, dir)?.as_bytes())?;
+    write_whole(&file, page(report, dir)?.as_bytes())?;
     Ok(file)
 }
 
@@ -33,6 +34,23 @@ pub fn write_html(report: &Report, dir: impl AsRef<Path>) -> Result<PathBuf, Mea
 /// # Errors
 /// As for [`write_html`], except for those of the file.
 pub fn page(report: &Report, dir: &Path) -> Result<String, MeasureError> {
+    page_with(report, Pictures::Folder(dir))
+}
+
+/// Where a report's pictures are.
+#[derive(Clone, Copy)]
+pub(crate) enum Pictures<'a> {
+    /// In files of this folder.
+    Folder(&'a Path),
+    /// In memory: PNG files by their names.
+    Memory(&'a BTreeMap<String, Vec<u8>>),
+}
+
+/// The page's text.
+///
+/// # Errors
+/// As for [`page`].
+pub(crate) fn page_with(report: &Report, from: Pictures<'_>) -> Result<String, MeasureError> {
     report.check()?;
     let title = escape(&format!("Occlusion culling: {}", report.scene.name));
     let mut html = format!(
@@ -66,7 +84,7 @@ pub fn page(report: &Report, dir: &Path) -> Result<String, MeasureError> {
         "Median times of a frame. A strategy is worthwhile when it saves more drawing time than its culling takes.",
         plots::stage_times(report)?,
     );
-    html += &pictures::worst_frames(report, dir);
+    html += &pictures::worst_frames(report, from);
     html += &facts::passes(report);
     html += &facts::strategies(report);
     html += &facts::run(report);

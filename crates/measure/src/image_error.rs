@@ -7,5 +7,5 @@ mod png;
 
 pub use flip::{Flip, flip};
 pub use mark::mark_wrong;
-pub use png::save_png;
-pub(crate) use png::{data_uri, encode};
+pub(crate) use png::data_uri;
+pub use png::{encode_png, save_png};

@@ -8,8 +8,8 @@ use antumbra_strategies::{NodeOutcome, Sketch, SketchNode};
 use image::{ImageFormat, RgbaImage};
 
 use crate::MeasureError;
-use crate::files::write_beside;
-use crate::image_error::{data_uri, encode};
+use crate::files::write_whole;
+use crate::image_error::{data_uri, encode_png};
 
 /// Space above the panels in pixels.
 const HEAD: u32 = 30;
@@ -25,9 +25,20 @@ const ENTRY: u32 = 240;
 /// # Errors
 /// [`MeasureError`] where it cannot be encoded or written. No file is left behind then.
 pub fn save_traversal(image: &RgbaImage, sketch: &Sketch, path: &Path) -> Result<(), MeasureError> {
-    let png = data_uri(ImageFormat::Png.to_mime_type(), &encode(image, path)?);
-    let picture = draw(image.dimensions(), &png, sketch);
-    write_beside(path, picture.as_bytes())
+    write_whole(path, &encode_traversal(image, sketch, path)?)
+}
+
+/// The bytes of the file that [`save_traversal`] writes. `path` is for the error.
+///
+/// # Errors
+/// [`MeasureError::Image`] where the image cannot be encoded.
+pub fn encode_traversal(
+    image: &RgbaImage,
+    sketch: &Sketch,
+    path: &Path,
+) -> Result<Vec<u8>, MeasureError> {
+    let png = data_uri(ImageFormat::Png.to_mime_type(), &encode_png(image, path)?);
+    Ok(draw(image.dimensions(), &png, sketch).into_bytes())
 }
 
 /// The SVG text. Writing to a string does not fail.

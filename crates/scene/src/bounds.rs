@@ -3,9 +3,11 @@
 //! The box of a transformed box follows James Arvo, "Transforming Axis-Aligned Bounding Boxes", Graphics Gems, 1990.
 
 mod box_array;
+mod equal_boxes;
 
 pub use box_array::BoxArray;
 pub(crate) use box_array::{Block, Hull, LANES};
+pub(crate) use equal_boxes::tell_apart;
 
 use glam::{DAffine3, DVec3, Vec3};
 

@@ -8,6 +8,7 @@ use obvhs::aabb::Aabb as Box3;
 use obvhs::bvh2::Bvh2;
 use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
 
+use crate::bounds::tell_apart;
 use crate::mesh::{Geometry, Mesh, Topology};
 
 /// The greatest number of vertices of a geometry that are measured.
@@ -63,10 +64,11 @@ impl Surface {
         if triangles.is_empty() {
             return None;
         }
-        let boxes: Vec<Box3> = triangles
+        let mut boxes: Vec<Box3> = triangles
             .iter()
             .map(|corners| Box3::from_points(corners))
             .collect();
+        tell_apart(&mut boxes);
         let tree = PlocBuilder::new().build(
             PlocSearchDistance::Minimum,
             &boxes,

@@ -32,6 +32,7 @@
 
 pub mod bounds;
 mod camera;
+mod collapse_work;
 mod environment;
 mod error;
 pub mod frustum;

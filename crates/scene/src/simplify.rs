@@ -82,16 +82,19 @@ pub fn proxy(geometry: &Geometry, options: &ProxyOptions) -> Geometry {
     let Ok(vertices) = VertexDataAdapter::new(bytes, size_of::<[f32; 3]>(), 0) else {
         return boxed_or(geometry, welded);
     };
-    let indices = meshopt::simplify(
-        &welded.indices,
-        &vertices,
-        target * 3,
-        options.max_error,
-        SimplifyOptions::None,
-        None,
-    );
-    if fits(&indices) {
-        return filled(&welded, compact(&welded.positions, &indices));
+    // Where many triangles share a vertex, edge collapses would take for ever.
+    if welded.is_collapsible() {
+        let indices = meshopt::simplify(
+            &welded.indices,
+            &vertices,
+            target * 3,
+            options.max_error,
+            SimplifyOptions::None,
+            None,
+        );
+        if fits(&indices) {
+            return filled(&welded, compact(&welded.positions, &indices));
+        }
     }
     let indices = meshopt::simplify_sloppy(&welded.indices, &vertices, target * 3, 1.0, None);
     if fits(&indices) {
@@ -108,9 +111,19 @@ fn boxed_or(geometry: &Geometry, else_this: Geometry) -> Geometry {
     }
 }
 
-/// Welds vertices of equal position and drops triangles with fewer than three distinct corners. Vertices keep the
-/// order of first use.
+/// The triangle with its least corner first; its winding is kept.
+fn turned([a, b, c]: [u32; 3]) -> [u32; 3] {
+    match a.min(b).min(c) {
+        least if least == a => [a, b, c],
+        least if least == b => [b, c, a],
+        _ => [c, a, b],
+    }
+}
+
+/// Welds vertices of equal position, drops triangles with fewer than three distinct corners, and keeps one of several
+/// equal triangles. Vertices keep the order of first use.
 fn weld(geometry: &Geometry) -> Geometry {
+    let mut known: HashSet<[u32; 3]> = HashSet::with_capacity(geometry.triangle_count());
     let mut first: HashMap<[u32; 3], u32> = HashMap::new();
     let mut positions = Vec::new();
     let mut indices = Vec::with_capacity(geometry.indices.len());
@@ -129,6 +142,7 @@ fn weld(geometry: &Geometry) -> Geometry {
             && a != b
             && b != c
             && c != a
+            && known.insert(turned([a, b, c]))
         {
             indices.extend([a, b, c]);
         }

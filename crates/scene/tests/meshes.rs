@@ -378,3 +378,35 @@ fn the_boxes_of_entities_hold_the_proxies_that_their_meshes_are_given() {
         "{reach} and {after:?}"
     );
 }
+
+#[cfg(feature = "simplify")]
+#[test]
+fn many_equal_triangles_and_many_at_one_vertex_are_no_endless_work() {
+    let equal = Geometry {
+        positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+        indices: [0, 1, 2, 1, 2, 0].repeat(50_000),
+        ..Geometry::default()
+    };
+    assert!(!equal.is_collapsible());
+    assert_eq!(proxy(&equal, &ProxyOptions::default()).triangle_count(), 1);
+    let mut mesh = Mesh::new("equal", equal.clone());
+    mesh.ensure_proxy(&ProxyOptions::default());
+    assert!(mesh.proxy_hausdorff_distance() < 1e-3);
+    // A triangle and its back are two.
+    let both = Geometry {
+        indices: vec![0, 1, 2, 0, 2, 1],
+        ..equal
+    };
+    assert_eq!(proxy(&both, &ProxyOptions::default()).triangle_count(), 2);
+    let spokes = 60_000_u32;
+    let angle = |i: u32| i as f32 / spokes as f32 * std::f32::consts::TAU;
+    let rim = (0..spokes).map(|i| [angle(i).cos(), 1.0, angle(i).sin()]);
+    let fan = Geometry {
+        positions: [[0.0; 3]].into_iter().chain(rim).collect(),
+        indices: (1..spokes).flat_map(|i| [0, i + 1, i]).collect(),
+        ..Geometry::default()
+    };
+    assert!(!fan.is_collapsible());
+    let proxy = proxy(&fan, &ProxyOptions::default());
+    assert!((1..=2_000).contains(&proxy.triangle_count()));
+}

@@ -282,3 +282,18 @@ fn it_says_when_it_is_worn() {
     tree.refit((0..1000).map(|leaf| (leaf, bounds(leaf * 7919 % 1000))));
     assert!(tree.needs_rebuild());
 }
+
+#[test]
+fn many_equal_boxes_are_no_endless_work() {
+    let many = 100_000_u32;
+    let leaves: Vec<GroupedLeaf> = (0..many).map(|leaf| grouped_leaf(leaf, NONE)).collect();
+    let all = GroupTree {
+        groups: &[],
+        leaves: &leaves,
+    };
+    let tree = Hierarchy::new(all, HierarchyShape::Bvh, |_| cube(DVec3::ONE, 2.0)).unwrap();
+    assert_eq!(tree.leaves_below(0).count(), many as usize);
+    // The boxes themselves are what they were.
+    let same = |node: u32| tree.node(node).unwrap().bounds == cube(DVec3::ONE, 2.0);
+    assert!((0..tree.nodes().len() as u32).all(same));
+}

@@ -13,6 +13,7 @@
 //! a file declares are checked against its length before memory is allocated, and no file above [`MAX_FILE_BYTES`] is
 //! read.
 
+mod budget;
 mod byte_reader;
 mod delaunay;
 mod faultroom;
@@ -25,16 +26,17 @@ mod roff;
 mod roff_grid;
 mod triangles;
 
-use std::fs::File;
 use std::path::Path;
 
-use antumbra_formats::{RasterError, RasterFormat, load_raster_slice, read_whole_file};
+use antumbra_files::words;
+use antumbra_formats::{RasterError, RasterFormat, load_raster_slice_within};
 use antumbra_scene::Raster;
 
 use crate::corner_point::{CellProperty, CornerPointGrid};
 use crate::error::SubsurfaceError;
 use crate::progress::ProgressFn;
 use crate::surface::{Surface, SurfaceKind};
+use budget::ReadBudget;
 
 pub use options::{ReadOptions, ZPositive};
 
@@ -76,12 +78,23 @@ pub fn surfaces_from_bytes(
     let stem = stem(path);
     let down = options.z_positive.unwrap_or(ZPositive::Down);
     let up = options.z_positive.unwrap_or(ZPositive::Up);
-    let horizon = |raster: Result<Raster, String>| {
-        let surface = Surface::from_raster(&raster?, &stem).map_err(|error| error.to_string());
+    let mut budget =
+        ReadBudget::new(options, bytes.len()).map_err(|problem| format.error(path, problem))?;
+    let left = budget.left();
+    let budget = &mut budget;
+    let horizon = |raster: Result<Raster, String>, budget: &mut ReadBudget| {
+        let raster = raster?;
+        let (columns, rows) = (raster.columns, raster.rows);
+        let nodes = u64::from(columns) * u64::from(rows);
+        budget.surfaces(1, nodes, || {
+            format!("the horizon of its {columns} x {rows} nodes")
+        })?;
+        let surface = Surface::from_raster(&raster, &stem).map_err(|error| error.to_string());
         surface.map(|surface| vec![surface])
     };
     let raster = |format| {
-        let mut raster = load_raster_slice(format, bytes).map_err(|error| match error {
+        let raster = load_raster_slice_within(format, bytes, left);
+        let mut raster = raster.map_err(|error| match error {
             RasterError::Format { problem, .. } => problem,
             other => other.to_string(),
         })?;
@@ -95,17 +108,22 @@ pub fn surfaces_from_bytes(
     };
     let kind = options.kind.unwrap_or(SurfaceKind::Fault);
     let read = match format {
-        Format::IrapBinary => horizon(irap::read(bytes, down)),
-        Format::IrapAscii => horizon(irap_ascii::read(bytes, down)),
-        Format::Esri => horizon(raster(RasterFormat::Esri)),
-        Format::GeoTiff => horizon(raster(RasterFormat::GeoTiff)),
-        Format::Roff => roff_grid::grid(bytes, down).and_then(|grid| {
+        Format::IrapBinary => horizon(irap::read(bytes, down), budget),
+        Format::IrapAscii => horizon(irap_ascii::read(bytes, down), budget),
+        Format::Esri => horizon(raster(RasterFormat::Esri), budget),
+        Format::GeoTiff => horizon(raster(RasterFormat::GeoTiff), budget),
+        Format::Roff => roff_grid::grid(bytes, down, budget).and_then(|grid| {
+            let [nx, ny, nz] = grid.size();
+            let pillars = (u64::from(nx) + 1) * (u64::from(ny) + 1);
+            budget.surfaces(u64::from(nz) + 1, pillars, || {
+                format!("the horizons of its {nz} layers, of {pillars} nodes each")
+            })?;
             let surfaces = grid.surfaces(&stem, progress);
             surfaces.map_err(|error| error.to_string())
         }),
-        Format::Gocad => gocad::read(bytes, &stem, options.z_positive, kind),
-        Format::Faultroom => faultroom::read(bytes, down, kind),
-        Format::Picks => picks::read(bytes, &stem, options, progress),
+        Format::Gocad => gocad::read(bytes, &stem, options.z_positive, kind, budget),
+        Format::Faultroom => faultroom::read(bytes, down, kind, budget),
+        Format::Picks => picks::read(bytes, &stem, options, budget, progress),
     };
     let surfaces = read.map_err(|problem| format.error(path, problem))?;
     let count = surfaces.len() as u64;
@@ -120,7 +138,9 @@ pub fn surfaces_from_bytes(
 pub fn grid(path: &Path, options: &ReadOptions) -> Result<CornerPointGrid, SubsurfaceError> {
     let positive = options.z_positive.unwrap_or(ZPositive::Down);
     let bytes = contents(path)?;
-    roff_grid::grid(&bytes, positive).map_err(|problem| Format::Roff.error(path, problem))
+    let grid = ReadBudget::new(options, bytes.len())
+        .and_then(|mut budget| roff_grid::grid(&bytes, positive, &mut budget));
+    grid.map_err(|problem| Format::Roff.error(path, problem))
 }
 
 /// Reads the first parameter of a ROFF file: one value per cell. Codes, such as facies, are read as numbers.
@@ -139,7 +159,7 @@ pub fn property_from_bytes(path: &Path, bytes: &[u8]) -> Result<CellProperty, Su
     let error = |problem| SubsurfaceError::Format {
         path: path.into(),
         format: "ROFF parameter",
-        problem,
+        problem: in_words(problem),
     };
     roff_grid::property(bytes).map_err(error)
 }
@@ -174,7 +194,7 @@ impl Format {
         SubsurfaceError::Format {
             path: path.into(),
             format: self.name(),
-            problem,
+            problem: in_words(problem),
         }
     }
 
@@ -228,6 +248,11 @@ fn unknown(path: &Path) -> SubsurfaceError {
     }
 }
 
+/// A problem for a message: what it quotes of the file is clean and not too long.
+fn in_words(problem: String) -> String {
+    words::clean(&words::shorten(&problem, 400))
+}
+
 fn stem(path: &Path) -> String {
     let stem = path.file_stem().map(|stem| stem.to_string_lossy());
     stem.map_or_else(|| "surface".into(), |stem| stem.into_owned())
@@ -235,13 +260,10 @@ fn stem(path: &Path) -> String {
 
 /// The contents of a file, unless it is too large or not a regular file.
 fn contents(path: &Path) -> Result<Vec<u8>, SubsurfaceError> {
-    let failed = |action| {
-        move |source| SubsurfaceError::File {
-            action,
-            path: path.into(),
-            source,
-        }
-    };
-    let file = File::open(path).map_err(failed("open"))?;
-    read_whole_file(file, MAX_FILE_BYTES).map_err(failed("read"))
+    let contents = antumbra_files::read_whole_file(path, MAX_FILE_BYTES);
+    contents.map_err(|source| SubsurfaceError::File {
+        action: "read",
+        path: path.into(),
+        source,
+    })
 }

@@ -76,7 +76,7 @@ impl VolumeSections {
             bricks: BrickCache::new(source, budget)?,
         };
         for SlicePosition { axis, index } in &places.slices {
-            let options = SliceOptions::default();
+            let options = SliceOptions::for_volume(&layout);
             let slice = Slice::spawn(scene, None, &layout, *axis, *index, &options)?;
             sections.slices.push(slice);
         }

@@ -19,6 +19,9 @@ use crate::volume::{Axis, BrickCache, ColourMap, SampleBox, VolumeLayout};
 /// The greatest side of a tile's image in pixels. It is within what any graphics card supports.
 const MAX_TILE_SIDE: u32 = 4096;
 
+/// The most tiles of a slice. Each is an entity with a mesh, a material and an image, some 6 KB.
+const MAX_TILES: u64 = 1 << 14;
+
 /// The tiles and the colours of a slice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SliceOptions {
@@ -26,6 +29,23 @@ pub struct SliceOptions {
     pub tile_bricks: u32,
     /// The colours of samples.
     pub colours: ColourMap,
+}
+
+/// Samples along a side of a tile that is worth an entity of its own.
+const TILE_SIDE: u32 = 64;
+
+impl SliceOptions {
+    /// The default, with more bricks a tile where a volume's bricks are small.
+    #[must_use]
+    pub fn for_volume(layout: &VolumeLayout) -> Self {
+        let usual = Self::default();
+        Self {
+            tile_bricks: usual
+                .tile_bricks
+                .max(TILE_SIDE.div_ceil(layout.brick.max(1))),
+            ..usual
+        }
+    }
 }
 
 impl Default for SliceOptions {
@@ -55,8 +75,8 @@ impl Slice {
     /// them. `parent` should have no transform if the volume is to be at the position of its layout.
     ///
     /// # Errors
-    /// [`SubsurfaceError::BadLayout`]; [`SubsurfaceError::Outside`] for a section outside the volume;
-    /// [`SubsurfaceError::Setting`] for tiles of no brick or more than 4096 samples a side;
+    /// [`SubsurfaceError::BadLayout`], also for a slice of more than 16,384 tiles; [`SubsurfaceError::Outside`] for a
+    /// section outside the volume; [`SubsurfaceError::Setting`] for tiles of no brick or more than 4096 samples a side;
     /// [`SubsurfaceError::Scene`] for an unknown parent. After an error the scene has no new entity.
     pub fn spawn(
         scene: &mut Scene,
@@ -77,6 +97,18 @@ impl Slice {
                 problem: format!(
                     "with bricks of {} samples, 1 to {most} are possible",
                     layout.brick
+                ),
+            });
+        }
+        let tiles = axis
+            .plane()
+            .map(|along| u64::from(along.of(layout.size).div_ceil(side)));
+        let [right, down] = tiles;
+        if right * down > MAX_TILES {
+            return Err(SubsurfaceError::BadLayout {
+                problem: format!(
+                    "with bricks of {} samples an edge a slice has {right} x {down} tiles of {} bricks, and {MAX_TILES} are the most: write the volume with larger bricks",
+                    layout.brick, options.tile_bricks
                 ),
             });
         }

@@ -304,10 +304,10 @@ fn files_that_are_no_files_are_said_to_be_none() {
     let missing = read(&folder.path().join("missing.gri")).unwrap_err();
     assert!(matches!(
         missing,
-        SubsurfaceError::File { action: "open", .. }
+        SubsurfaceError::File { action: "read", .. }
     ));
     let error = read(folder.path()).unwrap_err();
-    assert!(error.to_string().contains("no regular file"));
+    assert!(error.to_string().contains("directory"), "{error}");
     let empty = folder.path().join("empty.gri");
     std::fs::write(&empty, []).unwrap();
     assert!(matches!(read(&empty), Err(SubsurfaceError::Format { .. })));

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use antumbra::files::parse_size;
 use antumbra::terrain::Method;
 use clap::{Args as ClapArgs, ValueEnum};
 
@@ -22,6 +23,9 @@ pub struct PrepareArgs {
     /// built-in terrain become a terrain; all else, .asc and .tif included, becomes sub-surface
     #[arg(long = "as", value_enum, value_name = "WHAT")]
     pub made: Option<Made>,
+    /// The memory that a file may take, with everything that is made of it: 4GiB, 512MiB. By default half of what the machine has free
+    #[arg(long, value_name = "SIZE", value_parser = parse_size)]
+    pub memory: Option<u64>,
     /// Print nothing but errors
     #[arg(long)]
     pub quiet: bool,

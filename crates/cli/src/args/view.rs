@@ -1,8 +1,10 @@
 //! The scene, the camera path and the device: what the commands that draw have in common.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use antumbra::cull::AdapterChoice;
+use antumbra::files::parse_size;
 use clap::Args as ClapArgs;
 
 use super::value::{LensAt, PathArg, Size, SliceAt};
@@ -37,6 +39,12 @@ pub struct ViewArgs {
     /// Print nothing but errors and, where it is a graph, the result itself
     #[arg(long)]
     pub quiet: bool,
+    /// The memory that a file may take, with everything that is made of it: 4GiB, 512MiB. By default half of what the machine has free
+    #[arg(long, value_name = "SIZE", value_parser = parse_size)]
+    pub memory: Option<u64>,
+    /// The seconds that the adapter may take for a frame, before the run ends with an error
+    #[arg(long, default_value = "600", value_name = "SECONDS", value_parser = seconds)]
+    pub patience: Duration,
     #[command(flatten, next_help_heading = "Stereo")]
     pub eyes: StereoArgs,
     #[command(flatten, next_help_heading = "Seismic volumes")]
@@ -55,6 +63,13 @@ pub struct VolumeArgs {
     /// A semi-transparent box of the volume: the first and last sample along the inline, crossline and time axis
     #[arg(long, value_name = "I..I,C..C,T..T")]
     pub lens: Vec<LensAt>,
+}
+
+fn seconds(text: &str) -> Result<Duration, String> {
+    match text.parse() {
+        Ok(seconds @ 1..=1_000_000) => Ok(Duration::from_secs(seconds)),
+        _ => Err("it takes whole seconds from 1 to 1000000".to_owned()),
+    }
 }
 
 fn samples(text: &str) -> Result<u32, String> {

@@ -2,6 +2,7 @@
 
 use antumbra::cull::Gpu;
 use antumbra::measure::audit_summary::audit_summaries;
+use antumbra::measure::report::Report;
 use antumbra::measure::summary::recommendations;
 use antumbra::measure::table::{Table, facts, wants_colour};
 
@@ -10,8 +11,8 @@ use crate::contenders::{Conditions, contenders};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::measuring::measure;
-use crate::outputs::Outputs;
-use crate::print::print;
+use crate::outputs::{Outputs, open_folder};
+use crate::print::{print, print_styled};
 
 /// Compares, writes the report, prints the table and the report's file.
 ///
@@ -24,6 +25,7 @@ pub fn run(args: CompareArgs) -> Result<(), Failure> {
     outputs.reports_into("--out", &args.out);
     outputs.check()?;
     let gpu = Gpu::open(&args.view.adapter)?;
+    let folder = open_folder(&args.out)?;
     let input = Input::open(&args.view, &gpu, &mut outputs)?;
     let conditions = Conditions {
         // Each eye has its own queries.
@@ -33,31 +35,45 @@ pub fn run(args: CompareArgs) -> Result<(), Failure> {
     };
     let contenders = contenders(&args, conditions)?;
     let comparison = measure(&gpu, input, &contenders.list, &args.view)?;
-    comparison.save(&args.out)?;
-    if !args.view.quiet {
-        let [scene, adapter] = facts(&comparison.report);
-        print(format_args!("{scene}\n{adapter}\n"))?;
-        let colour = wants_colour(&std::io::stdout());
-        print(Table::new(&comparison.report).terminal(colour))?;
-        if let Some(eyes) = Table::eyes(&comparison.report) {
-            print(eyes.terminal(colour))?;
-        }
-        for note in &contenders.notes {
-            print(format_args!("{note}."))?;
-        }
-        for pick in recommendations(&comparison.report) {
-            let strategy = pick.strategy.title();
-            print(format_args!(
-                "{}: {strategy}, {}",
-                pick.title, pick.summary.text
-            ))?;
-        }
-        for summary in audit_summaries(&comparison.report) {
-            let strategy = summary.strategy.title();
-            print(format_args!("{strategy}: {}", summary.lines.join("\n  ")))?;
-        }
-        let page = args.out.join("report.html");
-        print(format_args!("report: {}", page.display()))?;
+    // Saved first, since a reader of the table may be gone; and shown even where saving fails.
+    let saved = comparison.save_into(&folder);
+    let shown = match args.view.quiet {
+        true => Ok(()),
+        false => show(&comparison.report, &contenders.notes),
+    };
+    saved?;
+    shown?;
+    match args.view.quiet {
+        true => Ok(()),
+        false => print(format_args!(
+            "report: {}",
+            args.out.join("report.html").display()
+        )),
+    }
+}
+
+/// The table, and what it says in words.
+fn show(report: &Report, notes: &[String]) -> Result<(), Failure> {
+    let [scene, adapter] = facts(report);
+    print(format_args!("{scene}\n{adapter}\n"))?;
+    let colour = wants_colour(&std::io::stdout());
+    print_styled(Table::new(report).terminal(colour))?;
+    if let Some(eyes) = Table::eyes(report) {
+        print_styled(eyes.terminal(colour))?;
+    }
+    for note in notes {
+        print(format_args!("{note}."))?;
+    }
+    for pick in recommendations(report) {
+        let strategy = pick.strategy.title();
+        print(format_args!(
+            "{}: {strategy}, {}",
+            pick.title, pick.summary.text
+        ))?;
+    }
+    for summary in audit_summaries(report) {
+        let strategy = summary.strategy.title();
+        print(format_args!("{strategy}: {}", summary.lines.join("\n  ")))?;
     }
     Ok(())
 }

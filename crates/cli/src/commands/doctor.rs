@@ -7,6 +7,7 @@ use antumbra::cull::{Counting, Gpu, SelfTestReport, WANTED_FEATURES, adapter_tit
 use crate::args::DoctorArgs;
 use crate::failure::Failure;
 use crate::print::print;
+use crate::watch::{USUAL_PATIENCE, Watch};
 
 /// Lists the adapters, and tries their drivers.
 ///
@@ -25,6 +26,7 @@ pub fn run(args: &DoctorArgs) -> Result<(), Failure> {
             info.driver,
             info.driver_info
         ))?;
+        let _watch = Watch::start(USUAL_PATIENCE);
         match pollster::block_on(Gpu::from_adapter(adapter)) {
             Ok(gpu) => {
                 usable += 1;

@@ -12,6 +12,7 @@ use crate::input::Input;
 use crate::outputs::Outputs;
 use crate::print::print;
 use crate::strategies::registry;
+use crate::watch::Watch;
 
 /// Prints the graph.
 ///
@@ -24,6 +25,7 @@ pub fn run(args: GraphArgs) -> Result<(), Failure> {
     let mut input = Input::open(&args.view, &gpu, &mut Outputs::default())?;
     let strategy = registry(input.horizon.as_ref()).parse(&args.strategy)?;
     let cameras = input.look(0)?;
+    let watch = Watch::start(args.view.patience);
     let scene = GpuScene::new(&gpu, &mut input.scene)?;
     let options = StageOptions {
         timing: true,
@@ -39,6 +41,7 @@ pub fn run(args: GraphArgs) -> Result<(), Failure> {
     for _ in 0..3 {
         stage.frame(&scene, &views)?;
         gpu.wait()?;
+        watch.sign();
     }
     let format = match args.format {
         Format::Dot => PlanFormat::Dot,

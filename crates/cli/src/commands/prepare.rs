@@ -34,7 +34,8 @@ pub fn run(args: PrepareArgs) -> Result<(), Failure> {
         }
     };
     if made == Made::Terrain {
-        return terrain::scene(&args);
+        outputs.probe()?;
+        return terrain::scene(&args, &mut outputs);
     }
     if args.terrain != TerrainArgs::default() {
         return Err(Failure::Usage(
@@ -42,6 +43,7 @@ pub fn run(args: PrepareArgs) -> Result<(), Failure> {
                 .to_owned(),
         ));
     }
+    outputs.probe()?;
     match ending.as_deref() {
         Some("vol") => subsurface::volume(&args),
         _ => subsurface::scene(&args),

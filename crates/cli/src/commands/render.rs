@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use antumbra::cull::{Gpu, Stage, StageError, StageOptions, Strategy, Verdict, read_back};
 use antumbra::draw::GpuScene;
-use antumbra::measure::image_error::save_png;
+use antumbra::files::{FileContents, write_together};
+use antumbra::measure::image_error::encode_png;
 use antumbra::measure::stereo_picture::{StereoLayout, StereoPicture, combine_eyes};
-use antumbra::measure::traversal_picture::save_traversal;
+use antumbra::measure::traversal_picture::encode_traversal;
 use antumbra::scene::Camera;
 use antumbra::strategies::Sketch;
 use antumbra::terrain::HorizonStrategy;
@@ -20,6 +21,7 @@ use crate::input::Input;
 use crate::outputs::Outputs;
 use crate::print::print;
 use crate::strategies::registry;
+use crate::watch::Watch;
 
 /// What the names of two views' files end with.
 const EYES: [&str; 2] = ["-left", "-right"];
@@ -42,13 +44,18 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
         .iter()
         .for_each(|sketch| outputs.writes("--sketch", sketch));
     outputs.check()?;
-    is_png(&args.output)?;
+    has_ending("--output", &args.output, "png")?;
+    if let Some(sketch) = &args.sketch {
+        has_ending("--sketch", sketch, "svg")?;
+    }
     // Wrong usage is found before anything is loaded.
     chosen(&args, None)?;
+    outputs.probe()?;
     let gpu = Gpu::open(&args.view.adapter)?;
     let mut input = Input::open(&args.view, &gpu, &mut outputs)?;
     let strategy = chosen(&args, input.horizon.as_ref())?;
     let cameras = input.look(args.pose as usize)?;
+    let watch = Watch::start(args.view.patience);
     let scene = GpuScene::new(&gpu, &mut input.scene)?;
     let options = StageOptions {
         samples: input.samples,
@@ -63,7 +70,9 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
     for _ in 0..3 {
         stage.frame(&scene, &views)?;
         gpu.wait()?;
+        watch.sign();
     }
+    let mut written = Vec::with_capacity(files.images.len() + files.sketches.len());
     let mut pictures = Vec::with_capacity(cameras.len());
     for (view, camera) in cameras.iter().enumerate() {
         let mut image = picture(&stage, view, &gpu, input.size)?;
@@ -71,7 +80,10 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
             let sketch = stage
                 .shown::<Sketch>(view, Sketch::NAME)
                 .ok_or_else(missing)?;
-            save_traversal(&image, sketch, file)?;
+            written.push(FileContents {
+                path: file.clone(),
+                bytes: encode_traversal(&image, sketch, file)?,
+            });
         }
         if args.show_culled {
             show_culled(&mut image, &stage, view, &scene, camera, &mut by_pixel)?;
@@ -88,8 +100,16 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
         (None, _) => return Err(missing().into()),
     };
     for part in &parts {
-        save_png(&part.picture, &suffixed(&args.output, part.suffix))?;
+        let path = suffixed(&args.output, part.suffix);
+        written.push(FileContents {
+            bytes: encode_png(&part.picture, &path)?,
+            path,
+        });
     }
+    write_together(&written).map_err(|failed| Failure::Output {
+        path: failed.path,
+        error: failed.source,
+    })?;
     if !args.view.quiet {
         for (what, files) in [("image", &files.images), ("sketch", &files.sketches)] {
             for file in files {
@@ -128,13 +148,14 @@ impl OutputFiles {
     }
 }
 
-fn is_png(output: &Path) -> Result<(), Failure> {
-    let ending = output.extension().and_then(|ending| ending.to_str());
-    match ending.is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
+/// Refuses a name that says the file is something else.
+fn has_ending(role: &str, path: &Path, wanted: &str) -> Result<(), Failure> {
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    match ending.is_some_and(|ending| ending.eq_ignore_ascii_case(wanted)) {
         true => Ok(()),
         false => Err(Failure::Usage(format!(
-            "--output '{}': images are written as .png alone",
-            output.display()
+            "{role} '{}': it is written as .{wanted} alone",
+            path.display()
         ))),
     }
 }

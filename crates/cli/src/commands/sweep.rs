@@ -10,8 +10,8 @@ use crate::args::SweepArgs;
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::measuring::measure;
-use crate::outputs::Outputs;
-use crate::print::print;
+use crate::outputs::{Outputs, open_folder};
+use crate::print::{print, print_styled};
 use crate::vary::settings;
 
 /// Compares all settings at once, writes the report, prints the trade and what the limits choose.
@@ -25,6 +25,7 @@ pub fn run(args: SweepArgs) -> Result<(), Failure> {
     outputs.reports_into("--out", &args.out);
     outputs.check()?;
     let gpu = Gpu::open(&args.view.adapter)?;
+    let folder = open_folder(&args.out)?;
     let input = Input::open(&args.view, &gpu, &mut outputs)?;
     let settings = settings(&args, input.horizon.as_ref())?;
     let mut comparison = measure(&gpu, input, &settings.list, &args.view)?;
@@ -35,9 +36,15 @@ pub fn run(args: SweepArgs) -> Result<(), Failure> {
         settings.vary,
         &args.limit,
     ));
-    comparison.save(&args.out)?;
+    // Saved first, since a reader of the table may be gone; and shown even where saving fails.
+    let saved = comparison.save_into(&folder);
+    let shown = match args.view.quiet {
+        true => Ok(()),
+        false => show(&comparison.report),
+    };
+    saved?;
+    shown?;
     if !args.view.quiet {
-        show(&comparison.report)?;
         let file = |name: &str| args.out.join(name);
         print(format_args!("report: {}", file("report.html").display()))?;
         print(format_args!("plot: {}", file("trade.svg").display()))?;
@@ -56,7 +63,7 @@ fn show(report: &Report) -> Result<(), Failure> {
     let colour = wants_colour(&std::io::stdout());
     let tables = [Table::sweep(report), Table::eyes(report)];
     for table in tables.into_iter().flatten() {
-        print(table.terminal(colour))?;
+        print_styled(table.terminal(colour))?;
     }
     print(EDGE_LEGEND)?;
     let answers = trade_off::choice_texts(report);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use antumbra::demo_scenes::subsurface::{Model, SubsurfaceScene, SubsurfaceSceneOptions};
 use antumbra::demo_scenes::{self, DemoSceneError};
-use antumbra::formats::{LoadOptions, RasterFormat, SceneFormat, load_with_attachments};
+use antumbra::formats::{RasterFormat, SceneFormat, load_with_attachments};
 use antumbra::scene::{Aabb, Scene};
 use antumbra::subsurface::{
     BrickSource, SectionPositions, SlicePosition, VolumeFile, VolumeSections,
@@ -73,13 +73,13 @@ impl Found {
     pub fn named(named: &str, args: &ViewArgs) -> Result<Self, Failure> {
         let file = Path::new(named);
         if landscape::is_raster(file) {
-            let field = landscape::field(file, None)?;
+            let field = landscape::field(file, None, args.memory)?.field;
             let terrain = landscape::prepare(field, &TerrainOptions::default(), args.quiet)?;
             let stem = file.file_stem().unwrap_or_default();
             return Ok(PreparedScene::from_terrain(terrain, &stem.to_string_lossy())?.into());
         }
         if file.is_file() || landscape::is_mesh(file) {
-            return Self::file(file, args.quiet);
+            return Self::file(file, args);
         }
         if file.exists() || named.contains(['/', '\\']) {
             return Err(Failure::Usage(format!(
@@ -111,15 +111,15 @@ impl Found {
     }
 
     /// A scene file, with its terrain if that was prepared. Where the file's extension is unusable, a scene without a terrain.
-    fn file(file: &Path, quiet: bool) -> Result<Self, Failure> {
-        let options = LoadOptions::default();
+    fn file(file: &Path, args: &ViewArgs) -> Result<Self, Failure> {
+        let options = landscape::load_options(args.memory);
         let loaded = load_with_attachments(file, &options, &[terrain::file::EXTENSION])?;
         let attachment = loaded.attachments.into_iter().next();
         let known = attachment.map(|attachment| Terrain::read(&loaded.scene, &attachment?));
         let terrain = known.and_then(|known| match known {
             Ok(known) => Some(known),
             Err(error) => {
-                if !quiet {
+                if !args.quiet {
                     let file = file.display();
                     warn(format!("{file}: shown without its horizons: {error}"));
                 }

@@ -5,9 +5,13 @@ use std::sync::Arc;
 use antumbra_scene::{ImageKey, MaterialKey, Scene};
 
 use super::GpuScene;
+use crate::arena::submit_portion;
 use crate::error::DrawError;
 use crate::material::GpuMaterial;
 use crate::texture;
+
+/// Bytes of images that are written before they are submitted.
+const PORTION: u64 = 64 << 20;
 
 impl GpuScene {
     /// The index of a material, uploaded if needed.
@@ -33,6 +37,11 @@ impl GpuScene {
         };
         let number = self.textures.len();
         let bound = texture::upload(&self.gpu, &self.texture_layout, image, number)?;
+        self.unsubmitted += image.rgba.len() as u64;
+        if self.unsubmitted >= PORTION {
+            submit_portion(&self.gpu);
+            self.unsubmitted = 0;
+        }
         Arc::make_mut(&mut self.textures).push(bound);
         self.texture_index.insert(key, number as u32);
         Ok(number as u32)

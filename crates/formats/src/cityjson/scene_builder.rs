@@ -90,7 +90,13 @@ impl<'a> SceneBuilder<'a> {
         line: usize,
     ) -> Result<(), LoadProblem> {
         let objects = document.objects.0.as_slice();
+        self.budget.enter(format!("the objects of line {line}"));
         self.budget.entities(objects.len() as u64)?;
+        for (id, _) in objects {
+            // The entity's, and its mesh's.
+            self.budget.name(id)?;
+            self.budget.mesh(id)?;
+        }
         let context = DocumentContext {
             line,
             document,

@@ -14,13 +14,13 @@ mod materials;
 pub use error::{SaveError, SaveProblem};
 
 use super::attachment::Attachment;
+use antumbra_files::WholeFile;
 use antumbra_scene::Scene;
 use binary::Binary;
 use build::{Glb, build};
 use json::Root;
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::Path;
-use tempfile::NamedTempFile;
 
 /// Saves a scene as a binary glTF. [`load`](crate::load) reads back:
 ///
@@ -62,14 +62,9 @@ pub fn save_glb_with_attachments(
 
 fn save(scene: &Scene, attachments: &[Attachment], path: &Path) -> Result<(), SaveProblem> {
     let Glb { root, binary } = build(scene, attachments)?;
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let mut beside = beside(folder)?;
-    write(beside.as_file_mut(), &root, &binary)?;
-    beside.as_file().sync_all()?;
-    beside.persist(path).map_err(|refused| refused.error)?;
+    let mut file = WholeFile::create(path)?;
+    write(file.file(), &root, &binary)?;
+    file.finish()?;
     Ok(())
 }
 
@@ -113,18 +108,6 @@ fn write(
 fn within_limit(bytes: u64) -> Result<u32, SaveProblem> {
     let limit = u64::from(u32::MAX);
     u32::try_from(bytes).map_err(|_| SaveProblem::TooLarge { bytes, limit })
-}
-
-/// A temporary file that is removed unless it is renamed, with the permissions of an ordinary new file.
-fn beside(folder: &Path) -> io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".scene-").suffix(".partial");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    builder.tempfile_in(folder)
 }
 
 #[cfg(test)]

@@ -6,9 +6,16 @@ use crate::budget::Budget;
 use crate::error::LoadProblem;
 use std::borrow::Cow;
 
+/// Bytes that the crate keeps of a face and of each of its corners, and of a group, while it reads.
+const FACE: u64 = 96;
+const CORNER: u64 = 64;
+const GROUP: u64 = 256;
+
 /// The text without lines, points and nameless materials. The corners of its faces exist or are at least numbers in a
 /// valid range. Triangles are counted against the budget.
 pub(super) fn shapes(text: &str, budget: &mut Budget) -> Result<String, LoadProblem> {
+    budget.enter("the text");
+    budget.memory(text.len() as u64)?;
     let mut kept = String::with_capacity(text.len());
     // The numbers of positions, texture coordinates and normals so far, in the order of a corner's three numbers.
     let mut counts = [0_i64; 3];
@@ -40,9 +47,11 @@ pub(super) fn shapes(text: &str, budget: &mut Budget) -> Result<String, LoadProb
                     continue;
                 }
                 budget.triangles(corners - 2)?;
+                budget.memory(FACE + corners * CORNER)?;
             }
-            Some("usemtl" | "mtllib") if words.next().is_none() => continue,
-            Some("o" | "g" | "usemtl" | "mtllib") => {}
+            Some("usemtl" | "mtllib") if words.clone().next().is_none() => continue,
+            Some("o" | "g" | "usemtl") => budget.memory(GROUP)?,
+            Some("mtllib") => {}
             _ => continue,
         }
         kept.push_str(line);

@@ -3,14 +3,18 @@
 use glam::DVec2;
 
 use super::text::{Tokens, decode, parse_number};
+use antumbra_files::MemoryBudget;
+use antumbra_files::words::name;
 use antumbra_scene::Raster;
 
-pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
+pub(super) fn read(bytes: &[u8], memory: &mut MemoryBudget) -> Result<Raster, String> {
     let text = decode(bytes);
     let header = header(&text)?;
     let rest = header.rest;
     let columns = header.count("ncols")?;
     let rows = header.count("nrows")?;
+    super::text::node_count(columns, rows, rest.len() / 2 + 1)?;
+    super::take_posts(memory, columns, rows, size_of::<f64>() as u64)?;
     let size = header.get("cellsize");
     let step = DVec2::new(
         header.get("dx").or(size).ok_or("no line `cellsize`")?,
@@ -82,8 +86,14 @@ fn header(text: &str) -> Result<Header<'_>, String> {
         };
         header.lines += 1;
         let value = words.next().unwrap_or_default();
-        let parsed = parse_number(value)
-            .ok_or_else(|| format!("line {}: {key} is `{value}`, no number", header.lines))?;
+        let parsed = parse_number(value).ok_or_else(|| {
+            format!(
+                "line {}: {} is `{}`, no number",
+                header.lines,
+                name(key),
+                name(value)
+            )
+        })?;
         header.keys.push((key, parsed));
         header.rest = after;
     }

@@ -7,11 +7,16 @@ use tiff::decoder::{Decoder, DecodingResult, Limits};
 use tiff::tags::Tag;
 
 use super::text::{node_count, parse_number};
+use antumbra_files::MemoryBudget;
+use antumbra_files::words::shorten;
 use antumbra_scene::Raster;
 
 /// The greatest number of bytes of a decoded raster, and the greatest ratio to the compressed bytes.
 const MAX_BYTES: usize = 1 << 30;
 const MAX_PACKED: usize = 4096;
+
+/// Bytes of a decoded post, at most.
+const DECODED: u64 = 8;
 
 /// Keys in GeoTIFF's own directory, and their values.
 const MODEL_TYPE: u16 = 1024;
@@ -19,11 +24,16 @@ const GEOGRAPHIC: u16 = 2;
 const RASTER_TYPE: u16 = 1025;
 const PIXEL_IS_POINT: u16 = 2;
 
-pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
-    let text = |error: tiff::TiffError| error.to_string();
+pub(super) fn read(bytes: &[u8], memory: &mut MemoryBudget) -> Result<Raster, String> {
+    // The crate quotes what it finds, however long it is.
+    let text = |error: tiff::TiffError| shorten(&error.to_string(), 300);
     let mut limits = Limits::default();
-    limits.decoding_buffer_size = MAX_BYTES;
-    limits.intermediate_buffer_size = MAX_BYTES;
+    let largest = usize::try_from(memory.left())
+        .unwrap_or(usize::MAX)
+        .min(MAX_BYTES);
+    limits.decoding_buffer_size = largest;
+    limits.intermediate_buffer_size = largest;
+    limits.ifd_value_size = largest.min(limits.ifd_value_size);
     let mut file = Decoder::new(Cursor::new(bytes))
         .map_err(text)?
         .with_limits(limits);
@@ -35,6 +45,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
     if bands != 1 {
         return Err(format!("it has {bands} bands; give one of heights alone"));
     }
+    // Each post is decoded to at most eight bytes.
+    super::take_posts(memory, columns, rows, DECODED)?;
     let placed = Placed::of(&mut file)?;
     let nodata = file.get_tag_ascii_string(Tag::GdalNodata).ok();
     let nodata = nodata.and_then(|text| parse_number(text.trim_matches(['\0', ' '])));

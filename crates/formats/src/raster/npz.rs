@@ -11,6 +11,8 @@ use glam::DVec2;
 use zip::ZipArchive;
 
 use super::text::node_count;
+use antumbra_files::words::name;
+use antumbra_files::{MemoryBudget, OverBudget};
 use antumbra_scene::Raster;
 
 /// The greatest number of bytes of a decoded array, and the greatest ratio to the compressed bytes.
@@ -18,25 +20,34 @@ const MAX_BYTES: u64 = 1 << 30;
 const MAX_PACKED: u64 = 1100;
 /// The greatest number of numbers of an array.
 const MAX_NUMBERS: usize = 1 << 27;
+/// The greatest number of arrays that are looked at, and of dimensions of an array: those of NumPy.
+const MAX_ARRAYS: usize = 64;
+const MAX_DIMENSIONS: usize = 64;
 /// The length of a degree on a great circle, in metres.
 const DEGREE: f64 = 6_371_008.8 * std::f64::consts::PI / 180.0;
 
 /// An array.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Array {
-    pub shape: Vec<usize>,
-    pub values: Vec<f64>,
+struct Array {
+    shape: Vec<usize>,
+    values: Vec<f64>,
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
+pub(super) fn read(bytes: &[u8], memory: &mut MemoryBudget) -> Result<Raster, String> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;
     let mut arrays = Vec::new();
-    for index in 0..archive.len().min(64) {
+    // Entries that share bytes would each be decoded.
+    let mut packed = 0_u64;
+    for index in 0..archive.len().min(MAX_ARRAYS) {
         let mut entry = archive.by_index(index).map_err(|error| error.to_string())?;
-        let name = entry.name().map_err(|error| error.to_string())?;
-        let Some(name) = name.strip_suffix(".npy").map(str::to_owned) else {
+        packed = packed.saturating_add(entry.compressed_size());
+        if packed > bytes.len() as u64 {
+            return Err("its entries overlap; save it again".to_owned());
+        }
+        let full = entry.name().map_err(|error| error.to_string())?;
+        let Some(full) = full.strip_suffix(".npy").map(str::to_owned) else {
             continue;
         };
+        let name = name(&full);
         let most = entry
             .compressed_size()
             .saturating_mul(MAX_PACKED)
@@ -47,17 +58,52 @@ pub(super) fn read(bytes: &[u8]) -> Result<Raster, String> {
                 "array `{name}` is said to take {size} bytes, and {most} are the most that may be there"
             ));
         }
+        let part = || format!("its array `{name}`");
+        let over = |over: OverBudget| over.to_string();
+        // Unpacked, which is given back, and as numbers of eight bytes.
+        memory.allow(size, part).map_err(over)?;
         let mut contents = Vec::new();
         let mut limited = entry.by_ref().take(size);
         (limited.read_to_end(&mut contents)).map_err(|error| format!("array `{name}`: {error}"))?;
-        let array = array(&contents).map_err(|problem| format!("array `{name}`: {problem}"))?;
-        arrays.push((name, array));
+        let parsed = parse(&contents).map_err(|problem| format!("array `{name}`: {problem}"))?;
+        let numbers = (parsed.data.len() / parsed.kind.bytes) as u64 * size_of::<f64>() as u64;
+        memory
+            .allow(size.saturating_add(numbers), part)
+            .map_err(over)?;
+        memory
+            .take(numbers + full.len() as u64, part)
+            .map_err(over)?;
+        arrays.push((full, parsed.numbers()));
+    }
+    let grid = arrays.iter().find(|(_, array)| array.shape.len() == 2);
+    if let Some((_, Array { shape, .. })) = grid
+        && let [rows, columns] = shape.as_slice()
+        && let (Ok(rows), Ok(columns)) = (u32::try_from(*rows), u32::try_from(*columns))
+    {
+        super::take_posts(memory, columns, rows, 0)?;
     }
     raster(&arrays)
 }
 
-/// Reads one `.npy` array.
-pub(super) fn array(bytes: &[u8]) -> Result<Array, String> {
+/// An array's header, checked against its bytes.
+struct Parsed<'a> {
+    shape: Vec<usize>,
+    kind: NumberType,
+    data: &'a [u8],
+}
+
+impl Parsed<'_> {
+    fn numbers(self) -> Array {
+        let values = self.data.chunks_exact(self.kind.bytes).map(self.kind.read);
+        Array {
+            values: values.collect(),
+            shape: self.shape,
+        }
+    }
+}
+
+/// Reads the header of an `.npy` array.
+fn parse(bytes: &[u8]) -> Result<Parsed<'_>, String> {
     let cut = || "it is cut off".to_owned();
     let rest = bytes
         .strip_prefix(b"\x93NUMPY")
@@ -88,12 +134,17 @@ pub(super) fn array(bytes: &[u8]) -> Result<Array, String> {
     let shape = shape.ok_or("its header has no shape")?.0.split(',');
     let shape = shape.map(str::trim).filter(|size| !size.is_empty());
     let shape: Vec<usize> = shape
-        .map(|size| size.parse().map_err(|_| format!("`{size}` is no size")))
+        .take(MAX_DIMENSIONS)
+        .map(|size| {
+            size.parse()
+                .map_err(|_| format!("`{}` is no size", name(size)))
+        })
         .collect::<Result<_, _>>()?;
     let count = shape
         .iter()
         .try_fold(1_usize, |all, size| all.checked_mul(*size));
-    let NumberType { read, bytes: size } = number_type(kind)?;
+    let number = number_type(kind)?;
+    let size = number.bytes;
     let whole = count.and_then(|count| count.checked_mul(size));
     if whole != Some(data.len()) {
         return Err(format!(
@@ -106,8 +157,11 @@ pub(super) fn array(bytes: &[u8]) -> Result<Array, String> {
             "an array of {shape:?} has more than {MAX_NUMBERS} numbers; cut it into parts"
         ));
     }
-    let values = data.chunks_exact(size).map(read).collect();
-    Ok(Array { shape, values })
+    Ok(Parsed {
+        shape,
+        kind: number,
+        data,
+    })
 }
 
 /// A type of numbers.
@@ -117,15 +171,15 @@ struct NumberType {
 }
 
 /// The type of numbers with this name.
-fn number_type(name: &str) -> Result<NumberType, String> {
+fn number_type(kind: &str) -> Result<NumberType, String> {
     macro_rules! numbers {
         ($($little:literal $big:literal $kind:ty),*) => {
-            match name {
+            match kind {
                 $(
                     $little => Ok(NumberType { read: |bytes| <$kind>::from_le_bytes(bytes.try_into().unwrap_or_default()) as f64, bytes: size_of::<$kind>() }),
                     $big => Ok(NumberType { read: |bytes| <$kind>::from_be_bytes(bytes.try_into().unwrap_or_default()) as f64, bytes: size_of::<$kind>() }),
                 )*
-                _ => Err(format!("its numbers are of type `{name}`; save them as int or float")),
+                _ => Err(format!("its numbers are of type `{}`; save them as int or float", name(kind))),
             }
         };
     }

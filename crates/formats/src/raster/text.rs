@@ -4,6 +4,8 @@ use std::borrow::Cow;
 use std::iter::Enumerate;
 use std::str::{Lines, SplitWhitespace};
 
+use antumbra_files::words::name;
+
 /// The text of a file. Each invalid UTF-8 sequence becomes one replacement character.
 #[must_use]
 pub fn decode(bytes: &[u8]) -> Cow<'_, str> {
@@ -57,7 +59,7 @@ impl<'a> Tokens<'a> {
             .next_token()
             .ok_or_else(|| format!("the file ends at line {} before {what}", self.line))?;
         parse_number(word)
-            .ok_or_else(|| format!("line {}: {what} is `{word}`, no number", self.line))
+            .ok_or_else(|| format!("line {}: {what} is `{}`, no number", self.line, name(word)))
     }
 
     /// The next token as a whole number.
@@ -93,15 +95,22 @@ impl<'a> Tokens<'a> {
             let word = self
                 .next_token()
                 .ok_or_else(|| format!("the file ends at line {} before {}", self.line, what()))?;
-            let value = parse_number(word)
-                .ok_or_else(|| format!("line {}: {} is `{word}`, no number", self.line, what()))?;
+            let value = parse_number(word).ok_or_else(|| {
+                format!(
+                    "line {}: {} is `{}`, no number",
+                    self.line,
+                    what(),
+                    name(word)
+                )
+            })?;
             values.push(if is_undefined(value) { f64::NAN } else { value });
         }
         match self.next_token() {
             None => Ok(values),
             Some(word) => Err(format!(
-                "line {}: `{word}` follows after all {columns} x {rows} values",
-                self.line
+                "line {}: `{}` follows after all {columns} x {rows} values",
+                self.line,
+                name(word)
             )),
         }
     }

@@ -1,11 +1,12 @@
 //! The worst frame of each strategy, embedded into the page: the reference, the frame, and the marked wrong pixels.
 
+use std::borrow::Cow;
 use std::io::Cursor;
 use std::path::Path;
 
 use image::{DynamicImage, ImageFormat, ImageReader, Limits};
 
-use super::escape;
+use super::{Pictures, escape};
 use crate::MeasureError;
 use crate::files::read_limited;
 use crate::format;
@@ -22,7 +23,7 @@ const MAX_DECODED: u64 = 1 << 30;
 const EMBEDDED_WIDTH: u32 = 1000;
 
 /// A row of three pictures for each strategy with wrong pixels, and a line for those without.
-pub(super) fn worst_frames(report: &Report, dir: &Path) -> String {
+pub(super) fn worst_frames(report: &Report, from: Pictures<'_>) -> String {
     let shown: Vec<(&StrategyReport, &WorstFrame)> = report
         .strategies
         .iter()
@@ -49,12 +50,17 @@ pub(super) fn worst_frames(report: &Report, dir: &Path) -> String {
         );
     }
     for (strategy, worst) in shown {
-        html += &row(report, strategy, worst, dir);
+        html += &row(report, strategy, worst, from);
     }
     html + "</section>\n"
 }
 
-fn row(report: &Report, strategy: &StrategyReport, worst: &WorstFrame, dir: &Path) -> String {
+fn row(
+    report: &Report,
+    strategy: &StrategyReport,
+    worst: &WorstFrame,
+    from: Pictures<'_>,
+) -> String {
     let view = match (report.scene.views, worst.view) {
         (0 | 1, _) => String::new(),
         (_, 0) => ", left eye".to_owned(),
@@ -81,7 +87,7 @@ fn row(report: &Report, strategy: &StrategyReport, worst: &WorstFrame, dir: &Pat
         (&images.marked, "wrong pixels".to_owned()),
     ] {
         let caption = escape(&caption);
-        html += &match embed(&dir.join(file)) {
+        html += &match read(from, file).and_then(|bytes| embed(Path::new(file), &bytes)) {
             Ok(uri) => format!(
                 "<figure><img src=\"{uri}\" alt=\"{caption}\"><figcaption>{caption}</figcaption></figure>\n"
             ),
@@ -94,15 +100,30 @@ fn row(report: &Report, strategy: &StrategyReport, worst: &WorstFrame, dir: &Pat
     html + "</div>\n"
 }
 
+/// The bytes of a picture's file.
+fn read<'a>(from: Pictures<'a>, name: &str) -> Result<Cow<'a, [u8]>, MeasureError> {
+    match from {
+        Pictures::Folder(dir) => {
+            read_limited(&dir.join(name), "picture", MAX_BYTES).map(Cow::Owned)
+        }
+        Pictures::Memory(pictures) => match pictures.get(name) {
+            Some(bytes) => Ok(Cow::Borrowed(bytes)),
+            None => Err(MeasureError::Report {
+                field: name.to_owned(),
+                problem: "is a picture that was not drawn".to_owned(),
+            }),
+        },
+    }
+}
+
 /// The picture as a data URI, scaled down if it is large. Only PNG and JPEG are accepted, by content, not by name.
-fn embed(path: &Path) -> Result<String, MeasureError> {
-    let bytes = read_limited(path, "picture", MAX_BYTES)?;
+fn embed(path: &Path, bytes: &[u8]) -> Result<String, MeasureError> {
     let fail = |source| MeasureError::Image {
         path: path.to_owned(),
         source,
     };
-    let format = image::guess_format(&bytes).map_err(fail)?;
-    let mut reader = ImageReader::with_format(Cursor::new(&bytes), format);
+    let format = image::guess_format(bytes).map_err(fail)?;
+    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
     let mut limits = Limits::default();
     limits.max_image_width = Some(MAX_SIDE);
     limits.max_image_height = Some(MAX_SIDE);
@@ -110,7 +131,7 @@ fn embed(path: &Path) -> Result<String, MeasureError> {
     reader.limits(limits);
     let picture = reader.decode().map_err(fail)?;
     if picture.width() <= EMBEDDED_WIDTH {
-        return Ok(data_uri(format.to_mime_type(), &bytes));
+        return Ok(data_uri(format.to_mime_type(), bytes));
     }
     let height =
         u64::from(picture.height()) * u64::from(EMBEDDED_WIDTH) / u64::from(picture.width());

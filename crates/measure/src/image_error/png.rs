@@ -8,18 +8,21 @@ use base64::engine::general_purpose::STANDARD;
 use image::{ImageFormat, RgbaImage};
 
 use crate::MeasureError;
-use crate::files::write_beside;
+use crate::files::write_whole;
 
 /// Writes a picture as a PNG file, atomically.
 ///
 /// # Errors
 /// [`MeasureError`] where it cannot be encoded or written. No file is left behind then.
 pub fn save_png(picture: &RgbaImage, path: &Path) -> Result<(), MeasureError> {
-    write_beside(path, &encode(picture, path)?)
+    write_whole(path, &encode_png(picture, path)?)
 }
 
 /// The bytes of a PNG file. `path` is for the error.
-pub(crate) fn encode(picture: &RgbaImage, path: &Path) -> Result<Vec<u8>, MeasureError> {
+///
+/// # Errors
+/// [`MeasureError::Image`] where it cannot be encoded.
+pub fn encode_png(picture: &RgbaImage, path: &Path) -> Result<Vec<u8>, MeasureError> {
     let mut bytes = Vec::new();
     picture
         .write_to(&mut Cursor::new(&mut bytes), ImageFormat::Png)

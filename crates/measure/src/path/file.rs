@@ -24,7 +24,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use super::{CameraPath, Pose};
 use crate::MeasureError;
-use crate::files::{read_limited, write_beside};
+use crate::files::{read_limited, write_whole};
 
 /// The most bytes of a path file.
 pub const MAX_PATH_BYTES: u64 = 32 << 20;
@@ -91,7 +91,7 @@ impl CameraPath {
             kind: KIND,
             reason: e.to_string(),
         })?;
-        write_beside(path, &text)
+        write_whole(path, &text)
     }
 }
 

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::Report;
 use crate::MeasureError;
-use crate::files::{read_limited, write_beside};
+use crate::files::{read_limited, write_whole};
 
 /// The most bytes of a `report.json` that is read: far above a hundred strategies at ten thousand poses.
 pub const MAX_REPORT_BYTES: u64 = 64 << 20;
@@ -35,9 +35,12 @@ impl Report {
     /// [`MeasureError`] where a number is NaN or infinite (the field is named), the report contradicts itself, or the file cannot be
     /// written.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<(), MeasureError> {
-        let mut text = self.to_json()?;
-        text.push('\n');
-        write_beside(path.as_ref(), text.as_bytes())
+        write_whole(path.as_ref(), self.to_file()?.as_bytes())
+    }
+
+    /// The text of a `report.json`.
+    pub(crate) fn to_file(&self) -> Result<String, MeasureError> {
+        Ok(self.to_json()? + "\n")
     }
 
     /// The report as indented JSON text.

@@ -5,7 +5,7 @@
 
 use super::input::{CheckedTree, Member, Members};
 use super::shape::HierarchyShape;
-use crate::bounds::Aabb;
+use crate::bounds::{Aabb, tell_apart};
 use glam::{DVec3, Vec3A};
 use obvhs::bvh2::Bvh2;
 use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
@@ -46,10 +46,11 @@ fn divided(tree: &mut CheckedTree, builder: &mut PlocBuilder, members: &Members)
     let around = members
         .iter()
         .fold(Aabb::EMPTY, |all, (_, bounds)| all.union(bounds));
-    let boxes: Vec<obvhs::aabb::Aabb> = members
+    let mut boxes: Vec<obvhs::aabb::Aabb> = members
         .iter()
         .map(|(_, bounds)| small(bounds, &around))
         .collect();
+    tell_apart(&mut boxes);
     let pairs = builder.build(
         PlocSearchDistance::Low,
         &boxes,

@@ -31,9 +31,10 @@ impl CornerPointGrid {
     ) -> Result<Vec<Surface>, SubsurfaceError> {
         let layers = self.size[2];
         let mut surfaces = Vec::new();
+        let is_mirrored = self.is_mirrored();
         for from_top in 0..=layers {
             progress(u64::from(from_top), u64::from(layers) + 1);
-            let border = Border::new(self, layers - from_top);
+            let border = Border::new(self, layers - from_top, is_mirrored);
             let BorderMesh {
                 points,
                 triangles,
@@ -97,11 +98,11 @@ struct Border<'a> {
 const UNMADE: u32 = u32::MAX;
 
 impl<'a> Border<'a> {
-    fn new(grid: &'a CornerPointGrid, above: u32) -> Self {
+    fn new(grid: &'a CornerPointGrid, above: u32, is_mirrored: bool) -> Self {
         Self {
             grid,
             above,
-            is_mirrored: grid.is_mirrored(),
+            is_mirrored,
             points: Vec::new(),
             triangles: Vec::new(),
             plan: Vec::new(),

@@ -2,7 +2,8 @@
 //! Using Quadric Error Metrics*, 1997), in the modes that suit height fields.
 //!
 //! Edge collapses in space may turn triangles of a height field upside down in the plan. Regularised collapses hardly
-//! ever do. Where one does, a result with a few more triangles is tried.
+//! ever do. Where one does, a result with a few more triangles is tried. Where so many triangles share a vertex that collapses would take for
+//! ever, vertices are clustered instead.
 
 use antumbra_scene::Geometry;
 use meshopt::{SimplifyOptions, VertexDataAdapter};
@@ -28,6 +29,15 @@ pub(super) fn to_ratio(geometry: &Geometry, ratio: f64, plan: &[[f32; 2]]) -> Si
     let Some(vertices) = adapter(geometry) else {
         return whole();
     };
+    if !geometry.is_collapsible() {
+        let target = ((full as f64 / ratio).ceil() as usize).max(2) * 3;
+        let indices = meshopt::simplify_sloppy(&geometry.indices, &vertices, target, 1.0, None);
+        let flipped = flipped(&indices, plan);
+        return match indices.is_empty() {
+            true => whole(),
+            false => Simplified { indices, flipped },
+        };
+    }
     let mut best: Option<Simplified> = None;
     for attempt in 0..TRIES {
         let wanted = full as f64 / ratio * MORE.powi(attempt as i32);
@@ -74,7 +84,8 @@ pub(super) enum Border {
 pub(super) fn levels(full: Geometry, coarser: u32, border: Border) -> Vec<Geometry> {
     let mut levels = vec![full];
     for _ in 0..coarser {
-        let Some(last) = levels.last().filter(|last| last.indices.len() / 3 >= LEAST) else {
+        let enough = |last: &&Geometry| last.indices.len() / 3 >= LEAST && last.is_collapsible();
+        let Some(last) = levels.last().filter(enough) else {
             break;
         };
         let Some(vertices) = adapter(last) else {

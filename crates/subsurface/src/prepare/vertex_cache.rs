@@ -6,7 +6,8 @@ use antumbra_scene::Geometry;
 /// The geometry with its triangles in an order that suits the vertex cache, and its vertices in the order of use.
 pub(super) fn optimised(mut geometry: Geometry) -> Geometry {
     let count = geometry.positions.len();
-    if geometry.indices.is_empty() || count == 0 {
+    // Where very many triangles share a vertex, the order would take as long to find as a simplification.
+    if geometry.indices.is_empty() || count == 0 || !geometry.is_collapsible() {
         return geometry;
     }
     meshopt::optimize_vertex_cache_in_place(&mut geometry.indices, count);

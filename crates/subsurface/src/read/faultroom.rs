@@ -5,9 +5,13 @@ use std::collections::HashMap;
 use glam::DVec3;
 use serde::Deserialize;
 
+use super::budget::ReadBudget;
 use super::options::ZPositive;
 use super::triangles;
 use crate::surface::{Surface, SurfaceKind};
+
+/// Bytes that a letter of the text becomes, at most.
+const LETTER: u64 = 12;
 
 #[derive(Deserialize)]
 struct Collection {
@@ -36,7 +40,10 @@ pub(super) fn read(
     bytes: &[u8],
     positive: ZPositive,
     kind: SurfaceKind,
+    budget: &mut ReadBudget,
 ) -> Result<Vec<Surface>, String> {
+    // An empty list takes two letters, and becomes a vector.
+    budget.take(bytes.len() as u64 * LETTER, || "its text")?;
     let file: Collection = serde_json::from_slice(bytes).map_err(|error| error.to_string())?;
     let mut faults: Vec<Fault> = Vec::new();
     let mut named: HashMap<String, usize> = HashMap::new();
@@ -49,6 +56,9 @@ pub(super) fn read(
             });
             faults.len() - 1
         });
+        budget.surfaces(u64::from(at + 1 == faults.len()), 0, || {
+            format!("the faults up to feature {number}")
+        })?;
         let Some(fault) = faults.get_mut(at) else {
             continue;
         };
@@ -63,6 +73,7 @@ pub(super) fn read(
                     ));
                 }
             };
+            budget.vertex(|| format!("the triangles up to feature {number}"))?;
             fault.triangle(corners.map(|&[x, y, z]| DVec3::new(x, positive.up(z), -y)))?;
         }
     }

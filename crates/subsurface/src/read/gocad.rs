@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use antumbra_formats::raster::text::{decode, parse_number};
 use glam::DVec3;
 
+use super::budget::ReadBudget;
 use super::options::ZPositive;
 use super::triangles;
 use crate::surface::{Surface, SurfaceKind};
@@ -14,6 +15,7 @@ pub(super) fn read(
     stem: &str,
     positive: Option<ZPositive>,
     kind: SurfaceKind,
+    budget: &mut ReadBudget,
 ) -> Result<Vec<Surface>, String> {
     let text = decode(bytes);
     let mut surfaces = Vec::new();
@@ -31,12 +33,17 @@ pub(super) fn read(
                     "`{words}` is no TSurf; write the surfaces to a file of their own"
                 )));
             }
+            budget.surfaces(1, 0, || format!("its {} surfaces", surfaces.len() + 1))?;
             open = Some(Object::new(positive));
         } else if let Some(object) = &mut open {
             if words.eq_ignore_ascii_case("END") {
                 surfaces.extend(open.take().map(|it| it.finish(stem, kind)).transpose()?);
             } else {
+                let before = object.points.len();
                 object.line(words).map_err(at)?;
+                if object.points.len() > before {
+                    budget.vertex(|| format!("the vertices up to line {}", line + 1))?;
+                }
             }
         }
     }

@@ -35,4 +35,7 @@ pub struct ReadOptions {
     pub longest_edge: Option<f64>,
     /// The column with the name of a pick's surface. `None` finds it: see [`surfaces`](super::surfaces).
     pub surface_column: Option<String>,
+    /// Bytes of memory of everything that the file becomes, up to the prepared surfaces and their proxies. They are estimated, and taken before
+    /// they are allocated. `None` means half of what the machine has free.
+    pub max_memory: Option<u64>,
 }

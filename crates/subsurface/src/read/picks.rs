@@ -2,9 +2,11 @@
 
 use std::collections::HashMap;
 
+use antumbra_files::words::name;
 use antumbra_formats::raster::text::{decode, parse_number};
 use glam::DVec3;
 
+use super::budget::ReadBudget;
 use super::delaunay;
 use super::options::{ReadOptions, ZPositive};
 use crate::assemble;
@@ -28,6 +30,7 @@ pub(super) fn read(
     bytes: &[u8],
     stem: &str,
     options: &ReadOptions,
+    budget: &mut ReadBudget,
     progress: ProgressFn<'_>,
 ) -> Result<Vec<Surface>, String> {
     if let Some(longest) = options.longest_edge
@@ -55,10 +58,15 @@ pub(super) fn read(
         let Some(Pick { surface, point }) = columns.pick(&row)? else {
             continue;
         };
+        budget.vertex(|| format!("the picks up to the one of '{}'", name(&surface)))?;
+        let known = named.len();
         let at = *named.entry(surface).or_insert_with_key(|name| {
             picks.push((name.clone(), Vec::new()));
             picks.len() - 1
         });
+        if named.len() > known {
+            budget.surfaces(1, 0, || format!("its {} surfaces", named.len()))?;
+        }
         if let Some((_, points)) = picks.get_mut(at) {
             points.push(point);
         }

@@ -8,6 +8,7 @@
 
 use glam::DVec3;
 
+use super::budget::ReadBudget;
 use super::options::ZPositive;
 use super::roff::{Roff, Value};
 use crate::corner_point::{CellProperty, CornerPointGrid, Pillar};
@@ -17,7 +18,11 @@ const NO_VALUE: f32 = -999.0;
 const NO_CODE: f32 = 2e9;
 const NO_BYTE: f32 = 255.0;
 
-pub(super) fn grid(bytes: &[u8], positive: ZPositive) -> Result<CornerPointGrid, String> {
+pub(super) fn grid(
+    bytes: &[u8],
+    positive: ZPositive,
+    budget: &mut ReadBudget,
+) -> Result<CornerPointGrid, String> {
     let roff = Roff::parse(bytes)?;
     if roff.text("filedata", "filetype").as_deref() == Some("parameter") {
         return Err("it holds a parameter of a grid's cells; give the grid".into());
@@ -43,6 +48,7 @@ pub(super) fn grid(bytes: &[u8], positive: ZPositive) -> Result<CornerPointGrid,
     if let Some(active) = active {
         expect(active, cells, "active")?;
     }
+    budget.nodes(size)?;
     let pillars = pillars_of(lines, &units);
     let offsets = offsets(splits, nodes, heights.len())?;
     let heights = heights.numbers();

@@ -1,6 +1,8 @@
 //! Surfaces from the triangles of a file. Faults get a consistent winding, and horizons are checked to be height
 //! fields.
 
+use std::collections::HashSet;
+
 use glam::{DVec2, DVec3};
 
 use crate::assemble;
@@ -9,8 +11,8 @@ use crate::surface::{Surface, SurfaceKind};
 /// The greatest number of pairs of triangles that are tested for overlap.
 const MAX_PAIRS: usize = 50_000_000;
 
-/// The surface of points in the world and triangles between them. Triangles with a repeated point, and points without
-/// a triangle, are dropped.
+/// The surface of points in the world and triangles between them. Triangles with a repeated point, repeated triangles,
+/// and points without a triangle, are dropped.
 pub(super) fn surface(
     name: String,
     kind: SurfaceKind,
@@ -64,7 +66,16 @@ fn used(points: &[DVec3], triangles: &[[u32; 3]]) -> (Vec<DVec3>, Vec<[u32; 3]>)
         }
         Some(*slot)
     };
-    let whole = |[a, b, c]: &&[u32; 3]| a != b && b != c && c != a;
+    let mut known = HashSet::with_capacity(triangles.len());
+    let mut is_new = |triangle: &[u32; 3]| {
+        let mut sorted = *triangle;
+        sorted.sort_unstable();
+        known.insert(sorted)
+    };
+    let whole = |triangle: &&[u32; 3]| {
+        let [a, b, c] = **triangle;
+        a != b && b != c && c != a && is_new(triangle)
+    };
     let renamed = |&[a, b, c]: &[u32; 3]| Some([name(a)?, name(b)?, name(c)?]);
     let triangles = triangles.iter().filter(whole).filter_map(renamed);
     let triangles = triangles.collect();

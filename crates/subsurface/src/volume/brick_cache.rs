@@ -18,6 +18,9 @@ use crate::error::SubsurfaceError;
 /// The number of bricks that are read in parallel.
 const BATCH: usize = 64;
 
+/// The most bricks in memory. An entry takes some hundred bytes besides its samples, which with small bricks is most of it.
+const MOST: usize = 1 << 18;
+
 /// A cache of a volume's bricks. Bricks are read on demand and kept while there is room.
 pub struct BrickCache {
     source: Arc<dyn BrickSource>,
@@ -69,7 +72,7 @@ impl BrickCache {
             source,
             layout,
             resident: LruCache::unbounded(),
-            capacity: budget / brick,
+            capacity: (budget / brick).min(MOST),
             stats: BrickCacheStats::default(),
         })
     }

@@ -1,7 +1,8 @@
 //! A memory-mapped volume file as a source of bricks. [`file_format`](super::file_format) describes its bytes.
 
-use std::fs::File;
 use std::path::{Path, PathBuf};
+#[cfg(unix)]
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use memmap2::{Advice, Mmap};
 
@@ -10,7 +11,7 @@ use super::layout::VolumeLayout;
 use super::source::BrickSource;
 use crate::error::SubsurfaceError;
 
-/// A memory-mapped volume file. After each brick the memory is returned to the system, so a file of any size can be
+/// A memory-mapped volume file. After some bricks their memory is returned to the system, so a file of any size can be
 /// read.
 ///
 /// The file must not be changed while it is open. [`write_volume`](super::write_volume) replaces a file by a new one,
@@ -21,6 +22,9 @@ pub struct VolumeFile {
     name: String,
     layout: VolumeLayout,
     map: Mmap,
+    /// About how many bytes are mapped since pages were returned.
+    #[cfg(unix)]
+    mapped: AtomicU64,
 }
 
 impl VolumeFile {
@@ -40,11 +44,7 @@ impl VolumeFile {
             format: FORMAT,
             problem,
         };
-        // This is checked before opening, since opening a pipe would wait for a writer.
-        if !std::fs::metadata(path).map_err(failed)?.is_file() {
-            return Err(bad("it is not a regular file".into()));
-        }
-        let file = File::open(path).map_err(failed)?;
+        let file = antumbra_files::open(path).map_err(failed)?;
         // SAFETY: a file mapping is sound as long as the file does not change. No program can guarantee that, so
         // every library requires `unsafe` here. Our programs that write volumes rename a finished file into place and
         // never change one. The mapping is read-only, and its bytes are only copied out as numbers for which every
@@ -61,6 +61,8 @@ impl VolumeFile {
             name,
             layout,
             map,
+            #[cfg(unix)]
+            mapped: AtomicU64::new(0),
         })
     }
 
@@ -76,30 +78,29 @@ impl VolumeFile {
         &self.path
     }
 
-    /// Tells the system that the pages around some bytes are no longer needed.
+    /// Counts what a brick has mapped, and returns the pages of the whole file to the system before it is too much. To do so after each brick
+    /// would take far longer than to read a small one.
     #[cfg(unix)]
-    fn give_back(&self, start: usize, length: usize) {
-        /// Systems also map pages around the requested one. Linux maps as many as are contiguous in its cache, up to
-        /// this many bytes.
-        const AROUND: usize = 2 << 20;
-        let from = start.saturating_sub(AROUND);
-        let until = (start + length + AROUND).min(self.map.len());
+    fn give_back(&self, length: usize) {
+        /// Systems also map pages around the requested one.
+        const AROUND: u64 = 64 << 10;
+        /// The bytes that may be mapped meanwhile.
+        const MOST: u64 = 1 << 20;
+        let mapped = length as u64 + AROUND;
+        if self.mapped.fetch_add(mapped, Ordering::Relaxed) + mapped < MOST {
+            return;
+        }
+        self.mapped.store(0, Ordering::Relaxed);
         // SAFETY: the advice is unsafe for mappings whose changed pages would be lost. This one is read-only and
         // backed by a file: a page that was returned is read from the file again on the next access.
-        let given = unsafe {
-            (self.map).unchecked_advise_range(
-                memmap2::UncheckedAdvice::DontNeed,
-                from,
-                until - from,
-            )
-        };
+        let given = unsafe { (self.map).unchecked_advise(memmap2::UncheckedAdvice::DontNeed) };
         if let Err(error) = given {
             tracing::debug!(%error, "the system does not take pages back");
         }
     }
 
     #[cfg(not(unix))]
-    fn give_back(&self, _start: usize, _length: usize) {}
+    fn give_back(&self, _length: usize) {}
 }
 
 impl BrickSource for VolumeFile {
@@ -112,7 +113,7 @@ impl BrickSource for VolumeFile {
         // The file's length was checked against the layout, so no brick's end is beyond it.
         let start = HEADER_BYTES + rank as usize * samples.len();
         samples.copy_from_slice(&self.map[start..start + samples.len()]);
-        self.give_back(start, samples.len());
+        self.give_back(samples.len());
         Ok(())
     }
 }

@@ -1,9 +1,9 @@
 //! Writing of volume files in bounded memory. [`file_format`](super::file_format) describes their bytes.
 
-use std::fs::File;
 use std::io::Write;
 use std::path::Path;
 
+use antumbra_files::WholeFile;
 use rayon::prelude::*;
 
 use super::file_format;
@@ -39,12 +39,8 @@ pub fn write_volume(
             source,
         }
     };
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let mut beside = beside(folder).map_err(failed("create"))?;
-    let file: &mut File = beside.as_file_mut();
+    let mut whole = WholeFile::create(path).map_err(failed("create"))?;
+    let file = whole.file();
     file.write_all(&header).map_err(failed("write"))?;
 
     let bytes = layout.brick_bytes();
@@ -62,20 +58,5 @@ pub fn write_volume(
         done += count;
         progress(done, total);
     }
-    beside
-        .persist(path)
-        .map_err(|error| failed("create")(error.error))?;
-    Ok(())
-}
-
-/// A temporary file that is removed unless it is renamed, with the permissions of an ordinary new file.
-fn beside(folder: &Path) -> std::io::Result<tempfile::NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".volume-").suffix(".partial");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    builder.tempfile_in(folder)
+    whole.finish().map_err(failed("finish"))
 }

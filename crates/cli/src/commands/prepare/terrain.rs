@@ -10,6 +10,7 @@ use antumbra::terrain::{
 use crate::args::{PrepareArgs, SceneSetting, TerrainArgs};
 use crate::failure::Failure;
 use crate::landscape;
+use crate::outputs::Outputs;
 use crate::print::print;
 
 /// Whether a word names the built-in landscape.
@@ -22,7 +23,7 @@ pub fn is_built_in(input: &Path) -> bool {
 ///
 /// # Errors
 /// What stopped it; nothing half-written stays behind.
-pub fn scene(args: &PrepareArgs) -> Result<(), Failure> {
+pub fn scene(args: &PrepareArgs, outputs: &mut Outputs) -> Result<(), Failure> {
     let [input] = args.input.as_slice() else {
         return Err(Failure::Usage("a terrain is made of one input".to_owned()));
     };
@@ -30,7 +31,7 @@ pub fn scene(args: &PrepareArgs) -> Result<(), Failure> {
     let mut made = if is_built_in(input) {
         built_in(&input.to_string_lossy(), args)?
     } else if landscape::is_raster(input) || landscape::is_mesh(input) {
-        PreparedScene::from_terrain(out_of(input, args)?, "terrain")?
+        PreparedScene::from_terrain(out_of(input, args, outputs)?, "terrain")?
     } else {
         return Err(Failure::Usage(format!(
             "'{}' is neither a raster (.npz, .asc, .tif) nor a mesh (.glb, .gltf, .obj, .ply, .stl) by its ending",
@@ -69,14 +70,18 @@ fn summarise(args: &PrepareArgs, terrain: &Terrain) -> Result<(), Failure> {
     }
 }
 
-fn out_of(input: &Path, args: &PrepareArgs) -> Result<Terrain, Failure> {
+fn out_of(input: &Path, args: &PrepareArgs, outputs: &mut Outputs) -> Result<Terrain, Failure> {
     let TerrainArgs {
         vertices, error, ..
     } = args.terrain;
     let vertices = vertices.map(RasterDetail::Vertices);
     let detail = vertices.or(error.map(RasterDetail::Error));
     let sectors = sectors(&args.terrain, Sectors::default())?;
-    let field = landscape::field(input, detail)?;
+    let landscape::FieldOfFile { field, files } = landscape::field(input, detail, args.memory)?;
+    files
+        .iter()
+        .for_each(|file| outputs.reads("a file of the input", file));
+    outputs.check()?;
     let options = TerrainOptions {
         sectors,
         method: args.terrain.method.unwrap_or_default(),

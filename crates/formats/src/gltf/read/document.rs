@@ -2,7 +2,7 @@
 
 use super::container::Json;
 use crate::budget::Budget;
-use crate::error::LoadProblem;
+use crate::error::{LoadProblem, shorten};
 use crate::file_resolver::FileResolver;
 use gltf::json::extras::RawValue;
 use gltf::json::{Index, Root};
@@ -35,6 +35,7 @@ impl<'a> Document<'a> {
         let mut buffers = Vec::new();
         for (i, buffer) in root.buffers.iter().enumerate() {
             let place = label("buffer", i, buffer.name.as_deref());
+            budget.enter(place.as_str());
             let bytes = match &buffer.uri {
                 Some(uri) => Some(Cow::Owned(files.fetch(&place, uri, budget)?)),
                 // Only the first buffer may be the binary chunk.
@@ -112,7 +113,7 @@ pub(super) fn item<'s, T>(
 /// A kind, an index and a name, for messages.
 pub(super) fn label(kind: &str, index: usize, name: Option<&str>) -> String {
     match name {
-        Some(name) if !name.is_empty() => format!("{kind} {index} \"{name}\""),
+        Some(name) if !name.is_empty() => format!("{kind} {index} \"{}\"", shorten(name)),
         _ => format!("{kind} {index}"),
     }
 }

@@ -108,6 +108,9 @@ pub(super) fn read(
         };
         geometry.colours = vertices().map(colour).collect();
     }
+    let targets = source.targets.iter().flatten().zip(request.weights);
+    let moving = targets.filter(|(_, weight)| **weight != 0.0).count() as u64;
+    budget.work(moving.saturating_mul(total as u64))?;
     morph(
         document,
         source,
@@ -127,6 +130,7 @@ pub(super) fn read(
             };
             sets.push((joints, weights));
         }
+        budget.work((sets.len() as u64).saturating_mul(4 * total as u64))?;
         pose.apply(&sets, vertices(), &mut geometry)?;
     }
     Ok(Some(geometry))

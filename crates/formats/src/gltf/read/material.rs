@@ -51,6 +51,7 @@ impl Materials {
             None => Material::default(),
             Some(index) => self.read(index, document, scene, files, budget)?,
         };
+        budget.material(&material.name)?;
         let key = scene.add_material(material);
         self.known.insert(index, key);
         Ok(key)
@@ -133,6 +134,7 @@ impl Materials {
             return Ok(Some(*key));
         }
         let place = label("image", source, image.name.as_deref());
+        budget.enter(place.as_str());
         let fetched;
         let bytes = match (&image.uri, image.buffer_view) {
             (Some(uri), _) => {
@@ -148,6 +150,7 @@ impl Materials {
             }
         };
         let name = image.name.clone().unwrap_or_default();
+        budget.name(&name)?;
         let key = image::add_image(scene, &place, name, bytes, sampler, budget)?;
         self.images.insert((source, sampler), key);
         Ok(Some(key))

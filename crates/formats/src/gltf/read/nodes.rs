@@ -47,6 +47,7 @@ pub(super) fn build(
         let node = item(&document.root.nodes, index, "node", "the scene")?;
         let local = *item(&tree.locals, index, "node", "the scene")?;
         let name = node.name.as_deref().unwrap_or_default();
+        builder.budget.enter(document.node_label(index));
         let entity = builder.spawn(parent, local, name)?;
         entities.insert(index, entity);
         builder.add_components(index, node, entity)?;
@@ -83,7 +84,6 @@ struct PartKey {
 /// A primitive of a node's mesh.
 struct MeshPart {
     drawable: Drawable,
-    name: String,
 }
 
 struct SceneBuilder<'a, 'b> {
@@ -106,6 +106,7 @@ impl SceneBuilder<'_, '_> {
         name: &str,
     ) -> Result<EntityKey, LoadProblem> {
         self.budget.entities(1)?;
+        self.budget.name(name)?;
         let entity = self.scene.spawn(parent, local)?;
         if !name.is_empty() {
             self.scene.set_entity_name(entity, name)?;
@@ -184,7 +185,9 @@ impl SceneBuilder<'_, '_> {
             return Ok(());
         }
         for part in parts {
-            let child = self.spawn(Some(entity), DAffine3::IDENTITY, &part.name)?;
+            let mesh = self.scene.mesh(part.drawable.mesh);
+            let name = mesh.map_or_else(String::new, |mesh| mesh.name.clone());
+            let child = self.spawn(Some(entity), DAffine3::IDENTITY, &name)?;
             self.scene.set_drawable(child, part.drawable)?;
             self.set_tested(child, tested)?;
         }
@@ -203,6 +206,10 @@ impl SceneBuilder<'_, '_> {
         let lods = self.lods(index, node, source.primitives.len());
         let moved = lods.iter().any(|lod| lod.relative.is_some());
         let alone = moved || node.weights.is_some() || node.skin.is_some();
+        // Each node lists its mesh's parts, and each part its levels.
+        let listed = source.primitives.len() as u64;
+        self.budget
+            .work(listed.saturating_mul(1 + lods.len() as u64))?;
         let mut parts = Vec::with_capacity(source.primitives.len());
         for primitive in 0..source.primitives.len() {
             let key = PartKey {
@@ -214,17 +221,15 @@ impl SceneBuilder<'_, '_> {
             let part = match self.parts.get(&key) {
                 Some(part) => *part,
                 None => {
+                    let list = size_of::<PartKey>() + key.lods.len() * size_of::<usize>();
+                    self.budget.memory(list as u64)?;
                     let part = self.part(index, node, &key, &lods)?;
                     self.parts.insert(key, part);
                     part
                 }
             };
             if let Some(drawable) = part {
-                let name = self.scene.mesh(drawable.mesh).map(|mesh| mesh.name.clone());
-                parts.push(MeshPart {
-                    drawable,
-                    name: name.unwrap_or_default(),
-                });
+                parts.push(MeshPart { drawable });
             }
         }
         Ok(parts)
@@ -267,6 +272,7 @@ impl SceneBuilder<'_, '_> {
         if source.primitives.len() > 1 {
             name = format!("{name}, primitive {}", key.primitive);
         }
+        self.budget.mesh(&name)?;
         let mesh = self.scene.add_mesh(Mesh {
             name,
             levels,
@@ -293,6 +299,9 @@ impl SceneBuilder<'_, '_> {
         let source = item(&self.document.root.meshes, mesh, "mesh", "a node")?;
         let weights = weights.or(source.weights.as_deref()).unwrap_or_default();
         let source = item(&source.primitives, primitive, "primitive", "a node")?;
+        let named = self.document.root.meshes.get(mesh);
+        let named = label("mesh", mesh, named.and_then(|mesh| mesh.name.as_deref()));
+        self.budget.enter(format!("{named}, primitive {primitive}"));
         let request = Request {
             mesh,
             primitive,

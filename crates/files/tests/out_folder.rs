@@ -1,0 +1,88 @@
+//! A folder of outputs: one writer at a time, nothing left where nothing was written, and no file of an earlier set.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use std::fs;
+use std::io::ErrorKind;
+use std::path::Path;
+
+use antumbra_files::{FileContents, OutFolder};
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let mut names: Vec<String> = names.collect();
+    names.sort();
+    names
+}
+
+fn file(name: &str) -> FileContents {
+    FileContents {
+        path: name.into(),
+        bytes: name.into(),
+    }
+}
+
+#[test]
+fn two_writers_exclude_each_other() {
+    let folder = tempfile::tempdir().unwrap();
+    let first = OutFolder::open(folder.path()).unwrap();
+    let refused = OutFolder::open(folder.path()).unwrap_err();
+    assert_eq!(refused.kind(), ErrorKind::ResourceBusy);
+    assert!(refused.to_string().contains("another run"), "{refused}");
+    drop(first);
+    OutFolder::open(folder.path()).unwrap();
+    assert!(names(folder.path()).is_empty());
+}
+
+#[test]
+fn folders_are_made_and_go_again_if_nothing_is_written() {
+    let outer = tempfile::tempdir().unwrap();
+    let path = outer.path().join("a/b");
+    drop(OutFolder::open(&path).unwrap());
+    assert!(names(outer.path()).is_empty());
+    let folder = OutFolder::open(&path).unwrap();
+    folder.replace(vec![file("x")], &[]).unwrap();
+    drop(folder);
+    assert_eq!(names(&path), ["x"]);
+}
+
+#[test]
+fn what_an_earlier_set_named_is_removed_and_nothing_else_is() {
+    let outer = tempfile::tempdir().unwrap();
+    let folder = OutFolder::open(outer.path()).unwrap();
+    for name in ["own", "1.png", "2.png", "3.png"] {
+        fs::write(outer.path().join(name), "old").unwrap();
+    }
+    let old = ["1.png", "2.png", "gone.png"].map(str::to_owned);
+    let files = vec![file("2.png"), file("report")];
+    folder.replace(files, &old).unwrap();
+    drop(folder);
+    assert_eq!(names(outer.path()), ["2.png", "3.png", "own", "report"]);
+    assert_eq!(fs::read(outer.path().join("2.png")).unwrap(), b"2.png");
+}
+
+#[test]
+fn a_set_that_fails_changes_nothing() {
+    let outer = tempfile::tempdir().unwrap();
+    let folder = OutFolder::open(outer.path()).unwrap();
+    for name in ["1.png", "report"] {
+        fs::write(outer.path().join(name), "old").unwrap();
+    }
+    fs::create_dir(outer.path().join("page")).unwrap();
+    let files = vec![file("page"), file("report")];
+    let failed = folder.replace(files, &["1.png".to_owned()]).unwrap_err();
+    assert!(failed.path.ends_with("page"));
+    drop(folder);
+    assert_eq!(names(outer.path()), ["1.png", "page", "report"]);
+    assert_eq!(fs::read(outer.path().join("report")).unwrap(), b"old");
+}
+
+#[test]
+fn a_file_where_the_folder_should_be_is_refused() {
+    let outer = tempfile::tempdir().unwrap();
+    let path = outer.path().join("file");
+    fs::write(&path, "a file").unwrap();
+    OutFolder::open(&path).unwrap_err();
+    OutFolder::open(&path.join("below")).unwrap_err();
+    assert_eq!(names(outer.path()), ["file"]);
+}
