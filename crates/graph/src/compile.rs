@@ -161,8 +161,9 @@ fn guarded<T>(device: &wgpu::Device, make: impl FnOnce() -> T) -> Result<T, Stri
     let memory = device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
     let validation = device.push_error_scope(wgpu::ErrorFilter::Validation);
     let made = make();
-    let reported = [now(validation.pop()), now(memory.pop())];
-    match reported.into_iter().flatten().next() {
+    let [validation, memory] = [now(validation.pop()), now(memory.pop())];
+    // What there is no memory for is also invalid, which says less.
+    match memory.or(validation) {
         Some(error) => Err(error.to_string()),
         None => Ok(made),
     }
