@@ -32,7 +32,8 @@ fn shows(place: RelativeBox) -> bool {
         dot(abs(rows[3].xyz), place.reach) + abs(rows[3].w),
     );
     let lost = error.z + abs(nearest) * error.w + view.depth_step;
-    let margin = error.xy + max(abs(low), abs(high)) * error.w;
+    let shift = 2.0 * view.shift / vec2<f32>(view.pixels_wide, view.pixels_high);
+    let margin = error.xy + max(abs(low), abs(high)) * error.w + shift;
     let scale = vec2<f32>(0.5 * view.pixels_wide, -0.5 * view.pixels_high);
     let one = (low - margin) * scale;
     let other = (high + margin) * scale;
@@ -52,6 +53,10 @@ fn shows(place: RelativeBox) -> bool {
     if any(begin > end) {
         // Between the samples.
         return false;
+    }
+    // What the image's edge cuts off may come in.
+    if view.shift > 0.0 && (any(begin < vec2<f32>(0.0)) || any(end > last)) {
+        return true;
     }
     let least = vec2<u32>(clamp(begin, vec2<f32>(0.0), last));
     let greatest = vec2<u32>(clamp(end, vec2<f32>(0.0), last));

@@ -1,0 +1,117 @@
+//! Follows meshes and lights as they come, move, change and go.
+
+use bevy::camera::primitives::{Aabb, Sphere};
+use bevy::camera::visibility::{DynamicSkinnedMeshBounds, NoCpuCulling, NoFrustumCulling};
+use bevy::ecs::query::QueryData;
+use bevy::mesh::morph::MeshMorphWeights;
+use bevy::mesh::skinning::SkinnedMesh;
+use bevy::prelude::*;
+
+use crate::culler::Culler;
+use crate::occludees::{Kind, Shape};
+
+/// What says whether a mesh is tested, and where it is.
+#[derive(QueryData)]
+pub(crate) struct Mesh3dShape {
+    entity: Entity,
+    aabb: &'static Aabb,
+    place: &'static GlobalTransform,
+    is_skinned: Has<SkinnedMesh>,
+    is_skin_bounded: Has<DynamicSkinnedMeshBounds>,
+    is_morphed: Has<MeshMorphWeights>,
+}
+
+impl Mesh3dShapeItem<'_, '_> {
+    /// Whether the box holds all that is drawn.
+    fn is_bounded(&self) -> bool {
+        !self.is_morphed && (!self.is_skinned || self.is_skin_bounded)
+    }
+}
+
+/// Meshes that Bevy culls by their boxes.
+type Culled = (
+    With<Mesh3d>,
+    Without<NoFrustumCulling>,
+    Without<NoCpuCulling>,
+);
+
+/// What may change whether, or where, a mesh is tested.
+type MeshChanged = Or<(
+    Changed<Aabb>,
+    Changed<GlobalTransform>,
+    Added<Mesh3d>,
+    Added<SkinnedMesh>,
+    Added<DynamicSkinnedMeshBounds>,
+    Added<MeshMorphWeights>,
+)>;
+
+/// Takes over what has changed since the last frame.
+pub(crate) fn track_meshes(
+    mut culler: ResMut<Culler>,
+    changed: Query<Mesh3dShape, (Culled, MeshChanged)>,
+    all: Query<Mesh3dShape, Culled>,
+    exempt: Query<
+        Entity,
+        (
+            With<Mesh3d>,
+            Or<(Added<NoFrustumCulling>, Added<NoCpuCulling>)>,
+        ),
+    >,
+    mut gone: ParamSet<(
+        RemovedComponents<Mesh3d>,
+        RemovedComponents<Aabb>,
+        RemovedComponents<NoFrustumCulling>,
+        RemovedComponents<NoCpuCulling>,
+        RemovedComponents<SkinnedMesh>,
+        RemovedComponents<DynamicSkinnedMeshBounds>,
+        RemovedComponents<MeshMorphWeights>,
+    )>,
+) {
+    let occludees = &mut culler.occludees;
+    let mut again: Vec<Entity> = exempt.iter().collect();
+    again.extend(gone.p0().read());
+    again.extend(gone.p1().read());
+    again.extend(gone.p2().read());
+    again.extend(gone.p3().read());
+    again.extend(gone.p4().read());
+    again.extend(gone.p5().read());
+    again.extend(gone.p6().read());
+    for entity in again {
+        match all.get(entity) {
+            Ok(mesh) if mesh.is_bounded() => {
+                occludees.put(entity, Shape::Mesh(mesh.aabb, mesh.place))
+            }
+            _ => occludees.remove(Kind::Mesh, entity),
+        }
+    }
+    for mesh in &changed {
+        if mesh.is_bounded() {
+            occludees.put(mesh.entity, Shape::Mesh(mesh.aabb, mesh.place));
+        } else {
+            occludees.remove(Kind::Mesh, mesh.entity);
+        }
+    }
+}
+
+/// Lights with a reach.
+type Lights = Or<(With<PointLight>, With<SpotLight>)>;
+
+/// Takes over what has changed of lights since the last frame.
+pub(crate) fn track_lights(
+    mut culler: ResMut<Culler>,
+    changed: Query<(Entity, &Sphere), (Lights, Changed<Sphere>)>,
+    lights: Query<&Sphere, Lights>,
+    mut gone: ParamSet<(RemovedComponents<PointLight>, RemovedComponents<SpotLight>)>,
+) {
+    let occludees = &mut culler.occludees;
+    let mut again: Vec<Entity> = gone.p0().read().collect();
+    again.extend(gone.p1().read());
+    for entity in again {
+        if lights.get(entity).is_err() {
+            occludees.remove(Kind::Light, entity);
+        }
+    }
+    for (entity, sphere) in &changed {
+        occludees.put(entity, Shape::Ball(sphere.center.into(), sphere.radius));
+    }
+}

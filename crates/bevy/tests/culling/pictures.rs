@@ -1,0 +1,101 @@
+//! Pictures with the plug-in and without: the same, with shadows of all kinds of lights.
+
+use antumbra_bevy::AntumbraCulling;
+use bevy::core_pipeline::prepass::DepthPrepass;
+use bevy::prelude::*;
+
+use crate::play::{Play, boxed, differences, from};
+
+/// Numbers that are the same in each run.
+struct Dice(u32);
+
+impl Dice {
+    fn within(&mut self, least: f32, most: f32) -> f32 {
+        self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        least + (most - least) * (self.0 >> 8) as f32 / (1u32 << 24) as f32
+    }
+}
+
+/// Boxes of all sizes on a floor, and lights that cast shadows.
+fn fill(play: &mut Play) {
+    let mut dice = Dice(5);
+    let world = play.app.world_mut();
+    let cube = world
+        .resource_mut::<Assets<Mesh>>()
+        .add(Cuboid::from_length(1.0));
+    let mut materials = world.resource_mut::<Assets<StandardMaterial>>();
+    let paints: Vec<_> = (0..8)
+        .map(|number| materials.add(Color::hsl(45.0 * number as f32, 0.8, 0.6)))
+        .collect();
+    for number in 0..250 {
+        let size = [
+            dice.within(0.3, 2.5),
+            dice.within(0.5, 6.0),
+            dice.within(0.3, 2.5),
+        ];
+        let place = boxed(
+            [
+                dice.within(-14.0, 14.0),
+                size[1] * 0.5 - 2.0,
+                dice.within(-14.0, 14.0),
+            ],
+            size,
+        );
+        let turned = place.with_rotation(Quat::from_rotation_y(dice.within(0.0, 6.0)));
+        let paint = MeshMaterial3d(paints[number % paints.len()].clone());
+        world.spawn((Mesh3d(cube.clone()), paint, turned));
+    }
+    let floor = boxed([0.0, -2.05, 0.0], [60.0, 0.1, 60.0]);
+    let paint = MeshMaterial3d(paints[0].clone());
+    world.spawn((Mesh3d(cube), paint, floor));
+    let sun = DirectionalLight {
+        shadow_maps_enabled: true,
+        illuminance: 4_000.0,
+        ..default()
+    };
+    world.spawn((sun, from([4.0, 9.0, -6.0])));
+    let lamp = PointLight {
+        shadow_maps_enabled: true,
+        intensity: 2_000_000.0,
+        ..default()
+    };
+    world.spawn((lamp, Transform::from_xyz(3.0, 6.0, 4.0)));
+    let spot = SpotLight {
+        shadow_maps_enabled: true,
+        intensity: 2_000_000.0,
+        range: 40.0,
+        ..default()
+    };
+    world.spawn((spot, from([-12.0, 8.0, 6.0])));
+}
+
+#[test]
+fn a_still_camera_draws_the_same_picture_with_shadows_of_all_lights() {
+    for (msaa, has_prepass) in [
+        (Msaa::Sample4, false),
+        (Msaa::Off, false),
+        (Msaa::Sample4, true),
+    ] {
+        let [mut culled, mut full] = [true, false].map(|culls| {
+            let mut play = Play::with([200, 150], msaa);
+            fill(&mut play);
+            let camera = play.camera;
+            play.set(camera, from([0.0, 0.5, 19.0]));
+            if culls {
+                play.set(camera, AntumbraCulling::default());
+            }
+            if has_prepass {
+                play.set(camera, DepthPrepass);
+            }
+            play
+        });
+        for frame in 0..5 {
+            culled.frame();
+            full.frame();
+            let wrong = differences(&culled.pixels(), &full.pixels());
+            assert_eq!(wrong, 0, "{msaa:?}, frame {frame}");
+        }
+        let left_out = culled.report().culled.len();
+        assert!(left_out > 60, "{left_out}");
+    }
+}
