@@ -3,6 +3,7 @@
 use std::any::TypeId;
 
 use bevy::camera::visibility::VisibleEntities;
+use bevy::platform::time::Instant;
 use bevy::prelude::*;
 use bevy::render::renderer::RenderDevice;
 
@@ -31,6 +32,7 @@ pub(crate) fn cull(
     device: Option<Res<RenderDevice>>,
     mut cameras: Cameras,
 ) {
+    let start = Instant::now();
     // Lets answers arrive that the GPU has finished; never waits.
     if let Some(device) = device
         && let Err(error) = device.poll(wgpu::PollType::Poll)
@@ -38,7 +40,10 @@ pub(crate) fn cull(
         warn_once!("antumbra: {error}");
     }
     let Culler {
-        occludees, views, ..
+        occludees,
+        views,
+        spent,
+        ..
     } = &mut *culler;
     for (entity, settings, camera, projection, place, mut visible, mut report) in &mut cameras {
         let meshes = visible.get_mut(TypeId::of::<Mesh3d>());
@@ -51,13 +56,13 @@ pub(crate) fn cull(
         {
             let eye = place.translation();
             if !settings.frozen {
-                view.collect();
+                view.collect(settings, occludees, &mut report);
                 view.follow(settings, eye);
             }
             report.shift = view.shift(settings);
             report.age = view.age();
             let mut nearest = f32::INFINITY;
-            if let Some(verdicts) = view.verdicts(eye, near(projection)) {
+            if let Some(verdicts) = view.verdicts(settings, eye, near(projection)) {
                 meshes.retain(|mesh| {
                     let Some(found) = occludees.find(Kind::Mesh, *mesh) else {
                         return true;
@@ -76,6 +81,7 @@ pub(crate) fn cull(
         }
         report.drawn = meshes.len() as u32;
     }
+    spent.since(start);
 }
 
 /// The distance of the near plane; 0 where it is not one of a perspective.

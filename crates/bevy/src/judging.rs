@@ -3,19 +3,29 @@
 use antumbra::cull::judge::JudgeError;
 use bevy::camera::MainPassResolutionOverride;
 use bevy::ecs::entity::EntityHashMap;
+use bevy::platform::time::Instant;
 use bevy::prelude::*;
 use bevy::render::MainWorld;
+use bevy::render::mesh::RenderMesh;
+use bevy::render::mesh::allocator::MeshAllocator;
+use bevy::render::render_asset::RenderAssets;
 use bevy::render::renderer::{PendingCommandBuffers, RenderContext, RenderDevice, ViewQuery};
 use bevy::render::sync_world::MainEntity;
 use bevy::render::view::ViewDepthStencilTexture;
 
-use crate::culler::{Culler, SharedJudge};
+use crate::audit::{Audited, Meshes, Order, Suspect};
+use crate::culler::{Culler, Judging, SharedJudging};
 use crate::settings::{AntumbraCulling, CullingReport, Strategy};
 use crate::view::{Image2d, View};
 
-/// In the render world: the judges of the cameras whose frames have begun, by the camera's entity in the main world.
+/// In the render world: the cameras whose frames have begun, by their entities in the main world.
 #[derive(Resource, Default)]
-pub(crate) struct Begun(EntityHashMap<SharedJudge>);
+pub(crate) struct Begun(EntityHashMap<BegunView>);
+
+struct BegunView {
+    judging: SharedJudging,
+    audit: Order,
+}
 
 type Camera3ds = (
     Entity,
@@ -38,6 +48,7 @@ pub(crate) fn begin(
     let (Some(device), Some(mut pending)) = (device, pending) else {
         return;
     };
+    let start = Instant::now();
     let mut cameras = main.query::<Camera3ds>();
     main.resource_scope(|main: &mut World, mut culler: Mut<Culler>| {
         let culler = &mut *culler;
@@ -47,6 +58,7 @@ pub(crate) fn begin(
                 label: Some("antumbra: boxes"),
             });
         let mut live = Vec::new();
+        let mut suspects = Vec::new();
         for (entity, settings, camera, msaa, place, is_scaled, mut report) in cameras.iter_mut(main)
         {
             if settings.strategy == Strategy::Off || !camera.is_active {
@@ -65,11 +77,19 @@ pub(crate) fn begin(
                 continue;
             }
             let clip_from_world = camera.clip_from_view() * place.to_matrix().inverse();
-            let judge = culler.begin(entity, image, settings, clip_from_world, &mut encoder);
-            match judge {
-                Ok(judge) => {
+            let judging = culler.begin(entity, image, settings, clip_from_world, &mut encoder);
+            match judging {
+                Ok(judging) => {
                     report.fault = None;
-                    begun.0.insert(entity, judge);
+                    let mut audit = Order::Nothing;
+                    if let Some(view) = culler.views.get_mut(&entity) {
+                        if let Some(audited) = view.take_suspects() {
+                            suspects.push((entity, audited));
+                        } else if view.begin_audit(settings, &report.culled) {
+                            audit = Order::Copy;
+                        }
+                    }
+                    begun.0.insert(entity, BegunView { judging, audit });
                 }
                 Err(error) => {
                     culler.views.remove(&entity);
@@ -77,10 +97,27 @@ pub(crate) fn begin(
                 }
             }
         }
+        for (entity, audited) in suspects {
+            if let Some(view) = begun.0.get_mut(&entity) {
+                view.audit = Order::Count(found(main, &audited), audited.clip_from_world);
+            }
+        }
         culler.views.retain(|entity, _| live.contains(entity));
         culler.occludees.epoch += 1;
         pending.push([encoder.finish()]);
+        culler.spent.since(start);
     });
+}
+
+/// The meshes of what was culled, where it is now.
+fn found(main: &World, audited: &Audited) -> Vec<Suspect> {
+    let suspects = audited.culled.iter().filter_map(|entity| {
+        Some(Suspect {
+            mesh: main.get::<Mesh3d>(*entity)?.id(),
+            place: main.get::<GlobalTransform>(*entity)?.affine(),
+        })
+    });
+    suspects.collect()
 }
 
 /// The image that a camera draws; none while its target has no size.
@@ -121,7 +158,7 @@ impl Culler {
         settings: &AntumbraCulling,
         clip_from_world: Mat4,
         encoder: &mut wgpu::CommandEncoder,
-    ) -> Result<SharedJudge, JudgeError> {
+    ) -> Result<SharedJudging, JudgeError> {
         let before = self.views.remove(&camera);
         let fits = before.filter(|view| view.image.samples == image.samples);
         let mut view = match fits {
@@ -129,9 +166,9 @@ impl Culler {
             None => View::new(&self.gpu, image)?,
         };
         let eye = view.eye(settings, clip_from_world);
-        let shared = view.judge.clone();
+        let shared = view.judging.clone();
         let report = {
-            let mut judge = shared.lock();
+            let Judging { judge, .. } = &mut *shared.lock();
             if view.image.size != image.size {
                 judge.resize(0, image.size.to_array())?;
                 view.image = image;
@@ -148,15 +185,29 @@ impl Culler {
 pub(crate) fn test(
     view: ViewQuery<(&MainEntity, &ViewDepthStencilTexture)>,
     begun: Res<Begun>,
+    assets: Res<RenderAssets<RenderMesh>>,
+    allocator: Res<MeshAllocator>,
     mut context: RenderContext,
 ) {
     let (camera, depth) = view.into_inner();
-    let Some(judge) = begun.0.get(&camera.id()) else {
+    let Some(view) = begun.0.get(&camera.id()) else {
         return;
     };
-    let outcome = judge.lock().test(&[depth.texture()], context.command_encoder());
-    if let Err(error) = outcome {
+    let Judging { judge, counter } = &mut *view.judging.lock();
+    let encoder = context.command_encoder();
+    if let Err(error) = judge.test(&[depth.texture()], encoder) {
         warn_once!("antumbra: {error}");
+    }
+    match &view.audit {
+        Order::Nothing => {}
+        Order::Copy => counter.copy(depth.texture(), encoder),
+        Order::Count(suspects, clip_from_world) => {
+            let meshes = Meshes {
+                assets: &assets,
+                allocator: &allocator,
+            };
+            counter.count(suspects, *clip_from_world, meshes, encoder);
+        }
     }
 }
 

@@ -16,15 +16,19 @@
 //! [`VisibleEntities`](bevy::camera::visibility::VisibleEntities) after Bevy has filled it, so that it is neither queued nor drawn. A mesh that is new, has moved out of what was tested, or has another
 //! box is drawn; so is what was outside of the view. Shadows do not change.
 
+mod audit;
 mod cull;
 mod culler;
+pub mod diagnostics;
+mod gizmos;
 mod judging;
 mod occludees;
 mod settings;
 mod track;
 mod view;
 
-pub use settings::{AntumbraCulling, Audit, Budget, CullingReport, Strategy, WrongPixels};
+pub use gizmos::CullingGizmos;
+pub use settings::{AntumbraCulling, Audit, Budget, CullingReport, Strategy};
 
 use antumbra::cull::Gpu;
 use bevy::camera::visibility::VisibilitySystems;
@@ -51,6 +55,7 @@ pub enum AntumbraSystems {
 
 impl Plugin for AntumbraPlugin {
     fn build(&self, app: &mut App) {
+        diagnostics::register(app);
         app.register_type::<AntumbraCulling>()
             .register_type::<CullingReport>()
             .configure_sets(
@@ -66,7 +71,11 @@ impl Plugin for AntumbraPlugin {
                 PostUpdate,
                 (
                     (track::track_meshes, track::track_lights).in_set(AntumbraSystems::Track),
-                    (judging::make_depth_readable, cull::cull).in_set(AntumbraSystems::Cull),
+                    (
+                        judging::make_depth_readable,
+                        (cull::cull, diagnostics::measure).chain(),
+                    )
+                        .in_set(AntumbraSystems::Cull),
                 ),
             );
     }
@@ -88,6 +97,7 @@ impl Plugin for AntumbraPlugin {
             adapter.get_downlevel_capabilities(),
         );
         app.insert_resource(culler::Culler::new(gpu));
+        gizmos::add(app);
         let Some(render) = app.get_sub_app_mut(RenderApp) else {
             return;
         };

@@ -224,7 +224,8 @@ impl WorldBox {
         }
     }
 
-    fn middle(&self) -> Vec3 {
+    /// Its middle.
+    pub fn middle(&self) -> Vec3 {
         (self.least + self.most) * 0.5
     }
 

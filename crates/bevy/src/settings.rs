@@ -108,18 +108,10 @@ pub struct CullingReport {
     pub age: Option<u32>,
     /// The pixels by which what is hidden must be so on all sides.
     pub shift: f32,
-    /// The wrong pixels of the last frame that was audited, in percent of the image.
-    pub wrong: Option<WrongPixels>,
+    /// The wrong pixels of the last frame that was audited, in percent of the image: those that a mesh would have changed which was left out.
+    pub wrong: Option<f32>,
+    /// Frames that were audited.
+    pub audits: u32,
     /// Why this camera does not cull, where it cannot.
     pub fault: Option<String>,
-}
-
-/// Wrong pixels in percent of the image, from a count of each mesh that was culled and should not have been.
-#[derive(Reflect, Debug, Clone, Copy, PartialEq, Default)]
-#[reflect(Default, Debug, Clone, PartialEq)]
-pub struct WrongPixels {
-    /// As many at least: those of the mesh with the most.
-    pub least: f32,
-    /// As many at most: the sum over all meshes, which may cover each other.
-    pub most: f32,
 }

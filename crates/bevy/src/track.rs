@@ -5,6 +5,7 @@ use bevy::camera::visibility::{DynamicSkinnedMeshBounds, NoCpuCulling, NoFrustum
 use bevy::ecs::query::QueryData;
 use bevy::mesh::morph::MeshMorphWeights;
 use bevy::mesh::skinning::SkinnedMesh;
+use bevy::platform::time::Instant;
 use bevy::prelude::*;
 
 use crate::culler::Culler;
@@ -67,7 +68,10 @@ pub(crate) fn track_meshes(
         RemovedComponents<MeshMorphWeights>,
     )>,
 ) {
-    let occludees = &mut culler.occludees;
+    let start = Instant::now();
+    let Culler {
+        occludees, spent, ..
+    } = &mut *culler;
     let mut again: Vec<Entity> = exempt.iter().collect();
     again.extend(gone.p0().read());
     again.extend(gone.p1().read());
@@ -91,6 +95,7 @@ pub(crate) fn track_meshes(
             occludees.remove(Kind::Mesh, mesh.entity);
         }
     }
+    spent.since(start);
 }
 
 /// Lights with a reach.

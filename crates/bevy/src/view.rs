@@ -8,13 +8,14 @@ use antumbra::glam as ours;
 use bevy::core_pipeline::core_3d::CORE_3D_DEPTH_FORMAT;
 use bevy::prelude::*;
 
-use crate::culler::SharedJudge;
-use crate::occludees::Found;
-use crate::settings::{AntumbraCulling, Budget, WrongPixels};
+use crate::audit::{Audited, Auditing, Counter};
+use crate::culler::{Judging, SharedJudging};
+use crate::occludees::{Found, Kind, Occludees};
+use crate::settings::{AntumbraCulling, Budget, CullingReport};
 
 /// A camera that culls.
 pub(crate) struct View {
-    pub judge: SharedJudge,
+    pub judging: SharedJudging,
     pub image: Image2d,
     asked: VecDeque<Asked>,
     answers: Option<Answers>,
@@ -27,6 +28,10 @@ pub(crate) struct View {
     is_cut: bool,
     /// Pixels, under a budget of wrong ones.
     dial: f32,
+    /// The matrix of the last frame, and whether it was another one before.
+    matrix: Mat4,
+    has_moved: bool,
+    auditing: Auditing,
 }
 
 /// What a judge has to know of a camera's image.
@@ -86,7 +91,10 @@ impl View {
             list: true,
         };
         Ok(Self {
-            judge: SharedJudge::new(Judge::new(gpu, vec![view], options)?),
+            judging: SharedJudging::new(Judging {
+                judge: Judge::new(gpu, vec![view], options)?,
+                counter: Counter::new(gpu),
+            }),
             image,
             asked: VecDeque::new(),
             answers: None,
@@ -95,27 +103,50 @@ impl View {
             cuts: 0,
             is_cut: true,
             dial: Budget::FIRST_SHIFT,
+            matrix: Mat4::ZERO,
+            has_moved: false,
+            auditing: Auditing::default(),
         })
     }
 
     /// Takes over what has come back. Never waits.
-    pub fn collect(&mut self) {
-        let mut judge = self.judge.lock();
-        let hidden = judge.hidden(0).ok().flatten();
-        let Some(hidden) = hidden else {
-            return;
-        };
-        if self.answers.as_ref().is_some_and(|answers| answers.of.frame == hidden.frame) {
-            return;
+    pub fn collect(
+        &mut self,
+        settings: &AntumbraCulling,
+        occludees: &Occludees,
+        report: &mut CullingReport,
+    ) {
+        let shared = self.judging.clone();
+        let mut judging = shared.lock();
+        let Judging { judge, counter } = &mut *judging;
+        if let Some(pixels) = counter.take()
+            && let Some(has_moved) = self.auditing.end()
+        {
+            let image = self.image.size.as_vec2();
+            let wrong = 100.0 * pixels as f32 / (image.x * image.y);
+            report.wrong = Some(wrong);
+            report.audits += 1;
+            if has_moved {
+                self.note_wrong(settings, wrong);
+            }
         }
-        let Some(of) = self.asked.iter().find(|asked| asked.frame == hidden.frame) else {
+        let Some(hidden) = judge.hidden(0).ok().flatten() else {
             return;
         };
+        let frame = hidden.frame;
+        let known = self.answers.as_ref().map(|answers| answers.of.frame);
+        let of = self.asked.iter().find(|asked| asked.frame == frame);
+        let Some(of) = of.filter(|_| known != Some(frame)).copied() else {
+            return;
+        };
+        self.auditing.note_answers(frame, |entity| {
+            let found = occludees.find(Kind::Mesh, entity);
+            found.is_none_or(|found| hidden.contains(found.index))
+        });
         let mut words = self.answers.take().map_or_else(Vec::new, |answers| answers.hidden);
         words.clear();
         words.extend_from_slice(hidden.words());
-        self.answers = Some(Answers { of: *of, hidden: words });
-        let frame = hidden.frame;
+        self.answers = Some(Answers { of, hidden: words });
         self.asked.retain(|asked| asked.frame >= frame);
     }
 
@@ -137,8 +168,12 @@ impl View {
         self.nearest = nearest;
     }
 
-    /// What is known for a camera that is here, and has its near plane so far away.
-    pub fn verdicts(&self, eye: Vec3, near: f32) -> Option<Verdicts<'_>> {
+    /// What is known for a camera that is here, and has its near plane so far away. Nothing where the budget cannot be kept.
+    pub fn verdicts(&self, settings: &AntumbraCulling, eye: Vec3, near: f32) -> Option<Verdicts<'_>> {
+        let has_given_up = matches!(settings.budget, Budget::WrongPixels(_)) && self.dial > Budget::MOST_SHIFT;
+        if has_given_up && self.has_moved {
+            return None;
+        }
         let answers = self.answers.as_ref()?;
         let near = near * NEAR_ROOM + answers.of.place.distance(eye);
         Some(Verdicts { answers, eye, near })
@@ -146,6 +181,7 @@ impl View {
 
     /// The eye that a test is asked for.
     pub fn eye(&mut self, settings: &AntumbraCulling, clip_from_world: Mat4) -> Eye {
+        self.has_moved = std::mem::replace(&mut self.matrix, clip_from_world) != clip_from_world;
         let matrix = ours::Mat4::from_cols_array(&clip_from_world.to_cols_array());
         Eye {
             cut: std::mem::take(&mut self.is_cut),
@@ -153,6 +189,25 @@ impl View {
             // Bevy's shaders compute in f32 from the world's origin.
             ..Eye::new(matrix, ours::DVec3::ZERO)
         }
+    }
+
+    /// Whether the depth of the frame that was asked about last is to be copied, for it is audited.
+    pub fn begin_audit(&mut self, settings: &AntumbraCulling, culled: &[Entity]) -> bool {
+        let is_due = self.auditing.is_due(settings.audit) && !culled.is_empty();
+        if let Some(asked) = self.asked.back().filter(|_| is_due) {
+            self.auditing.begin(Audited {
+                frame: asked.frame,
+                clip_from_world: self.matrix,
+                has_moved: self.has_moved,
+                culled: culled.to_vec(),
+            });
+        }
+        is_due
+    }
+
+    /// What an audit has found not to be hidden, to be counted.
+    pub fn take_suspects(&mut self) -> Option<Audited> {
+        self.auditing.take_suspects()
     }
 
     /// The pixels by which what is hidden must be so on all sides.
@@ -165,14 +220,14 @@ impl View {
         wanted.min(Budget::MOST_SHIFT).max(1.0)
     }
 
-    /// Turns the dial by wrong pixels that were counted in a frame in which the camera moved.
-    pub fn note_wrong(&mut self, settings: &AntumbraCulling, wrong: WrongPixels) {
+    /// Turns the dial by the wrong pixels, in percent, of a frame in which the camera moved. Past its end, nothing is culled in motion until it has come back.
+    fn note_wrong(&mut self, settings: &AntumbraCulling, wrong: f32) {
         let Budget::WrongPixels(allowed) = settings.budget else {
             return;
         };
-        if wrong.most > allowed {
-            self.dial = (self.dial * 2.0).min(Budget::MOST_SHIFT);
-        } else if wrong.most < allowed * 0.25 {
+        if wrong > allowed {
+            self.dial = (self.dial * 2.0).min(Budget::MOST_SHIFT * 2.0);
+        } else if wrong < allowed * 0.25 {
             self.dial = (self.dial * 0.9).max(1.0);
         }
     }
@@ -184,6 +239,11 @@ impl View {
         while self.asked.len() > MOST_ASKED {
             self.asked.pop_front();
         }
+    }
+
+    /// The matrix of the last frame that was asked about.
+    pub fn matrix(&self) -> Mat4 {
+        self.matrix
     }
 
     /// How many frames old the answers are.
