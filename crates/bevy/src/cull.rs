@@ -85,7 +85,7 @@ pub(crate) fn cull(
 }
 
 /// The distance of the near plane; 0 where it is not one of a perspective.
-fn near(projection: &Projection) -> f32 {
+pub(crate) fn near(projection: &Projection) -> f32 {
     match projection {
         Projection::Perspective(perspective) => perspective.near,
         _ => 0.0,

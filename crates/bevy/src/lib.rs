@@ -22,6 +22,7 @@ mod culler;
 pub mod diagnostics;
 mod gizmos;
 mod judging;
+mod lights;
 mod occludees;
 mod settings;
 mod track;
@@ -65,7 +66,8 @@ impl Plugin for AntumbraPlugin {
                     .after(VisibilitySystems::CheckVisibility)
                     .after(TransformSystems::Propagate)
                     .before(SimulationLightSystems::AssignLightsToClusters)
-                    .before(SimulationLightSystems::CheckLightVisibility),
+                    .before(SimulationLightSystems::CheckLightVisibility)
+                    .run_if(resource_exists::<culler::Culler>),
             )
             .add_systems(
                 PostUpdate,
@@ -73,7 +75,7 @@ impl Plugin for AntumbraPlugin {
                     (track::track_meshes, track::track_lights).in_set(AntumbraSystems::Track),
                     (
                         judging::make_depth_readable,
-                        (cull::cull, diagnostics::measure).chain(),
+                        (cull::cull, lights::cull_lights, diagnostics::measure).chain(),
                     )
                         .in_set(AntumbraSystems::Cull),
                 ),

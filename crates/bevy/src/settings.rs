@@ -18,7 +18,7 @@ pub struct AntumbraCulling {
     pub audit: Audit,
     /// Keeps the answers of the last frame, so that the camera can be flown away to look at what is culled.
     pub frozen: bool,
-    /// Whether point and spot lights whose volume nobody can see are left out.
+    /// Whether point and spot lights whose volume nobody sees are left out, with their shadow maps. A light goes when each camera that has it in view asks for that, and finds all that it reaches hidden.
     pub lights: bool,
     /// Incremented by [`Self::cut`].
     pub cuts: u32,
@@ -102,7 +102,7 @@ pub struct CullingReport {
     pub drawn: u32,
     /// Meshes in the frustum that are left out, sorted.
     pub culled: Vec<Entity>,
-    /// Lights that are left out.
+    /// Lights in view whose volume is hidden from this camera, where it asks for that.
     pub lights: u32,
     /// How many frames old the answers are; `None` where there are none, and everything is drawn.
     pub age: Option<u32>,

@@ -1,5 +1,6 @@
 //! The command line of the examples.
 
+use antumbra_bevy::{AntumbraCulling, Strategy};
 use bevy::prelude::*;
 
 /// A way to cull.
@@ -9,15 +10,19 @@ pub enum Way {
     Frustum(Msaa),
     /// Bevy's own occlusion culling, with the depth prepass that it needs.
     Bevy(Msaa),
+    /// This plug-in.
+    Antumbra(Msaa),
 }
 
 impl Way {
     /// All that `--measure` compares where `--ways` names none.
-    pub const ALL: [Self; 4] = [
+    pub const ALL: [Self; 6] = [
         Self::Frustum(Msaa::Off),
         Self::Bevy(Msaa::Off),
+        Self::Antumbra(Msaa::Off),
         Self::Frustum(Msaa::Sample4),
         Self::Bevy(Msaa::Sample4),
+        Self::Antumbra(Msaa::Sample4),
     ];
 
     /// Its name on the command line and in tables.
@@ -25,6 +30,7 @@ impl Way {
         let way = match self {
             Self::Frustum(_) => "frustum",
             Self::Bevy(_) => "bevy",
+            Self::Antumbra(_) => "antumbra",
         };
         format!("{way}-{}", self.msaa().samples())
     }
@@ -32,13 +38,18 @@ impl Way {
     /// The samples a pixel.
     pub fn msaa(self) -> Msaa {
         match self {
-            Self::Frustum(msaa) | Self::Bevy(msaa) => msaa,
+            Self::Frustum(msaa) | Self::Bevy(msaa) | Self::Antumbra(msaa) => msaa,
         }
     }
 
     /// Whether Bevy's own occlusion culling is on.
     pub fn is_bevys_own(self) -> bool {
         matches!(self, Self::Bevy(_))
+    }
+
+    /// Whether this plug-in culls.
+    pub fn is_ours(self) -> bool {
+        matches!(self, Self::Antumbra(_))
     }
 }
 
@@ -51,6 +62,10 @@ pub struct Arguments {
     pub measures: bool,
     /// Whether the camera stays where it starts.
     pub is_still: bool,
+    /// Whether the plug-in begins switched off.
+    pub is_off: bool,
+    /// The scene's size, where it has one.
+    pub scene_size: Option<u32>,
     /// Pixels.
     pub size: [u32; 2],
     /// What is compared.
@@ -74,11 +89,25 @@ impl Arguments {
         if self.is_still { 0 } else { frame }
     }
 
+    /// The settings of the camera.
+    pub fn culling(&self) -> AntumbraCulling {
+        let strategy = match self.is_off {
+            true => Strategy::Off,
+            false => Strategy::FrameLate,
+        };
+        AntumbraCulling {
+            strategy,
+            ..default()
+        }
+    }
+
     fn parse(words: impl Iterator<Item = String>) -> Result<Self, String> {
         let mut arguments = Self {
             frames: 0,
             measures: false,
             is_still: false,
+            is_off: false,
+            scene_size: None,
             size: [640, 480],
             ways: Way::ALL.to_vec(),
         };
@@ -88,6 +117,8 @@ impl Arguments {
             match word.as_str() {
                 "--measure" => arguments.measures = true,
                 "--still" => arguments.is_still = true,
+                "--off" => arguments.is_off = true,
+                "--scene-size" => arguments.scene_size = Some(number(&value()?)? as u32),
                 "--frames" => arguments.frames = number(&value()?)?,
                 "--size" => {
                     let value = value()?;
@@ -114,8 +145,10 @@ impl Arguments {
 const USAGE: &str = "\
     --frames N      run so many frames without a window
     --measure       compare ways to cull, and print the medians
-    --ways A,B,..   which: frustum-1, bevy-1, frustum-4, bevy-4 (the number is that of samples a pixel)
+    --ways A,B,..   which: frustum-1, bevy-1, antumbra-1, frustum-4, bevy-4, antumbra-4 (the number is that of samples a pixel)
     --still         do not move the camera
+    --off           begin with the plug-in switched off
+    --scene-size N  how large the scene is
     --size WxH      pixels, 640x480";
 
 fn number(word: &str) -> Result<usize, String> {

@@ -1,8 +1,11 @@
 //! `--measure`: the same scene in several apps, one a way to cull, whose frames take turns. Prints the median of each.
 
+use std::any::TypeId;
 use std::time::Duration;
 
+use antumbra_bevy::{AntumbraPlugin, CullingReport};
 use bevy::camera::RenderTarget;
+use bevy::camera::visibility::VisibleEntities;
 use bevy::core_pipeline::prepass::DepthPrepass;
 use bevy::prelude::*;
 use bevy::render::occlusion_culling::OcclusionCulling;
@@ -20,6 +23,11 @@ struct Contender {
     app: App,
     camera: Entity,
     times: Vec<FrameTime>,
+    /// What is drawn after CPU culling, summed over the frames that count. Bevy's own occlusion culling draws fewer: it decides on the GPU.
+    drawn: usize,
+    /// Wrong pixels in percent, of frames that were audited.
+    wrong: Vec<f32>,
+    audits: u32,
 }
 
 /// Measures all ways that the arguments name, and prints a table.
@@ -39,21 +47,30 @@ pub fn measure(arguments: &Arguments, view: &View, spawn: &dyn Fn(&mut App)) {
             let contender = &mut contenders[(turn + number) % count];
             let time = contender.frame(pose);
             if number >= WARM_UP {
-                contender.times.push(time);
+                contender.note(time);
             }
         }
     }
-    println!("{:28} {:>10} {:>10}", "way", "frame ms", "host ms");
+    println!("way            frame ms    host ms      drawn   wrong pixels, %");
     for contender in &contenders {
         let whole = median(contender.times.iter().map(|time| time.whole));
         let host = median(contender.times.iter().map(|time| time.host));
-        println!("{:28} {whole:10.2} {host:10.2}", contender.way.name());
+        let drawn = contender.drawn / contender.times.len().max(1);
+        let wrong = match contender.wrong.len() {
+            0 => String::new(),
+            count => format!("{:.4}", contender.wrong.iter().sum::<f32>() / count as f32),
+        };
+        let name = contender.way.name();
+        println!("{name:12} {whole:10.2} {host:10.2} {drawn:10} {wrong:>17}");
     }
 }
 
 impl Contender {
     fn new(way: Way, arguments: &Arguments, view: &View, spawn: &dyn Fn(&mut App)) -> Self {
         let mut app = headless::app();
+        if way.is_ours() {
+            app.add_plugins(AntumbraPlugin);
+        }
         spawn(&mut app);
         let target = headless::target(&mut app, arguments.size);
         let camera = view.spawn(&mut app, RenderTarget::from(target));
@@ -62,18 +79,36 @@ impl Contender {
         if way.is_bevys_own() {
             entity.insert((DepthPrepass, OcclusionCulling));
         }
+        if way.is_ours() {
+            entity.insert(arguments.culling());
+        }
         headless::finish(&mut app);
         Self {
             way,
             app,
             camera,
             times: Vec::new(),
+            drawn: 0,
+            wrong: Vec::new(),
+            audits: 0,
         }
     }
 
     fn frame(&mut self, pose: Transform) -> FrameTime {
         self.app.world_mut().entity_mut(self.camera).insert(pose);
         headless::frame(&mut self.app)
+    }
+
+    /// Counts a frame.
+    fn note(&mut self, time: FrameTime) {
+        self.times.push(time);
+        let visible = self.app.world().get::<VisibleEntities>(self.camera);
+        self.drawn += visible.map_or(0, |visible| visible.len(TypeId::of::<Mesh3d>()));
+        if let Some(report) = self.app.world().get::<CullingReport>(self.camera)
+            && std::mem::replace(&mut self.audits, report.audits) != report.audits
+        {
+            self.wrong.extend(report.wrong);
+        }
     }
 }
 

@@ -1,41 +1,71 @@
-//! The camera of an example: it circles the scene, and looks at its middle.
+//! The camera of an example, and the way that it goes.
 
 use bevy::camera::RenderTarget;
 use bevy::prelude::*;
 
-/// A circle around a centre.
+/// A camera's way.
 #[derive(Debug, Clone, Copy)]
 pub struct View {
-    /// What the camera looks at, metres.
-    pub centre: Vec3,
-    /// The circle's radius in metres.
-    pub distance: f32,
-    /// The circle's height above the centre in metres.
-    pub height: f32,
-    /// The angle between two frames in radians.
-    pub radians_per_frame: f32,
+    pub way: Way,
+    /// The field of view, degrees from the bottom to the top.
+    pub degrees: f32,
+}
+
+/// Where it goes, a step a frame.
+#[derive(Debug, Clone, Copy)]
+pub enum Way {
+    /// Around a centre, looking at it. Metres, and radians a frame.
+    Orbit {
+        distance: f32,
+        height: f32,
+        radians: f32,
+    },
+    /// Straight on, looking to either side by so many radians, and back to the start from the end.
+    Walk {
+        from: Vec3,
+        to: Vec3,
+        step: f32,
+        sideways: f32,
+    },
+    /// On the spot, turning by so many radians a frame.
+    Turn { radians: f32 },
 }
 
 impl View {
-    /// That of `antumbra compare grid`.
-    pub const GRID: Self = Self {
-        centre: Vec3::ZERO,
-        distance: 40.0,
-        height: 10.0,
-        radians_per_frame: 0.02,
-    };
-
     /// Where the camera is in a frame.
     pub fn pose(&self, frame: usize) -> Transform {
-        let (sin, cos) = (frame as f32 * self.radians_per_frame).sin_cos();
-        let away = Vec3::new(self.distance * sin, self.height, self.distance * cos);
-        Transform::from_translation(self.centre + away).looking_at(self.centre, Vec3::Y)
+        let frame = frame as f32;
+        match self.way {
+            Way::Orbit {
+                distance,
+                height,
+                radians,
+            } => {
+                let (sin, cos) = (frame * radians).sin_cos();
+                let eye = Vec3::new(distance * sin, height, distance * cos);
+                Transform::from_translation(eye).looking_at(Vec3::ZERO, Vec3::Y)
+            }
+            Way::Walk {
+                from,
+                to,
+                step,
+                sideways,
+            } => {
+                let eye = from + (to - from).normalize() * (frame * step % from.distance(to));
+                let turn = Quat::from_rotation_y(sideways * (frame * 0.05).sin());
+                Transform::from_translation(eye).looking_to(turn * (to - from), Vec3::Y)
+            }
+            Way::Turn { radians } => {
+                let (sin, cos) = (frame * radians).sin_cos();
+                Transform::IDENTITY.looking_to(Vec3::new(sin, 0.2 * sin, cos), Vec3::Y)
+            }
+        }
     }
 
-    /// Spawns the camera: 45 degrees high, nothing nearer than 0.1 m.
+    /// Spawns the camera.
     pub fn spawn(&self, app: &mut App, target: RenderTarget) -> Entity {
         let projection = PerspectiveProjection {
-            fov: std::f32::consts::FRAC_PI_4,
+            fov: self.degrees.to_radians(),
             ..default()
         };
         let camera = (

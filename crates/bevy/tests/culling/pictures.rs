@@ -1,10 +1,10 @@
 //! Pictures with the plug-in and without: the same, with shadows of all kinds of lights.
 
-use antumbra_bevy::AntumbraCulling;
+use antumbra_bevy::{AntumbraCulling, Audit, Budget};
 use bevy::core_pipeline::prepass::DepthPrepass;
 use bevy::prelude::*;
 
-use crate::play::{Play, boxed, differences, from};
+use crate::play::{Paint, Play, boxed, differences, from};
 
 /// Numbers that are the same in each run.
 struct Dice(u32);
@@ -98,4 +98,110 @@ fn a_still_camera_draws_the_same_picture_with_shadows_of_all_lights() {
         let left_out = culled.report().culled.len();
         assert!(left_out > 60, "{left_out}");
     }
+}
+
+#[test]
+fn lights_that_light_nothing_in_sight_go_and_the_picture_stays() {
+    let [mut culled, mut full] = [true, false].map(|culls| {
+        let mut play = Play::with([200, 150], AntumbraCulling { lights: culls, ..default() });
+        fill(&mut play);
+        // A wall across the view, and lamps behind it that do not reach through.
+        play.add(Paint::Grey, boxed([0.0, 3.0, 14.0], [40.0, 12.0, 0.3]));
+        for x in [-6.0, 0.0, 6.0] {
+            let lamp = PointLight {
+                range: 4.0,
+                shadow_maps_enabled: true,
+                ..default()
+            };
+            let place = Transform::from_xyz(x, 1.0, 4.0);
+            play.app.world_mut().spawn((lamp, place));
+        }
+        let camera = play.camera;
+        play.set(camera, from([0.0, 1.0, 22.0]));
+        play
+    });
+    for frame in 0..5 {
+        culled.frame();
+        full.frame();
+        assert_eq!(differences(&culled.pixels(), &full.pixels()), 0, "frame {frame}");
+    }
+    assert_eq!((culled.report().lights, full.report().lights), (3, 0));
+    // They are back at once when the camera is behind the wall.
+    for play in [&mut culled, &mut full] {
+        let camera = play.camera;
+        play.set(camera, from([0.0, 6.0, -12.0]));
+        play.frame();
+    }
+    assert_eq!(culled.report().lights, 0);
+    assert_eq!(differences(&culled.pixels(), &full.pixels()), 0);
+}
+
+#[test]
+fn an_audit_counts_the_pixels_that_are_wrong_in_a_flight() {
+    let budget = Budget::Shift(1.0);
+    let audit = Audit::Every(1);
+    let settings = AntumbraCulling { budget, audit, ..default() };
+    let [mut culled, mut full] = [true, false].map(|culls| {
+        let mut play = Play::with([200, 150], Msaa::Off);
+        fill(&mut play);
+        if culls {
+            let camera = play.camera;
+            play.set(camera, settings.clone());
+        }
+        play
+    });
+    let mut wrong = Vec::new();
+    let mut told = Vec::new();
+    for step in 0..40 {
+        let angle = 0.06 * step as f32;
+        for play in [&mut culled, &mut full] {
+            let camera = play.camera;
+            play.set(camera, from([16.0 * angle.sin(), 1.0, 16.0 * angle.cos()]));
+            play.frame();
+        }
+        wrong.push(differences(&culled.pixels(), &full.pixels()));
+        let report = culled.report();
+        if told.len() < report.audits as usize {
+            // Bevy shows the report's share in percent; this is in pixels.
+            told.push((report.wrong.unwrap() * 300.0).round() as usize);
+        }
+    }
+    assert!(told.len() > 8, "{}", told.len());
+    // Each count is that of a frame, in order. A pixel in which a mesh is missing may show the same colour by chance.
+    let mut frames = wrong.iter();
+    for count in &told {
+        let is_close = |frame: &&usize| count.abs_diff(**frame) <= 2 + *count / 50;
+        assert!(frames.any(|frame| is_close(&frame)), "{count} in {wrong:?}, told {told:?}");
+    }
+    assert!(told.iter().any(|count| *count > 0), "nothing was wrong: {wrong:?}");
+}
+
+#[test]
+fn a_budget_of_wrong_pixels_is_kept_on_a_flight() {
+    let audit = Audit::Every(1);
+    let settings = AntumbraCulling { audit, ..default() };
+    let [mut culled, mut full] = [true, false].map(|culls| {
+        let mut play = Play::with([200, 150], Msaa::Sample4);
+        fill(&mut play);
+        if culls {
+            let camera = play.camera;
+            play.set(camera, settings.clone());
+        }
+        play
+    });
+    let (mut wrong, mut left_out) = (0, 0);
+    let steps = 60;
+    for step in 0..steps {
+        let angle = 0.01 * step as f32;
+        for play in [&mut culled, &mut full] {
+            let camera = play.camera;
+            play.set(camera, from([18.0 * angle.sin(), 1.0, 18.0 * angle.cos()]));
+            play.frame();
+        }
+        wrong += differences(&culled.pixels(), &full.pixels());
+        left_out += culled.report().culled.len();
+    }
+    let percent = 100.0 * wrong as f64 / (200.0 * 150.0 * f64::from(steps));
+    assert!(percent < 0.02, "{percent} %");
+    assert!(left_out / steps as usize > 20, "{left_out}");
 }
