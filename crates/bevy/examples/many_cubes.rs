@@ -19,7 +19,9 @@ use bevy::prelude::*;
 use view::{View, Way};
 
 fn main() {
-    let count = arguments::Arguments::of_process().scene_size.unwrap_or(40_000);
+    let count = arguments::Arguments::of_process()
+        .scene_size
+        .unwrap_or(40_000);
     let view = View {
         way: Way::Turn { radians: 0.01 },
         degrees: 45.0,

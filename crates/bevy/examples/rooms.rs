@@ -48,7 +48,12 @@ fn spawn(app: &mut App, rooms: u32, half: f32) {
     let cube = meshes.add(Cuboid::from_length(1.0));
     let shapes = [
         cube.clone(),
-        meshes.add(Sphere::new(0.5).mesh().ico(4).unwrap_or_else(|_| Sphere::new(0.5).into())),
+        meshes.add(
+            Sphere::new(0.5)
+                .mesh()
+                .ico(4)
+                .unwrap_or_else(|_| Sphere::new(0.5).into()),
+        ),
         meshes.add(Torus::new(0.25, 0.5)),
         meshes.add(Cylinder::new(0.5, 1.0)),
     ];
@@ -63,14 +68,20 @@ fn spawn(app: &mut App, rooms: u32, half: f32) {
     };
     let size = 2.0 * half;
     wall(Vec3::new(0.0, -0.05, 0.0), Vec3::new(size, 0.1, size));
-    wall(Vec3::new(0.0, HEIGHT + 0.05, 0.0), Vec3::new(size, 0.1, size));
+    wall(
+        Vec3::new(0.0, HEIGHT + 0.05, 0.0),
+        Vec3::new(size, 0.1, size),
+    );
     for line in 0..=rooms {
         let at = line as f32 * ROOM - half;
         for room in 0..rooms {
             let middle = (room as f32 + 0.5) * ROOM - half;
             let is_outer = line == 0 || line == rooms;
             // Along X and along Z.
-            for turn in [Quat::IDENTITY, Quat::from_rotation_y(std::f32::consts::FRAC_PI_2)] {
+            for turn in [
+                Quat::IDENTITY,
+                Quat::from_rotation_y(std::f32::consts::FRAC_PI_2),
+            ] {
                 for (side, width, low) in parts(is_outer) {
                     let height = HEIGHT - low;
                     let place = turn * Vec3::new(middle + side, low + height * 0.5, at);
@@ -83,10 +94,16 @@ fn spawn(app: &mut App, rooms: u32, half: f32) {
     // Things on the floors, some on top of each other.
     let mut number = 0u32;
     for room in 0..rooms * rooms {
-        let corner = Vec3::new((room % rooms) as f32, 0.0, (room / rooms) as f32) * ROOM - Vec3::new(half, 0.0, half);
+        let corner = Vec3::new((room % rooms) as f32, 0.0, (room / rooms) as f32) * ROOM
+            - Vec3::new(half, 0.0, half);
         for _ in 0..THINGS {
             number = number.wrapping_add(1);
-            let place = corner + Vec3::new(0.5 + 5.0 * dice(number, 1), 0.2 + 1.2 * dice(number, 2), 0.5 + 5.0 * dice(number, 3));
+            let place = corner
+                + Vec3::new(
+                    0.5 + 5.0 * dice(number, 1),
+                    0.2 + 1.2 * dice(number, 2),
+                    0.5 + 5.0 * dice(number, 3),
+                );
             let place = Transform::from_translation(place)
                 .with_scale(Vec3::splat(0.15 + 0.35 * dice(number, 4)))
                 .with_rotation(Quat::from_rotation_y(6.0 * dice(number, 5)));
@@ -99,7 +116,10 @@ fn spawn(app: &mut App, rooms: u32, half: f32) {
         illuminance: 3_000.0,
         ..default()
     };
-    world.spawn((sun, Transform::from_xyz(3.0, 8.0, 2.0).looking_at(Vec3::ZERO, Vec3::Y)));
+    world.spawn((
+        sun,
+        Transform::from_xyz(3.0, 8.0, 2.0).looking_at(Vec3::ZERO, Vec3::Y),
+    ));
 }
 
 /// A wall as boxes: offset along it, width, and height of the lower edge. An inner one has a door in its middle.
@@ -110,7 +130,11 @@ fn parts(is_outer: bool) -> Vec<(f32, f32, f32)> {
     let [width, height] = DOOR;
     let beside = (ROOM - width) * 0.5;
     let aside = (width + beside) * 0.5;
-    vec![(-aside, beside, 0.0), (aside, beside, 0.0), (0.0, width, height)]
+    vec![
+        (-aside, beside, 0.0),
+        (aside, beside, 0.0),
+        (0.0, width, height),
+    ]
 }
 
 /// A number from 0 to 1, the same in each run.

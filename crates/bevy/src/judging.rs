@@ -52,11 +52,12 @@ pub(crate) fn begin(
     let mut cameras = main.query::<Camera3ds>();
     main.resource_scope(|main: &mut World, mut culler: Mut<Culler>| {
         let culler = &mut *culler;
-        let mut encoder = device
-            .wgpu_device()
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor {
-                label: Some("antumbra: boxes"),
-            });
+        let mut encoder =
+            device
+                .wgpu_device()
+                .create_command_encoder(&wgpu::CommandEncoderDescriptor {
+                    label: Some("antumbra: boxes"),
+                });
         let mut live = Vec::new();
         let mut suspects = Vec::new();
         for (entity, settings, camera, msaa, place, is_scaled, mut report) in cameras.iter_mut(main)
@@ -121,13 +122,11 @@ fn found(main: &World, audited: &Audited) -> Vec<Suspect> {
 }
 
 /// The image that a camera draws; none while its target has no size.
-fn image_of(
-    camera: &Camera,
-    msaa: Msaa,
-    is_scaled: bool,
-) -> Result<Option<Image2d>, &'static str> {
-    let (Some(size), Some(part)) = (camera.physical_target_size(), camera.physical_viewport_rect())
-    else {
+fn image_of(camera: &Camera, msaa: Msaa, is_scaled: bool) -> Result<Option<Image2d>, &'static str> {
+    let (Some(size), Some(part)) = (
+        camera.physical_target_size(),
+        camera.physical_viewport_rect(),
+    ) else {
         return Ok(None);
     };
     if size.min_element() == 0 {

@@ -29,10 +29,17 @@ type Cameras<'w, 's> = Query<
 pub(crate) fn cull_lights(
     culler: Res<Culler>,
     mut cameras: Cameras,
-    mut lights: Query<&mut ViewVisibility, (Or<(With<PointLight>, With<SpotLight>)>, Without<Mesh3d>)>,
+    mut lights: Query<
+        &mut ViewVisibility,
+        (Or<(With<PointLight>, With<SpotLight>)>, Without<Mesh3d>),
+    >,
 ) {
-    let asks = |settings: &AntumbraCulling| settings.lights && settings.strategy == Strategy::FrameLate;
-    if !cameras.iter().any(|(.., ours)| ours.is_some_and(|(settings, _)| asks(settings))) {
+    let asks =
+        |settings: &AntumbraCulling| settings.lights && settings.strategy == Strategy::FrameLate;
+    if !cameras
+        .iter()
+        .any(|(.., ours)| ours.is_some_and(|(settings, _)| asks(settings)))
+    {
         return;
     }
     let mut hidden = EntityHashSet::default();
@@ -43,14 +50,23 @@ pub(crate) fn cull_lights(
         }
         let in_view = visible.get(TypeId::of::<ClusterVisibilityClass>());
         let eye = place.translation();
-        let verdicts = ours.as_ref().filter(|(settings, _)| asks(settings)).and_then(|(settings, _)| {
-            culler.views.get(&entity)?.verdicts(settings, eye, crate::cull::near(projection))
-        });
+        let verdicts = ours
+            .as_ref()
+            .filter(|(settings, _)| asks(settings))
+            .and_then(|(settings, _)| {
+                culler
+                    .views
+                    .get(&entity)?
+                    .verdicts(settings, eye, crate::cull::near(projection))
+            });
         let mut left_out = 0;
         for light in in_view {
             let found = culler.occludees.find(Kind::Light, *light);
             let is_hidden = lights.contains(*light)
-                && verdicts.as_ref().zip(found).is_some_and(|(verdicts, found)| verdicts.hides(&found));
+                && verdicts
+                    .as_ref()
+                    .zip(found)
+                    .is_some_and(|(verdicts, found)| verdicts.hides(&found));
             if is_hidden {
                 left_out += 1;
                 hidden.insert(*light);

@@ -2,8 +2,10 @@
 
 use std::collections::VecDeque;
 
-use antumbra::cull::judge::{DepthRange, Eye, HostDepth, Judge, JudgeError, JudgeOptions, JudgeView, Phases};
 use antumbra::cull::Gpu;
+use antumbra::cull::judge::{
+    DepthRange, Eye, HostDepth, Judge, JudgeError, JudgeOptions, JudgeView, Phases,
+};
 use antumbra::glam as ours;
 use bevy::core_pipeline::core_3d::CORE_3D_DEPTH_FORMAT;
 use bevy::prelude::*;
@@ -143,7 +145,10 @@ impl View {
             let found = occludees.find(Kind::Mesh, entity);
             found.is_none_or(|found| hidden.contains(found.index))
         });
-        let mut words = self.answers.take().map_or_else(Vec::new, |answers| answers.hidden);
+        let mut words = self
+            .answers
+            .take()
+            .map_or_else(Vec::new, |answers| answers.hidden);
         words.clear();
         words.extend_from_slice(hidden.words());
         self.answers = Some(Answers { of, hidden: words });
@@ -169,12 +174,23 @@ impl View {
     }
 
     /// What is known for a camera that is here, and has its near plane so far away. Nothing where the budget cannot be kept.
-    pub fn verdicts(&self, settings: &AntumbraCulling, eye: Vec3, near: f32) -> Option<Verdicts<'_>> {
-        let has_given_up = matches!(settings.budget, Budget::WrongPixels(_)) && self.dial > Budget::MOST_SHIFT;
-        if has_given_up && self.has_moved {
+    pub fn verdicts(
+        &self,
+        settings: &AntumbraCulling,
+        eye: Vec3,
+        near: f32,
+    ) -> Option<Verdicts<'_>> {
+        let answers = self.answers.as_ref()?;
+        let is_over_budget =
+            matches!(settings.budget, Budget::WrongPixels(_)) && self.dial > Budget::MOST_SHIFT;
+        if is_over_budget && self.has_moved && !settings.frozen {
             return None;
         }
-        let answers = self.answers.as_ref()?;
+        // What was hidden from where it was frozen stays so wherever the camera is taken.
+        let eye = match settings.frozen {
+            true => answers.of.place,
+            false => eye,
+        };
         let near = near * NEAR_ROOM + answers.of.place.distance(eye);
         Some(Verdicts { answers, eye, near })
     }
@@ -235,7 +251,11 @@ impl View {
     /// Notes that a test was asked for.
     pub fn note_asked(&mut self, frame: u64, epoch: u64) {
         let place = self.last.map_or(Vec3::ZERO, |last| last.at);
-        self.asked.push_back(Asked { frame, epoch, place });
+        self.asked.push_back(Asked {
+            frame,
+            epoch,
+            place,
+        });
         while self.asked.len() > MOST_ASKED {
             self.asked.pop_front();
         }

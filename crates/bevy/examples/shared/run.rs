@@ -27,7 +27,9 @@ fn without_window(arguments: &Arguments, view: &View, spawn: &dyn Fn(&mut App)) 
     spawn(&mut app);
     let target = headless::target(&mut app, arguments.size);
     let camera = view.spawn(&mut app, RenderTarget::from(target));
-    app.world_mut().entity_mut(camera).insert(arguments.culling());
+    app.world_mut()
+        .entity_mut(camera)
+        .insert(arguments.culling());
     headless::finish(&mut app);
     for frame in 0..arguments.frames {
         let pose = view.pose(arguments.path_frame(frame));
@@ -39,7 +41,9 @@ fn without_window(arguments: &Arguments, view: &View, spawn: &dyn Fn(&mut App)) 
                 time.whole.as_secs_f64() * 1e3,
                 report.drawn,
                 report.culled.len(),
-                report.wrong.map_or("-".to_owned(), |wrong| format!("{wrong:.3} %")),
+                report
+                    .wrong
+                    .map_or("-".to_owned(), |wrong| format!("{wrong:.3} %")),
             );
         }
     }
@@ -58,14 +62,18 @@ fn in_window(arguments: &Arguments, view: View, spawn: &dyn Fn(&mut App)) {
     app.add_plugins((DefaultPlugins, AntumbraPlugin));
     spawn(&mut app);
     let camera = view.spawn(&mut app, RenderTarget::default());
-    app.world_mut().entity_mut(camera).insert(arguments.culling());
+    app.world_mut()
+        .entity_mut(camera)
+        .insert(arguments.culling());
     app.insert_resource(Going {
         view,
         frame: 0,
         halts: arguments.is_still,
     });
     app.add_systems(Update, (go, keys, tell));
-    println!("C: culling on and off. F: freeze it. B: boxes of what is culled. Space: stop and go.");
+    println!(
+        "C: culling on and off. F: freeze it. B: boxes of what is culled. Space: stop and go."
+    );
     app.run();
 }
 

@@ -46,7 +46,10 @@ fn transform(columns: [f64; 12]) -> Transform {
 }
 
 fn mesh(geometry: &ours::Geometry) -> Mesh {
-    let mut mesh = Mesh::new(PrimitiveTopology::TriangleList, RenderAssetUsages::default());
+    let mut mesh = Mesh::new(
+        PrimitiveTopology::TriangleList,
+        RenderAssetUsages::default(),
+    );
     mesh.insert_attribute(Mesh::ATTRIBUTE_POSITION, geometry.positions.clone());
     mesh.insert_indices(Indices::U32(geometry.indices.clone()));
     if geometry.normals.is_empty() {

@@ -125,7 +125,10 @@ impl Counter {
     pub fn take(&mut self) -> Option<u32> {
         let mut found = None;
         self.ring.take_newest(|late| {
-            found = late.bytes.first_chunk().map(|bytes| u32::from_le_bytes(*bytes));
+            found = late
+                .bytes
+                .first_chunk()
+                .map(|bytes| u32::from_le_bytes(*bytes));
         });
         found
     }
@@ -151,8 +154,14 @@ impl Counter {
         let places = suspects.iter();
         let places = places.flat_map(|one| bytes(&Mat4::from(one.place).to_cols_array()));
         let frame = filled(device, wgpu::BufferUsages::UNIFORM, &frame);
-        let places = filled(device, wgpu::BufferUsages::STORAGE, &places.collect::<Vec<u8>>());
-        let depth = copied.texture.create_view(&wgpu::TextureViewDescriptor::default());
+        let places = filled(
+            device,
+            wgpu::BufferUsages::STORAGE,
+            &places.collect::<Vec<u8>>(),
+        );
+        let depth = copied
+            .texture
+            .create_view(&wgpu::TextureViewDescriptor::default());
         let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
         let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("antumbra: wrong pixels"),
@@ -268,10 +277,12 @@ fn pipeline(gpu: &Gpu, draws: Draws) -> wgpu::RenderPipeline {
         _ => ("texture_depth_multisampled_2d", "count_samples"),
     };
     let source = include_str!("wrong_pixels.wgsl").replace("DEPTH_TEXTURE", texture);
-    let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some("antumbra: wrong pixels"),
-        source: wgpu::ShaderSource::Wgsl(source.into()),
-    });
+    let module = gpu
+        .device
+        .create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some("antumbra: wrong pixels"),
+            source: wgpu::ShaderSource::Wgsl(source.into()),
+        });
     // Bind groups are made for any of the pipelines, so that their layout is spelled out.
     let entry_of = |binding, visibility, ty| wgpu::BindGroupLayoutEntry {
         binding,
@@ -287,74 +298,79 @@ fn pipeline(gpu: &Gpu, draws: Draws) -> wgpu::RenderPipeline {
     let both = wgpu::ShaderStages::VERTEX_FRAGMENT;
     let fragment = wgpu::ShaderStages::FRAGMENT;
     let storage = |read_only| buffer(wgpu::BufferBindingType::Storage { read_only });
-    let group = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("antumbra: wrong pixels"),
-        entries: &[
-            entry_of(0, both, buffer(wgpu::BufferBindingType::Uniform)),
-            entry_of(1, wgpu::ShaderStages::VERTEX, storage(true)),
-            entry_of(2, fragment, storage(false)),
-            entry_of(
-                3,
-                fragment,
-                wgpu::BindingType::Texture {
-                    sample_type: wgpu::TextureSampleType::Depth,
-                    view_dimension: wgpu::TextureViewDimension::D2,
-                    multisampled: draws.samples > 1,
-                },
-            ),
-        ],
-    });
-    let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: Some("antumbra: wrong pixels"),
-        bind_group_layouts: &[Some(&group)],
-        ..Default::default()
-    });
-    gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("antumbra: wrong pixels"),
-        layout: Some(&layout),
-        vertex: wgpu::VertexState {
-            module: &module,
-            entry_point: Some("place"),
-            compilation_options: Default::default(),
-            buffers: &[Some(wgpu::VertexBufferLayout {
-                array_stride: draws.stride,
-                step_mode: wgpu::VertexStepMode::Vertex,
-                attributes: &[wgpu::VertexAttribute {
-                    format: wgpu::VertexFormat::Float32x3,
-                    offset: draws.offset,
-                    shader_location: 0,
-                }],
-            })],
-        },
-        primitive: wgpu::PrimitiveState {
-            // A mirror image turns its faces round.
-            front_face: match draws.is_mirrored {
-                true => wgpu::FrontFace::Cw,
-                false => wgpu::FrontFace::Ccw,
+    let group = gpu
+        .device
+        .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("antumbra: wrong pixels"),
+            entries: &[
+                entry_of(0, both, buffer(wgpu::BufferBindingType::Uniform)),
+                entry_of(1, wgpu::ShaderStages::VERTEX, storage(true)),
+                entry_of(2, fragment, storage(false)),
+                entry_of(
+                    3,
+                    fragment,
+                    wgpu::BindingType::Texture {
+                        sample_type: wgpu::TextureSampleType::Depth,
+                        view_dimension: wgpu::TextureViewDimension::D2,
+                        multisampled: draws.samples > 1,
+                    },
+                ),
+            ],
+        });
+    let layout = gpu
+        .device
+        .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some("antumbra: wrong pixels"),
+            bind_group_layouts: &[Some(&group)],
+            ..Default::default()
+        });
+    gpu.device
+        .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some("antumbra: wrong pixels"),
+            layout: Some(&layout),
+            vertex: wgpu::VertexState {
+                module: &module,
+                entry_point: Some("place"),
+                compilation_options: Default::default(),
+                buffers: &[Some(wgpu::VertexBufferLayout {
+                    array_stride: draws.stride,
+                    step_mode: wgpu::VertexStepMode::Vertex,
+                    attributes: &[wgpu::VertexAttribute {
+                        format: wgpu::VertexFormat::Float32x3,
+                        offset: draws.offset,
+                        shader_location: 0,
+                    }],
+                })],
             },
-            cull_mode: Some(wgpu::Face::Back),
-            ..Default::default()
-        },
-        depth_stencil: Some(wgpu::DepthStencilState {
-            format: bevy::core_pipeline::core_3d::CORE_3D_DEPTH_FORMAT,
-            depth_write_enabled: Some(false),
-            depth_compare: Some(wgpu::CompareFunction::Always),
-            stencil: Default::default(),
-            bias: Default::default(),
-        }),
-        multisample: wgpu::MultisampleState {
-            count: draws.samples,
-            ..Default::default()
-        },
-        fragment: Some(wgpu::FragmentState {
-            module: &module,
-            entry_point: Some(entry),
-            compilation_options: Default::default(),
-            targets: &[],
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
+            primitive: wgpu::PrimitiveState {
+                // A mirror image turns its faces round.
+                front_face: match draws.is_mirrored {
+                    true => wgpu::FrontFace::Cw,
+                    false => wgpu::FrontFace::Ccw,
+                },
+                cull_mode: Some(wgpu::Face::Back),
+                ..Default::default()
+            },
+            depth_stencil: Some(wgpu::DepthStencilState {
+                format: bevy::core_pipeline::core_3d::CORE_3D_DEPTH_FORMAT,
+                depth_write_enabled: Some(false),
+                depth_compare: Some(wgpu::CompareFunction::Always),
+                stencil: Default::default(),
+                bias: Default::default(),
+            }),
+            multisample: wgpu::MultisampleState {
+                count: draws.samples,
+                ..Default::default()
+            },
+            fragment: Some(wgpu::FragmentState {
+                module: &module,
+                entry_point: Some(entry),
+                compilation_options: Default::default(),
+                targets: &[],
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
 }
 
 fn filled(device: &wgpu::Device, usage: wgpu::BufferUsages, contents: &[u8]) -> wgpu::Buffer {
@@ -372,5 +388,8 @@ fn filled(device: &wgpu::Device, usage: wgpu::BufferUsages, contents: &[u8]) -> 
 }
 
 fn bytes(numbers: &[f32]) -> Vec<u8> {
-    numbers.iter().flat_map(|number| number.to_le_bytes()).collect()
+    numbers
+        .iter()
+        .flat_map(|number| number.to_le_bytes())
+        .collect()
 }

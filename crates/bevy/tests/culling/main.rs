@@ -97,12 +97,18 @@ fn a_child_moves_with_its_parent() {
     let mut play = Play::new();
     play.add_wall();
     let red = play.add(Paint::Red, boxed([0.0; 3], SIZE));
-    let parent = (Transform::from_translation(Vec3::from_array(BEHIND)), Visibility::default());
+    let parent = (
+        Transform::from_translation(Vec3::from_array(BEHIND)),
+        Visibility::default(),
+    );
     let parent = play.app.world_mut().spawn(parent).id();
     play.set(red, ChildOf(parent));
     play.settle();
     assert!(play.culls(red));
-    play.set(parent, Transform::from_translation(Vec3::from_array(BESIDE)));
+    play.set(
+        parent,
+        Transform::from_translation(Vec3::from_array(BESIDE)),
+    );
     play.frame();
     assert!(play.seen(Paint::Red) > 20);
 }
@@ -156,7 +162,10 @@ fn two_cameras_have_answers_of_their_own() {
     );
     play.frame();
     assert_eq!(play.report().culled, [red]);
-    assert_eq!((play.report_of(other).drawn, play.report_of(other).age), (3, None));
+    assert_eq!(
+        (play.report_of(other).drawn, play.report_of(other).age),
+        (3, None)
+    );
     play.app.world_mut().despawn(wall);
     play.settle();
     assert_eq!(play.report().culled, [] as [Entity; 0]);
@@ -197,7 +206,10 @@ fn what_bevy_does_not_cull_by_a_box_is_never_left_out() {
     play.set(red, NoFrustumCulling);
     play.frame();
     assert!(!play.culls(red));
-    play.app.world_mut().entity_mut(red).remove::<NoFrustumCulling>();
+    play.app
+        .world_mut()
+        .entity_mut(red)
+        .remove::<NoFrustumCulling>();
     play.settle();
     assert!(play.culls(red));
     play.set(red, NoCpuCulling);
@@ -258,7 +270,11 @@ fn a_camera_that_draws_into_a_part_of_its_target_says_why_it_does_not_cull() {
         ..default()
     };
     let camera = play.camera;
-    play.app.world_mut().get_mut::<Camera>(camera).unwrap().viewport = Some(part);
+    play.app
+        .world_mut()
+        .get_mut::<Camera>(camera)
+        .unwrap()
+        .viewport = Some(part);
     play.settle();
     assert!(!play.culls(red));
     let fault = play.report().fault.clone().unwrap();

@@ -103,7 +103,13 @@ fn a_still_camera_draws_the_same_picture_with_shadows_of_all_lights() {
 #[test]
 fn lights_that_light_nothing_in_sight_go_and_the_picture_stays() {
     let [mut culled, mut full] = [true, false].map(|culls| {
-        let mut play = Play::with([200, 150], AntumbraCulling { lights: culls, ..default() });
+        let mut play = Play::with(
+            [200, 150],
+            AntumbraCulling {
+                lights: culls,
+                ..default()
+            },
+        );
         fill(&mut play);
         // A wall across the view, and lamps behind it that do not reach through.
         play.add(Paint::Grey, boxed([0.0, 3.0, 14.0], [40.0, 12.0, 0.3]));
@@ -123,7 +129,11 @@ fn lights_that_light_nothing_in_sight_go_and_the_picture_stays() {
     for frame in 0..5 {
         culled.frame();
         full.frame();
-        assert_eq!(differences(&culled.pixels(), &full.pixels()), 0, "frame {frame}");
+        assert_eq!(
+            differences(&culled.pixels(), &full.pixels()),
+            0,
+            "frame {frame}"
+        );
     }
     assert_eq!((culled.report().lights, full.report().lights), (3, 0));
     // They are back at once when the camera is behind the wall.
@@ -140,7 +150,11 @@ fn lights_that_light_nothing_in_sight_go_and_the_picture_stays() {
 fn an_audit_counts_the_pixels_that_are_wrong_in_a_flight() {
     let budget = Budget::Shift(1.0);
     let audit = Audit::Every(1);
-    let settings = AntumbraCulling { budget, audit, ..default() };
+    let settings = AntumbraCulling {
+        budget,
+        audit,
+        ..default()
+    };
     let [mut culled, mut full] = [true, false].map(|culls| {
         let mut play = Play::with([200, 150], Msaa::Off);
         fill(&mut play);
@@ -171,9 +185,15 @@ fn an_audit_counts_the_pixels_that_are_wrong_in_a_flight() {
     let mut frames = wrong.iter();
     for count in &told {
         let is_close = |frame: &&usize| count.abs_diff(**frame) <= 2 + *count / 50;
-        assert!(frames.any(|frame| is_close(&frame)), "{count} in {wrong:?}, told {told:?}");
+        assert!(
+            frames.any(|frame| is_close(&frame)),
+            "{count} in {wrong:?}, told {told:?}"
+        );
     }
-    assert!(told.iter().any(|count| *count > 0), "nothing was wrong: {wrong:?}");
+    assert!(
+        told.iter().any(|count| *count > 0),
+        "nothing was wrong: {wrong:?}"
+    );
 }
 
 #[test]

@@ -79,7 +79,12 @@ impl Play {
         play
     }
 
-    pub fn add_camera(&mut self, image: Handle<Image>, place: Transform, bundle: impl Bundle) -> Entity {
+    pub fn add_camera(
+        &mut self,
+        image: Handle<Image>,
+        place: Transform,
+        bundle: impl Bundle,
+    ) -> Entity {
         let projection = Projection::Perspective(PerspectiveProjection {
             fov: FRAC_PI_4,
             ..default()
@@ -95,7 +100,10 @@ impl Play {
     }
 
     pub fn add(&mut self, paint: Paint, place: Transform) -> Entity {
-        let mut materials = self.app.world_mut().resource_mut::<Assets<StandardMaterial>>();
+        let mut materials = self
+            .app
+            .world_mut()
+            .resource_mut::<Assets<StandardMaterial>>();
         let material = MeshMaterial3d(materials.add(paint.material()));
         let mesh = Mesh3d(self.cube.clone());
         self.app.world_mut().spawn((mesh, material, place)).id()
