@@ -46,12 +46,13 @@ pub(crate) fn add(app: &mut App) {
 fn draw(
     culler: Res<Culler>,
     cameras: Query<(Entity, &AntumbraCulling, &CullingReport)>,
+    store: Res<GizmoConfigStore>,
     mut gizmos: Gizmos<CullingGizmos>,
 ) {
-    if !gizmos.enabled {
+    let (config, colours) = store.config::<CullingGizmos>();
+    if !config.enabled {
         return;
     }
-    let colours = *gizmos.config_ext;
     for (camera, settings, report) in &cameras {
         for mesh in &report.culled {
             if let Some(found) = culler.occludees.find(Kind::Mesh, *mesh) {

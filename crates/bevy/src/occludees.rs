@@ -78,11 +78,6 @@ impl Occludees {
         }
     }
 
-    /// The number of meshes.
-    pub fn len(&self) -> usize {
-        self.of(Kind::Mesh).len()
-    }
-
     /// Takes over a shape. One that cannot be tested, for its numbers are not finite or there are too many, is not tracked, and so never culled.
     pub fn put(&mut self, entity: Entity, shape: Shape<'_>) {
         if let Err(error) = self.try_put(entity, shape) {

@@ -3,7 +3,6 @@
 use bevy::camera::primitives::{Aabb, Sphere};
 use bevy::camera::visibility::{DynamicSkinnedMeshBounds, NoCpuCulling, NoFrustumCulling};
 use bevy::ecs::query::QueryData;
-use bevy::mesh::morph::MeshMorphWeights;
 use bevy::mesh::skinning::SkinnedMesh;
 use bevy::platform::time::Instant;
 use bevy::prelude::*;
@@ -19,13 +18,12 @@ pub(crate) struct Mesh3dShape {
     place: &'static GlobalTransform,
     is_skinned: Has<SkinnedMesh>,
     is_skin_bounded: Has<DynamicSkinnedMeshBounds>,
-    is_morphed: Has<MeshMorphWeights>,
 }
 
 impl Mesh3dShapeItem<'_, '_> {
-    /// Whether the box holds all that is drawn.
+    /// Whether the box holds all that is drawn. As in Bevy's own culling, it has to hold what morph targets make of a mesh.
     fn is_bounded(&self) -> bool {
-        !self.is_morphed && (!self.is_skinned || self.is_skin_bounded)
+        !self.is_skinned || self.is_skin_bounded
     }
 }
 
@@ -43,7 +41,6 @@ type MeshChanged = Or<(
     Added<Mesh3d>,
     Added<SkinnedMesh>,
     Added<DynamicSkinnedMeshBounds>,
-    Added<MeshMorphWeights>,
 )>;
 
 /// Takes over what has changed since the last frame.
@@ -65,7 +62,6 @@ pub(crate) fn track_meshes(
         RemovedComponents<NoCpuCulling>,
         RemovedComponents<SkinnedMesh>,
         RemovedComponents<DynamicSkinnedMeshBounds>,
-        RemovedComponents<MeshMorphWeights>,
     )>,
 ) {
     let start = Instant::now();
@@ -79,7 +75,6 @@ pub(crate) fn track_meshes(
     again.extend(gone.p3().read());
     again.extend(gone.p4().read());
     again.extend(gone.p5().read());
-    again.extend(gone.p6().read());
     for entity in again {
         match all.get(entity) {
             Ok(mesh) if mesh.is_bounded() => {

@@ -2,6 +2,7 @@
 
 use antumbra::scene as ours;
 use bevy::asset::RenderAssetUsages;
+use bevy::math::Affine3A;
 use bevy::mesh::{Indices, PrimitiveTopology};
 use bevy::platform::collections::HashMap;
 use bevy::prelude::*;
