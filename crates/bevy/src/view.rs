@@ -230,10 +230,12 @@ impl View {
     pub fn shift(&self, settings: &AntumbraCulling) -> f32 {
         let wanted = match settings.budget {
             Budget::Shift(pixels) => pixels,
-            Budget::WrongPixels(_) => self.dial,
+            Budget::WrongPixels(_) if self.has_moved => self.dial,
+            // While the camera stands still, nothing is uncovered.
+            Budget::WrongPixels(_) => LEAST_SHIFT,
         };
-        // The least also takes in the jitter of temporal antialiasing. Written so that what is not a number is the least.
-        wanted.min(Budget::MOST_SHIFT).max(1.0)
+        // Written so that what is not a number is the least.
+        wanted.min(Budget::MOST_SHIFT).max(LEAST_SHIFT)
     }
 
     /// Turns the dial by the wrong pixels, in percent, of a frame in which the camera moved. Past its end, nothing is culled in motion until it has come back.
@@ -244,7 +246,7 @@ impl View {
         if wrong > allowed {
             self.dial = (self.dial * 2.0).min(Budget::MOST_SHIFT * 2.0);
         } else if wrong < allowed * 0.25 {
-            self.dial = (self.dial * 0.9).max(1.0);
+            self.dial = (self.dial * 0.9).max(LEAST_SHIFT);
         }
     }
 
@@ -274,6 +276,8 @@ impl View {
     }
 }
 
+/// Takes in the jitter of temporal antialiasing.
+const LEAST_SHIFT: f32 = 1.0;
 /// A step of the camera that is so many times longer than the one before may be a jump.
 const JUMP: f32 = 4.0;
 /// The corners of the near plane are farther from the eye than its middle: for 120 degrees high and 16:9, 3.7 times.

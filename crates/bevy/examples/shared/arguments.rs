@@ -62,6 +62,8 @@ pub struct Arguments {
     pub measures: bool,
     /// Whether the camera stays where it starts.
     pub is_still: bool,
+    /// Whether surfaces are lit. Bevy's lighting takes seconds a frame on a software driver, and would drown everything else.
+    pub is_lit: bool,
     /// Whether the plug-in begins switched off.
     pub is_off: bool,
     /// The scene's size, where it has one.
@@ -106,6 +108,7 @@ impl Arguments {
             frames: 0,
             measures: false,
             is_still: false,
+            is_lit: false,
             is_off: false,
             scene_size: None,
             size: [640, 480],
@@ -117,6 +120,7 @@ impl Arguments {
             match word.as_str() {
                 "--measure" => arguments.measures = true,
                 "--still" => arguments.is_still = true,
+                "--lit" => arguments.is_lit = true,
                 "--off" => arguments.is_off = true,
                 "--scene-size" => arguments.scene_size = Some(number(&value()?)? as u32),
                 "--frames" => arguments.frames = number(&value()?)?,
@@ -147,6 +151,7 @@ const USAGE: &str = "\
     --measure       compare ways to cull, and print the medians
     --ways A,B,..   which: frustum-1, bevy-1, antumbra-1, frustum-4, bevy-4, antumbra-4 (the number is that of samples a pixel)
     --still         do not move the camera
+    --lit           light surfaces
     --off           begin with the plug-in switched off
     --scene-size N  how large the scene is
     --size WxH      pixels, 640x480";

@@ -12,6 +12,14 @@ use crate::view::View;
 /// Does as the arguments say.
 pub fn run(view: View, spawn: &dyn Fn(&mut App)) {
     let arguments = Arguments::of_process();
+    let is_lit = arguments.is_lit;
+    let spawn: &dyn Fn(&mut App) = &move |app| {
+        spawn(app);
+        let mut materials = app.world_mut().resource_mut::<Assets<StandardMaterial>>();
+        for (_, mut material) in materials.iter_mut() {
+            material.unlit |= !is_lit;
+        }
+    };
     if arguments.measures {
         measure::measure(&arguments, &view, spawn);
     } else if arguments.frames > 0 {
