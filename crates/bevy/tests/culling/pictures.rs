@@ -113,9 +113,9 @@ fn lights_that_light_nothing_in_sight_go_and_the_picture_stays() {
         fill(&mut play);
         // A wall across the view, and lamps behind it that do not reach through.
         play.add(Paint::Grey, boxed([0.0, 3.0, 14.0], [40.0, 12.0, 0.3]));
-        for x in [-6.0, 0.0, 6.0] {
+        for x in [-3.0, 0.0, 3.0] {
             let lamp = PointLight {
-                range: 4.0,
+                range: 3.0,
                 shadow_maps_enabled: true,
                 ..default()
             };
