@@ -24,6 +24,7 @@ mod gizmos;
 mod judging;
 mod lights;
 mod occludees;
+mod roundness;
 mod settings;
 mod track;
 mod view;
@@ -32,6 +33,7 @@ pub use gizmos::CullingGizmos;
 pub use settings::{AntumbraCulling, Audit, Budget, CullingReport, Strategy};
 
 use antumbra::cull::Gpu;
+use bevy::asset::AssetEventSystems;
 use bevy::camera::visibility::VisibilitySystems;
 use bevy::core_pipeline::Core3d;
 use bevy::core_pipeline::core_3d::{main_opaque_pass_3d, main_transparent_pass_3d};
@@ -65,6 +67,7 @@ impl Plugin for AntumbraPlugin {
                     .chain()
                     .after(VisibilitySystems::CheckVisibility)
                     .after(TransformSystems::Propagate)
+                    .after(AssetEventSystems)
                     .before(SimulationLightSystems::AssignLightsToClusters)
                     .before(SimulationLightSystems::CheckLightVisibility)
                     .run_if(resource_exists::<culler::Culler>),

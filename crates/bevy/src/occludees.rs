@@ -8,9 +8,12 @@ use bevy::camera::primitives::Aabb;
 use bevy::ecs::entity::EntityHashMap;
 use bevy::prelude::*;
 
+use crate::roundness::Roundness;
+
 /// All meshes that can be culled. One set for all cameras.
 pub(crate) struct Occludees {
     pub instances: Instances,
+    pub roundness: Roundness,
     /// Of meshes and of lights: an entity may be both.
     indices: [EntityHashMap<u32>; 2],
     /// By the index of the instance.
@@ -25,6 +28,8 @@ struct Tracked {
     id: InstanceId,
     /// Its box in the world.
     now: WorldBox,
+    /// How round it is in there.
+    roundness: f32,
     /// What is tested, where that is more than its box: where it may be in the next frames.
     tested: Option<WorldBox>,
     /// The epoch with which what is tested reaches the device.
@@ -34,8 +39,8 @@ struct Tracked {
 /// What is tested.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Shape<'a> {
-    /// A mesh's box, and its place.
-    Mesh(&'a Aabb, &'a GlobalTransform),
+    /// A mesh's box, its place, and how round it is.
+    Mesh(&'a Aabb, &'a GlobalTransform, f32),
     /// A light's reach: its centre and its radius.
     Ball(Vec3, f32),
 }
@@ -72,6 +77,7 @@ impl Occludees {
     pub fn new(gpu: &Gpu) -> Self {
         Self {
             instances: Instances::new(gpu),
+            roundness: Roundness::default(),
             indices: Default::default(),
             tracked: Vec::new(),
             epoch: 0,
@@ -95,7 +101,9 @@ impl Occludees {
             return Ok(());
         };
         let before = std::mem::replace(&mut tracked.now, now);
-        if before == now || tracked.tested.is_some_and(|tested| tested.holds(&now)) {
+        let roundness = std::mem::replace(&mut tracked.roundness, shape.roundness());
+        let is_same = before == now && (roundness == shape.roundness() || tracked.tested.is_some());
+        if is_same || tracked.tested.is_some_and(|tested| tested.holds(&now)) {
             // What was found about the larger box is true of what is inside.
             return Ok(());
         }
@@ -115,7 +123,7 @@ impl Occludees {
     ) -> Result<(), JudgeError> {
         let (bounds, at) = match shape {
             // Along its own axes, which is tighter than along the world's.
-            Shape::Mesh(aabb, place) => {
+            Shape::Mesh(aabb, place, _) => {
                 let [centre, half] = [aabb.center, aabb.half_extents].map(double);
                 let columns = place.affine().to_cols_array().map(f64::from);
                 let at = DAffine3::from_cols_array(&columns);
@@ -129,6 +137,7 @@ impl Occludees {
             // A box alone hides nothing.
             part: Part::Occludee,
         })?;
+        self.instances.set_roundness(id, shape.roundness())?;
         let index = id.index();
         self.of_mut(shape.kind()).insert(entity, index);
         let length = self.tracked.len().max(index as usize + 1);
@@ -137,6 +146,7 @@ impl Occludees {
             *place = Some(Tracked {
                 id,
                 now,
+                roundness: shape.roundness(),
                 tested: None,
                 since: self.epoch,
             });
@@ -193,9 +203,17 @@ impl Shape<'_> {
         }
     }
 
+    fn roundness(&self) -> f32 {
+        match self {
+            Self::Mesh(_, _, roundness) => *roundness,
+            // The box is a cube around it.
+            Self::Ball(..) => 1.0,
+        }
+    }
+
     fn in_world(&self) -> WorldBox {
         match *self {
-            Self::Mesh(aabb, place) => WorldBox::of(aabb, place),
+            Self::Mesh(aabb, place, _) => WorldBox::of(aabb, place),
             Self::Ball(centre, radius) => WorldBox {
                 least: centre - radius,
                 most: centre + radius,

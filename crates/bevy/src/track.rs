@@ -8,22 +8,38 @@ use bevy::platform::time::Instant;
 use bevy::prelude::*;
 
 use crate::culler::Culler;
-use crate::occludees::{Kind, Shape};
+use crate::occludees::{Kind, Occludees, Shape};
+use crate::roundness::Roundness;
 
 /// What says whether a mesh is tested, and where it is.
 #[derive(QueryData)]
 pub(crate) struct Mesh3dShape {
     entity: Entity,
+    mesh: &'static Mesh3d,
     aabb: &'static Aabb,
     place: &'static GlobalTransform,
     is_skinned: Has<SkinnedMesh>,
     is_skin_bounded: Has<DynamicSkinnedMeshBounds>,
+    /// Other materials may move vertices within the box.
+    is_standard: Has<MeshMaterial3d<StandardMaterial>>,
 }
 
 impl Mesh3dShapeItem<'_, '_> {
     /// Whether the box holds all that is drawn. As in Bevy's own culling, it has to hold what morph targets make of a mesh.
     fn is_bounded(&self) -> bool {
         !self.is_skinned || self.is_skin_bounded
+    }
+
+    /// Has it tested as it is now, or not at all.
+    fn put(&self, occludees: &mut Occludees, meshes: &Assets<Mesh>) {
+        if !self.is_bounded() {
+            return occludees.remove(Kind::Mesh, self.entity);
+        }
+        let roundness = match self.is_standard && !self.is_skinned {
+            true => occludees.roundness.of(self.mesh.id(), meshes, self.aabb),
+            false => Roundness::ANGULAR,
+        };
+        occludees.put(self.entity, Shape::Mesh(self.aabb, self.place, roundness));
     }
 }
 
@@ -38,7 +54,9 @@ type Culled = (
 type MeshChanged = Or<(
     Changed<Aabb>,
     Changed<GlobalTransform>,
-    Added<Mesh3d>,
+    // Bevy marks it when the asset has changed, too.
+    Changed<Mesh3d>,
+    Added<MeshMaterial3d<StandardMaterial>>,
     Added<SkinnedMesh>,
     Added<DynamicSkinnedMeshBounds>,
 )>;
@@ -46,6 +64,8 @@ type MeshChanged = Or<(
 /// Takes over what has changed since the last frame.
 pub(crate) fn track_meshes(
     mut culler: ResMut<Culler>,
+    meshes: Res<Assets<Mesh>>,
+    mut events: MessageReader<AssetEvent<Mesh>>,
     changed: Query<Mesh3dShape, (Culled, MeshChanged)>,
     all: Query<Mesh3dShape, Culled>,
     exempt: Query<
@@ -62,6 +82,7 @@ pub(crate) fn track_meshes(
         RemovedComponents<NoCpuCulling>,
         RemovedComponents<SkinnedMesh>,
         RemovedComponents<DynamicSkinnedMeshBounds>,
+        RemovedComponents<MeshMaterial3d<StandardMaterial>>,
     )>,
 ) {
     let start = Instant::now();
@@ -75,20 +96,20 @@ pub(crate) fn track_meshes(
     again.extend(gone.p3().read());
     again.extend(gone.p4().read());
     again.extend(gone.p5().read());
+    again.extend(gone.p6().read());
+    for event in events.read() {
+        if let AssetEvent::Modified { id } | AssetEvent::Removed { id } = event {
+            occludees.roundness.forget(*id);
+        }
+    }
     for entity in again {
         match all.get(entity) {
-            Ok(mesh) if mesh.is_bounded() => {
-                occludees.put(entity, Shape::Mesh(mesh.aabb, mesh.place))
-            }
-            _ => occludees.remove(Kind::Mesh, entity),
+            Ok(mesh) => mesh.put(occludees, &meshes),
+            Err(_) => occludees.remove(Kind::Mesh, entity),
         }
     }
     for mesh in &changed {
-        if mesh.is_bounded() {
-            occludees.put(mesh.entity, Shape::Mesh(mesh.aabb, mesh.place));
-        } else {
-            occludees.remove(Kind::Mesh, mesh.entity);
-        }
+        mesh.put(occludees, &meshes);
     }
     spent.since(start);
 }

@@ -528,9 +528,8 @@ impl BegunView {
     }
 }
 
-const READS_NONE_BACK: JudgeError = JudgeError::Order(
-    "answers of a judge that reads none back: set `JudgeOptions::list`",
-);
+const READS_NONE_BACK: JudgeError =
+    JudgeError::Order("answers of a judge that reads none back: set `JudgeOptions::list`");
 
 fn no_view(view: usize, views: usize) -> JudgeError {
     JudgeError::View {

@@ -4,7 +4,7 @@ use antumbra_cull::judge::*;
 use antumbra_cull::{Verdict, Verdicts};
 use antumbra_testing::{gpus, vulkan};
 
-use crate::play::{Play, hosts, orbit};
+use crate::play::{Play, cube, hosts, orbit};
 use crate::{ahead, boxed};
 
 /// The indices that the newest answers call hidden, and the frame that these are about.
@@ -80,7 +80,10 @@ fn a_shift_is_counted_in_pixels_and_what_the_edge_cuts_off_may_come_in() {
     let scale = f64::from(projection.col(0).x) * 100.0 / 10.0;
     // A wall up to 50 pixels right of the middle, and what ends 5 pixels inside of it behind.
     let wall = 50.0 / scale;
-    play.add(boxed([-10.0 + wall, 0.0, -10.1], [10.0, 12.0, 0.1]), Part::Both);
+    play.add(
+        boxed([-10.0 + wall, 0.0, -10.1], [10.0, 12.0, 0.1]),
+        Part::Both,
+    );
     let end = 45.0 / scale * 11.0 / 10.0;
     play.add(boxed([end - 0.2, 0.0, -11.5], [0.2, 0.2, 0.5]), Part::Both);
     // Behind the wall as well, and in part beyond the image's left edge.
@@ -97,4 +100,35 @@ fn a_shift_is_counted_in_pixels_and_what_the_edge_cuts_off_may_come_in() {
     assert_eq!(found(0.0), [1, 2]);
     assert_eq!(found(3.0), [1]);
     assert_eq!(found(7.0), [0u32; 0]);
+}
+
+#[test]
+fn what_is_round_hides_where_only_the_corners_of_its_box_show() {
+    let (depth, projection) = hosts()[0];
+    let mut play = Play::new(vulkan(), [200, 160], depth, Phases::Late, 0);
+    // All of the image but its upper right quarter is covered.
+    play.add(boxed([-20.0, 0.0, -10.1], [20.0, 20.0, 0.1]), Part::Both);
+    play.add(boxed([0.0, -20.0, -10.1], [20.0, 20.0, 0.1]), Part::Both);
+    // A ball of 2 m comes to 1.41 m on the diagonal, its box to 2.
+    let ball = boxed([-1.7, -1.7, -14.0], [2.0, 2.0, 2.0]);
+    play.add(ball, Part::Both);
+    let id = play.ids[2].unwrap();
+    let mut found = |play: &mut Play| {
+        play.frame(ahead(projection), Phases::Late);
+        hidden(play).unwrap().1
+    };
+    assert_eq!(found(&mut play), [0u32; 0]);
+    play.instances.set_roundness(id, 1.0).unwrap();
+    assert_eq!(found(&mut play), [2]);
+    // It stays round wherever it goes and whatever part it has.
+    play.instances.set_part(id, Part::Occludee).unwrap();
+    play.instances.move_to(id, ball).unwrap();
+    assert_eq!(found(&mut play), [2]);
+    play.instances.set_roundness(id, 1.8).unwrap();
+    assert_eq!(found(&mut play), [0u32; 0]);
+    play.instances.set_roundness(id, 1.0).unwrap();
+    play.instances.set_bounds(id, cube(), ball).unwrap();
+    assert_eq!(found(&mut play), [0u32; 0]);
+    play.instances.remove(id).unwrap();
+    assert!(play.instances.set_roundness(id, 1.0).is_err());
 }
