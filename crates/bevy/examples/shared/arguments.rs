@@ -12,17 +12,21 @@ pub enum Way {
     Bevy(Msaa),
     /// This plug-in.
     Antumbra(Msaa),
+    /// This plug-in, with a depth prepass as Bevy's own culling has one: it is not needed, but no pixel is shaded twice.
+    AntumbraAndPrepass(Msaa),
 }
 
 impl Way {
     /// All that `--measure` compares where `--ways` names none.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 8] = [
         Self::Frustum(Msaa::Off),
         Self::Bevy(Msaa::Off),
         Self::Antumbra(Msaa::Off),
+        Self::AntumbraAndPrepass(Msaa::Off),
         Self::Frustum(Msaa::Sample4),
         Self::Bevy(Msaa::Sample4),
         Self::Antumbra(Msaa::Sample4),
+        Self::AntumbraAndPrepass(Msaa::Sample4),
     ];
 
     /// Its name on the command line and in tables.
@@ -31,6 +35,7 @@ impl Way {
             Self::Frustum(_) => "frustum",
             Self::Bevy(_) => "bevy",
             Self::Antumbra(_) => "antumbra",
+            Self::AntumbraAndPrepass(_) => "antumbra-prepass",
         };
         format!("{way}-{}", self.msaa().samples())
     }
@@ -38,7 +43,10 @@ impl Way {
     /// The samples a pixel.
     pub fn msaa(self) -> Msaa {
         match self {
-            Self::Frustum(msaa) | Self::Bevy(msaa) | Self::Antumbra(msaa) => msaa,
+            Self::Frustum(msaa)
+            | Self::Bevy(msaa)
+            | Self::Antumbra(msaa)
+            | Self::AntumbraAndPrepass(msaa) => msaa,
         }
     }
 
@@ -49,7 +57,12 @@ impl Way {
 
     /// Whether this plug-in culls.
     pub fn is_ours(self) -> bool {
-        matches!(self, Self::Antumbra(_))
+        matches!(self, Self::Antumbra(_) | Self::AntumbraAndPrepass(_))
+    }
+
+    /// Whether depth is drawn first.
+    pub fn has_prepass(self) -> bool {
+        matches!(self, Self::Bevy(_) | Self::AntumbraAndPrepass(_))
     }
 }
 
@@ -149,7 +162,7 @@ impl Arguments {
 const USAGE: &str = "\
     --frames N      run so many frames without a window
     --measure       compare ways to cull, and print the medians
-    --ways A,B,..   which: frustum-1, bevy-1, antumbra-1, frustum-4, bevy-4, antumbra-4 (the number is that of samples a pixel)
+    --ways A,B,..   which: frustum-1, bevy-1, antumbra-1, antumbra-prepass-1; with -4 for four samples a pixel
     --still         do not move the camera
     --lit           light surfaces
     --off           begin with the plug-in switched off

@@ -51,7 +51,7 @@ pub fn measure(arguments: &Arguments, view: &View, spawn: &dyn Fn(&mut App)) {
             }
         }
     }
-    println!("way            frame ms    host ms      drawn   wrong pixels, %");
+    println!("way                  frame ms    host ms      drawn   wrong pixels, %");
     for contender in &contenders {
         let whole = median(contender.times.iter().map(|time| time.whole));
         let host = median(contender.times.iter().map(|time| time.host));
@@ -61,7 +61,7 @@ pub fn measure(arguments: &Arguments, view: &View, spawn: &dyn Fn(&mut App)) {
             count => format!("{:.4}", contender.wrong.iter().sum::<f32>() / count as f32),
         };
         let name = contender.way.name();
-        println!("{name:12} {whole:10.2} {host:10.2} {drawn:10} {wrong:>17}");
+        println!("{name:18} {whole:10.2} {host:10.2} {drawn:10} {wrong:>17}");
     }
 }
 
@@ -76,8 +76,11 @@ impl Contender {
         let camera = view.spawn(&mut app, RenderTarget::from(target));
         let mut entity = app.world_mut().entity_mut(camera);
         entity.insert(way.msaa());
+        if way.has_prepass() {
+            entity.insert(DepthPrepass);
+        }
         if way.is_bevys_own() {
-            entity.insert((DepthPrepass, OcclusionCulling));
+            entity.insert(OcclusionCulling);
         }
         if way.is_ours() {
             entity.insert(arguments.culling());
