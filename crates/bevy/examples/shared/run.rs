@@ -16,7 +16,7 @@ pub fn run(view: View, spawn: &dyn Fn(&mut App)) {
     let spawn: &dyn Fn(&mut App) = &move |app| {
         spawn(app);
         let mut materials = app.world_mut().resource_mut::<Assets<StandardMaterial>>();
-        for (_, mut material) in materials.iter_mut() {
+        for (_, material) in materials.iter_mut() {
             material.unlit |= !is_lit;
         }
     };

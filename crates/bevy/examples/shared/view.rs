@@ -1,6 +1,7 @@
 //! The camera of an example, and the way that it goes.
 
 use bevy::camera::RenderTarget;
+use bevy::core_pipeline::tonemapping::{DebandDither, Tonemapping};
 use bevy::prelude::*;
 
 /// A camera's way.
@@ -12,6 +13,7 @@ pub struct View {
 }
 
 /// Where it goes, a step a frame.
+#[allow(dead_code, reason = "each example goes one of the ways")]
 #[derive(Debug, Clone, Copy)]
 pub enum Way {
     /// Around a centre, looking at it. Metres, and radians a frame.
@@ -70,6 +72,9 @@ impl View {
         };
         let camera = (
             Camera3d::default(),
+            // Colours as they are: what is measured is drawing and culling.
+            Tonemapping::None,
+            DebandDither::Disabled,
             Projection::Perspective(projection),
             target,
             self.pose(0),
