@@ -12,10 +12,10 @@ FUZZ_SECONDS ?= 600
 export NODEVICE_SELECT ?= 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test kit lint fmt shaders bench data fuzz
+.PHONY: help demo test kit lint fmt shaders bench data fuzz bevy test-bevy
 
 help: ## list these verbs
-	@sed -n 's/^\([a-z]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 14
+	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 14
 
 demo: ## compare all strategies on the built-in scene; the report goes to out/demo
 	scripts/vulkan.sh
@@ -46,6 +46,14 @@ bench: ## run the benches; loading is measured on data/2CylinderEngine.glb where
 	scripts/vulkan.sh
 	engine=$(CURDIR)/data/2CylinderEngine.glb; if [ -f "$$engine" ]; then export ANTUMBRA_ENGINE_GLB="$$engine"; fi; \
 	$(CARGO) bench --workspace --locked
+
+bevy: ## say which Rust compiles the Bevy plug-in of crates/bevy, and build its examples with it
+	scripts/bevy.sh
+	scripts/bevy.sh build --locked --examples
+
+test-bevy: ## test the Bevy plug-in
+	scripts/vulkan.sh
+	scripts/bevy.sh test --locked
 
 data: ## fetch the real scenes into data/
 	scripts/data.sh all

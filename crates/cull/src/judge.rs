@@ -51,6 +51,7 @@ mod view;
 
 use antumbra_graph::{CompileOptions, Graph, Plan, ReadBackCopy};
 
+pub use answers::Hidden;
 pub use depth::{DepthRange, HostDepth};
 pub use draws::{DrawBuffers, DrawKind, DrawTemplate, JudgeDraws};
 pub use error::JudgeError;
@@ -416,9 +417,7 @@ impl Judge {
             return Err(no_view(view, views));
         };
         if !self.options.list {
-            return Err(JudgeError::Order(
-                "verdicts of a judge that reads none back: set `JudgeOptions::list`",
-            ));
+            return Err(READS_NONE_BACK);
         }
         let Some(eye) = judged.eye else {
             return Err(JudgeError::Order(
@@ -434,6 +433,22 @@ impl Judge {
         let answers = judged.list.newest();
         answers.judge(instances, &eye, range, cuts, &mut judged.inside, verdicts);
         Ok(answers.frame())
+    }
+
+    /// What was found hidden, by the newest answers that have arrived. Never waits; `None` before the first, and since a cut until one is about a later frame. For hosts that have lists of their own,
+    /// and know what has come, changed or moved since [`Hidden::frame`]: they draw that, whatever its bit says. [`Self::verdicts`] does so for what has come, and looks at the frustum as well.
+    ///
+    /// # Errors
+    /// [`JudgeError::View`] for a view that does not exist; [`JudgeError::Order`] without [`JudgeOptions::list`].
+    pub fn hidden(&mut self, view: usize) -> Result<Option<Hidden<'_>>, JudgeError> {
+        let views = self.views.len();
+        let Some(judged) = self.views.get_mut(view) else {
+            return Err(no_view(view, views));
+        };
+        if !self.options.list {
+            return Err(READS_NONE_BACK);
+        }
+        Ok(judged.list.newest().hidden(judged.cuts))
     }
 
     /// Writes a host's indirect draws: of each draw's members, those that are chosen, in order.
@@ -512,6 +527,9 @@ impl BegunView {
         GpuJudgedView::new(&self.eye, spec.size, spec.depth, count, self.flags)
     }
 }
+
+const READS_NONE_BACK: JudgeError =
+    JudgeError::Order("answers of a judge that reads none back: set `JudgeOptions::list`");
 
 fn no_view(view: usize, views: usize) -> JudgeError {
     JudgeError::View {

@@ -46,7 +46,8 @@ fn look_at(place: RelativeBox, is_close: bool) -> u32 {
         dot(abs(rows[3].xyz), place.reach) + abs(rows[3].w),
     );
     let lost = error.z + abs(nearest) * error.w + view.depth_step;
-    let margin = error.xy + max(abs(low), abs(high)) * error.w;
+    let shift = 2.0 * view.shift / vec2<f32>(view.pixels_wide, view.pixels_high);
+    let margin = error.xy + max(abs(low), abs(high)) * error.w + shift;
     let scale = vec2<f32>(0.5 * view.pixels_wide, -0.5 * view.pixels_high);
     let one = (low - margin) * scale;
     let other = (high + margin) * scale;
@@ -66,6 +67,10 @@ fn look_at(place: RelativeBox, is_close: bool) -> u32 {
     if any(begin > end) {
         // Between the samples.
         return LOOK_HIDDEN;
+    }
+    // What the image's edge cuts off may come in.
+    if view.shift > 0.0 && (any(begin < vec2<f32>(0.0)) || any(end > last)) {
+        return LOOK_SHOWS;
     }
     let least = vec2<u32>(clamp(begin, vec2<f32>(0.0), last));
     let greatest = vec2<u32>(clamp(end, vec2<f32>(0.0), last));

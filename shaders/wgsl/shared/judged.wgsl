@@ -18,6 +18,11 @@ struct JudgedView {
     count: u32,
     // Bits of `FORGET` and the following.
     flags: u32,
+    // By how many pixels the image may shift until the answers are used.
+    shift: f32,
+    padding_a: f32,
+    padding_b: f32,
+    padding_c: f32,
 }
 
 // What is remembered of the instances belongs to another camera.

@@ -15,6 +15,27 @@ pub(super) struct Asked {
     pub cuts: u64,
 }
 
+/// What a test has found hidden, as it was found: see [`Judge::hidden`](super::Judge::hidden).
+#[derive(Debug, Clone, Copy)]
+pub struct Hidden<'a> {
+    /// The frame that the test was about.
+    pub frame: u64,
+    words: &'a [u32],
+}
+
+impl<'a> Hidden<'a> {
+    /// Whether the instance that had an index in that frame was hidden. One that was outside of the view was not.
+    pub fn contains(&self, index: u32) -> bool {
+        let word = self.words.get(index as usize / 32).copied().unwrap_or(0);
+        word >> (index % 32) & 1 != 0
+    }
+
+    /// The bits by index, 32 a word; what lies beyond the end is not hidden.
+    pub fn words(&self) -> &'a [u32] {
+        self.words
+    }
+}
+
 /// The newest answers of a view that have arrived.
 #[derive(Debug, Default)]
 pub(super) struct Answers {
@@ -36,9 +57,13 @@ impl Answers {
         self.frame
     }
 
-    fn is_hidden(&self, index: u32) -> bool {
-        let word = self.hidden.get(index as usize / 32).copied().unwrap_or(0);
-        word >> (index % 32) & 1 != 0
+    /// What was hidden, unless the camera was cut since.
+    pub fn hidden(&self, cuts: u64) -> Option<Hidden<'_>> {
+        self.asked.filter(|asked| asked.cuts == cuts)?;
+        Some(Hidden {
+            frame: self.frame?,
+            words: &self.hidden,
+        })
     }
 
     /// Gives every instance a verdict for an eye of now. `inside` is memory for indices.
@@ -60,6 +85,8 @@ impl Answers {
             eye.frustum().cull(world, inside);
         }
         let asked = self.asked.filter(|asked| asked.cuts == cuts);
+        let hidden = self.hidden(cuts);
+        let is_hidden = |index| hidden.is_some_and(|hidden| hidden.contains(index));
         for index in inside.iter().copied() {
             let Some((part, added)) = instances.part(index) else {
                 continue;
@@ -67,7 +94,7 @@ impl Answers {
             let verdict = match (part, asked) {
                 (Part::Occluder | Part::Exempt, _) | (_, None) => Verdict::Untested,
                 (_, Some(asked)) if added > asked.epoch => Verdict::New,
-                _ if !self.is_hidden(index) => Verdict::Visible,
+                _ if !is_hidden(index) => Verdict::Visible,
                 _ => match instances.bounds(index) {
                     Some(bounds) if !eye.reaches_near(&bounds, range) => Verdict::Occluded,
                     _ => Verdict::Untested,

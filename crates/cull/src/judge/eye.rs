@@ -18,6 +18,9 @@ pub struct Eye {
     pub position: DVec3,
     /// Whether the camera jumped since the last frame: nothing that was found before is used.
     pub cut: bool,
+    /// By how many pixels the image may shift until this frame's answers are used, where that is later: what is hidden is so by as much, and what crosses the image's edge is not. With 0, answers are about
+    /// this very image. It makes what a moving camera uncovers rarer in answers that are late, and hides less.
+    pub shift: f32,
 }
 
 impl Eye {
@@ -27,6 +30,7 @@ impl Eye {
             clip_from_relative,
             position,
             cut: false,
+            shift: 0.0,
         }
     }
 
@@ -48,6 +52,12 @@ impl Eye {
             return Some(
                 "its matrix holds numbers that are not finite: give finite ones".to_owned(),
             );
+        }
+        if !(self.shift >= 0.0 && self.shift.is_finite()) {
+            return Some(format!(
+                "its image shifts by {} pixels: give a finite number that is at least 0",
+                self.shift
+            ));
         }
         (!is_invertible(&self.clip_from_relative.as_dmat4())).then(|| {
             "its matrix is singular, so that points at different places look the same: give one that can be inverted".to_owned()
@@ -120,9 +130,13 @@ pub(crate) struct GpuJudgedView {
     depth_step: f32,
     pub count: u32,
     flags: u32,
+    shift: f32,
+    padding_a: f32,
+    padding_b: f32,
+    padding_c: f32,
 }
 
-assert_layout!(GpuJudgedView, "judge_first", "JudgedView", { clip_from_relative, eye_high, pixels_wide, eye_low, pixels_high, towards, depth_step, count, flags });
+assert_layout!(GpuJudgedView, "judge_first", "JudgedView", { clip_from_relative, eye_high, pixels_wide, eye_low, pixels_high, towards, depth_step, count, flags, shift, padding_a, padding_b, padding_c });
 
 /// Bits of `GpuJudgedView::flags`.
 pub(crate) const FORGET: u32 = 1;
@@ -145,6 +159,10 @@ impl GpuJudgedView {
             depth_step: depth.step(),
             count,
             flags,
+            shift: eye.shift,
+            padding_a: 0.0,
+            padding_b: 0.0,
+            padding_c: 0.0,
         }
     }
 }

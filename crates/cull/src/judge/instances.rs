@@ -91,6 +91,8 @@ struct Owner {
     local: Aabb,
     /// The epoch in which it came.
     added: u64,
+    /// Bits of its record's traits: how round it is.
+    round: u32,
     part: Part,
     /// Whether it is among the changed.
     is_changed: bool,
@@ -258,7 +260,7 @@ impl Instances {
         outcome
     }
 
-    /// Gives an instance other bounds, in its own space, and a place: one that grows or bends. What is known of it is kept.
+    /// Gives an instance other bounds, in its own space, and a place: one that grows or bends. What is known of it is kept, but for its roundness: it may fill its box.
     ///
     /// # Errors
     /// [`JudgeError::Unknown`], and [`JudgeError::Instance`] as for [`Self::insert`].
@@ -280,7 +282,26 @@ impl Instances {
         check_bounds(&bounds).map_err(fault)?;
         let record = record(&bounds, &at, owner.part, id.generation).map_err(fault)?;
         owner.local = bounds;
+        owner.round = 0;
         kept.put(id, record);
+        Ok(())
+    }
+
+    /// Says how round an instance's contents are: they lie in the ellipsoid whose half axes are the half edges of its bounds times this. 1 is a ball, what is at or above the root of 3 may fill its box, as without this call.
+    /// What is round is found hidden more often.
+    ///
+    /// # Errors
+    /// [`JudgeError::Unknown`].
+    pub fn set_roundness(&mut self, id: InstanceId, roundness: f32) -> Result<(), JudgeError> {
+        let kept = self.kept_mut()?;
+        kept.check_ids([id].into_iter())?;
+        let index = id.index as usize;
+        let (owner, record) = (kept.owners.get_mut(index), kept.records.get_mut(index));
+        if let (Some(owner), Some(record)) = (owner, record) {
+            owner.round = JudgedInstance::round_bits(roundness);
+            record.traits = record.traits & !JudgedInstance::ROUND | owner.round;
+        }
+        kept.note(id.index);
         Ok(())
     }
 
@@ -295,7 +316,7 @@ impl Instances {
         let (owner, record) = (kept.owners.get_mut(index), kept.records.get_mut(index));
         if let (Some(owner), Some(record)) = (owner, record) {
             owner.part = part;
-            record.traits = JudgedInstance::traits(part, id.generation);
+            record.traits = JudgedInstance::traits(part, id.generation) | owner.round;
         }
         kept.note(id.index);
         Ok(())
@@ -471,6 +492,7 @@ impl Kept {
         let owner = Owner {
             local: desc.bounds,
             added: epoch,
+            round: 0,
             part: desc.part,
             is_changed: false,
             is_stale: false,
@@ -528,8 +550,10 @@ impl Kept {
 
     /// Gives an instance its record.
     fn put(&mut self, id: InstanceId, record: JudgedInstance) {
-        if let Some(place) = self.records.get_mut(id.index as usize) {
+        let index = id.index as usize;
+        if let (Some(place), Some(owner)) = (self.records.get_mut(index), self.owners.get(index)) {
             *place = record;
+            place.traits |= owner.round;
         }
         self.note(id.index);
     }
@@ -554,7 +578,7 @@ impl Kept {
         for id in ids {
             let record = self.records.get(id.index as usize);
             let own = JudgedInstance::LIVE | id.generation << 8;
-            let mask = !(JudgedInstance::HIDES | JudgedInstance::TESTED);
+            let mask = !(JudgedInstance::HIDES | JudgedInstance::TESTED | JudgedInstance::ROUND);
             if record.is_none_or(|record| record.traits & mask != own) {
                 return Err(JudgeError::Unknown {
                     index: id.index,

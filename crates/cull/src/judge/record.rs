@@ -34,7 +34,7 @@ pub struct JudgedInstance {
     pub row_z: [f32; 4],
     /// The low parts of the centre: what is left of each f64 coordinate after its high part, the nearest f32.
     pub centre_low: [f32; 3],
-    /// [`Self::HIDES`], [`Self::TESTED`] and [`Self::LIVE`], bits 3 to 7 zero, and from bit 8 on a generation: another one says that the index has a new owner, of which nothing is known.
+    /// [`Self::HIDES`], [`Self::TESTED`] and [`Self::LIVE`], bits 3 to 7 zero (the contents may fill the box), and from bit 8 on a generation: another one says that the index has a new owner, of which nothing is known.
     pub traits: u32,
 }
 
@@ -47,6 +47,8 @@ impl JudgedInstance {
     pub const TESTED: u32 = 2;
     /// It is there. Without this bit the record is skipped.
     pub const LIVE: u32 = 4;
+    /// How round it is: [`Self::round_bits`].
+    pub(super) const ROUND: u32 = 31 << 3;
     /// The generations there are: those above begin at 0 again.
     pub const GENERATIONS: u32 = 1 << 24;
 
@@ -67,7 +69,7 @@ impl JudgedInstance {
     }
 
     /// Bits 3 to 7 of the traits, as `shared/judged_instance.wgsl` has them: how round it is, in steps of a fortieth, rounded up; 0 for what gains nothing by it.
-    fn round_bits(roundness: f32) -> u32 {
+    pub(super) fn round_bits(roundness: f32) -> u32 {
         let steps = ((roundness - 1.0).max(0.0) * 40.0).ceil();
         // Written so that what is not a number gains nothing.
         if steps < 26.0 {

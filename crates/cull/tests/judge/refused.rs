@@ -51,6 +51,14 @@ fn what_cannot_be_judged_is_refused_and_the_message_says_what_to_do() {
     infinite.clip_from_relative.y_axis.z = f32::NAN;
     assert!(refused(infinite).contains("not finite"));
     assert!(refused(Eye::new(projection, DVec3::splat(f64::INFINITY))).contains("finite"));
+    assert!(refused(Eye { shift: -1.0, ..eye }).contains("shifts by -1 pixels"));
+    assert!(
+        refused(Eye {
+            shift: f32::NAN,
+            ..eye
+        })
+        .contains("shifts by NaN pixels")
+    );
     // The instances.
     let desc = |at| InstanceDesc {
         bounds: cube(),
