@@ -113,7 +113,7 @@ fn what_is_round_hides_where_only_the_corners_of_its_box_show() {
     let ball = boxed([-1.7, -1.7, -14.0], [2.0, 2.0, 2.0]);
     play.add(ball, Part::Both);
     let id = play.ids[2].unwrap();
-    let mut found = |play: &mut Play| {
+    let found = |play: &mut Play| {
         play.frame(ahead(projection), Phases::Late);
         hidden(play).unwrap().1
     };
