@@ -7,7 +7,7 @@ mod common;
 use std::alloc::System;
 use std::io::{Cursor, Write};
 use std::path::Path;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use antumbra_formats::{
     LoadOptions, RasterFormat, SceneFormat, load, load_raster_slice_within, load_slice,
@@ -32,9 +32,13 @@ fn options() -> LoadOptions {
     }
 }
 
+/// The turn of a test, from before it makes its input: what one test allocates counts against the limit of another.
+fn turn() -> MutexGuard<'static, ()> {
+    TURN.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// Runs what must be refused; its message. Beyond the budget no more than what is read, and what is taken in one step, is allocated.
 fn refused<T>(read: impl FnOnce() -> Result<T, String>, words: &[&str]) {
-    let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
     let before = ALLOCATOR.allocated();
     ALLOCATOR.set_limit(before + 2 * MEMORY).unwrap();
     let read = read();
@@ -77,6 +81,7 @@ fn npz(arrays: &[(&str, Vec<u8>)]) -> Vec<u8> {
 
 #[test]
 fn arrays_of_an_npz_share_one_budget() {
+    let _turn = turn();
     let side = 2048;
     let arrays = ["a", "b", "c"].map(|name| (name, npy("|u1", "(4194304,)", side * side)));
     raster(RasterFormat::Npz, &npz(&arrays), &["array `b`", "MiB"]);
@@ -86,6 +91,7 @@ fn arrays_of_an_npz_share_one_budget() {
 
 #[test]
 fn entries_of_an_npz_that_overlap_are_refused() {
+    let _turn = turn();
     let honest = npz(&[("a", npy("|u1", "(1024, 1024)", 1 << 20))]);
     let end = honest.len() - 22;
     let number = |at: usize| u32::from_le_bytes(honest[at..at + 4].try_into().unwrap());
@@ -107,6 +113,7 @@ fn entries_of_an_npz_that_overlap_are_refused() {
 
 #[test]
 fn headers_of_an_npz_are_quoted_in_short() {
+    let _turn = turn();
     let shape = format!("({})", "1,".repeat(1 << 20));
     raster(
         RasterFormat::Npz,
@@ -151,6 +158,7 @@ fn tiff(side: u32, strip: u32) -> Vec<u8> {
 
 #[test]
 fn posts_of_a_geotiff_are_paid_for_before_they_are_decoded() {
+    let _turn = turn();
     let bomb = tiff(32_768, 1 << 18);
     raster(
         RasterFormat::GeoTiff,
@@ -173,6 +181,7 @@ fn point(primitives: usize, name: &str, nodes: &str) -> Vec<u8> {
 
 #[test]
 fn names_of_a_gltf_that_are_copied_are_paid_for() {
+    let _turn = turn();
     let name = "n".repeat(1 << 20);
     let each_part = point(500, &name, r#"{"mesh":0}"#);
     scene(
@@ -187,6 +196,7 @@ fn names_of_a_gltf_that_are_copied_are_paid_for() {
 
 #[test]
 fn levels_times_primitives_are_bounded() {
+    let _turn = turn();
     // Each primitive of node 0 would have a list of all levels.
     let levels = vec!["1"; 40_000].join(",");
     let nodes =
@@ -197,6 +207,7 @@ fn levels_times_primitives_are_bounded() {
 
 #[test]
 fn morph_targets_times_vertices_are_bounded() {
+    let _turn = turn();
     let (targets, vertices) = (2_000, 100_000);
     let target = vec![r#"{"POSITION":0}"#; targets].join(",");
     let weights = vec!["1"; targets].join(",");
@@ -220,6 +231,7 @@ fn morph_targets_times_vertices_are_bounded() {
 
 #[test]
 fn a_material_library_is_read_once_however_often_it_is_named() {
+    let _turn = turn();
     let folder = tempfile::tempdir().unwrap();
     let library: String = (0..10_000)
         .map(|i| format!("newmtl m{i}\nKd 1 0 0\n"))
@@ -228,13 +240,13 @@ fn a_material_library_is_read_once_however_often_it_is_named() {
     let path = folder.path().join("a.obj");
     let shape = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m7\nf 1 2 3\n";
     std::fs::write(&path, "mtllib big.mtl\n".repeat(1000) + shape).unwrap();
-    let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
     let scene = load(&path, &options()).unwrap();
     assert_eq!(scene.materials().count(), 1);
 }
 
 #[test]
 fn a_material_library_has_a_share_of_the_budget() {
+    let _turn = turn();
     let folder = tempfile::tempdir().unwrap();
     let library: String = (0..200_000).map(|i| format!("newmtl {i}\n")).collect();
     std::fs::write(folder.path().join("big.mtl"), library).unwrap();
@@ -246,6 +258,7 @@ fn a_material_library_has_a_share_of_the_budget() {
 
 #[test]
 fn objects_of_an_obj_are_paid_for_with_what_becomes_of_them() {
+    let _turn = turn();
     let objects: String = (0..30_000)
         .map(|i| format!("o {i}\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -3\n"))
         .collect();
@@ -258,12 +271,14 @@ fn objects_of_an_obj_are_paid_for_with_what_becomes_of_them() {
 
 #[test]
 fn triangles_of_an_stl_are_paid_for() {
+    let _turn = turn();
     let bomb = common::stl_binary(b"bomb", 300_000);
     scene(SceneFormat::Stl, &bomb, &["MiB"]);
 }
 
 #[test]
 fn elements_of_a_ply_are_paid_for_before_they_are_read() {
+    let _turn = turn();
     let header = "ply\nformat ascii 1.0\nelement vertex 1000000\nproperty float x\nend_header\n";
     let bomb = header.to_owned() + &"0\n".repeat(1_000_000);
     scene(
@@ -275,6 +290,7 @@ fn elements_of_a_ply_are_paid_for_before_they_are_read() {
 
 #[test]
 fn objects_of_a_cityjson_are_paid_for() {
+    let _turn = turn();
     let objects: Vec<String> = (0..60_000)
         .map(|i| format!(r#""{i}":{{"type":"Building"}}"#))
         .collect();

@@ -8,7 +8,7 @@ mod roff;
 
 use std::alloc::System;
 use std::path::Path;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use antumbra_scene::{Geometry, Scene};
 use antumbra_subsurface::read::{ReadOptions, surfaces_from_bytes};
@@ -27,12 +27,16 @@ static TURN: Mutex<()> = Mutex::new(());
 /// The budget of memory.
 const MEMORY: usize = 64 << 20;
 
+/// The turn of a test, from before it makes its input: what one test allocates counts against the limit of another.
+fn turn() -> MutexGuard<'static, ()> {
+    TURN.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 fn refused(name: &str, bytes: &[u8], words: &[&str]) {
     let options = ReadOptions {
         max_memory: Some(MEMORY as u64),
         ..ReadOptions::default()
     };
-    let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
     let before = ALLOCATOR.allocated();
     ALLOCATOR.set_limit(before + 2 * MEMORY).unwrap();
     let read = surfaces_from_bytes(Path::new(name), bytes, &options, &mut |_, _| ());
@@ -46,6 +50,7 @@ fn refused(name: &str, bytes: &[u8], words: &[&str]) {
 
 #[test]
 fn layers_of_a_roff_grid_are_paid_for_before_they_are_made() {
+    let _turn = turn();
     let layers = 60_000;
     let mut file = Roff::new(Way::Little, "grid");
     file.dimensions([1, 1, layers]);
@@ -64,6 +69,7 @@ fn layers_of_a_roff_grid_are_paid_for_before_they_are_made() {
 
 #[test]
 fn nodes_of_a_surface_are_paid_for_with_what_becomes_of_them() {
+    let _turn = turn();
     let (columns, rows) = (1000, 1000);
     let mut text =
         format!("-996 {rows} 1 1\n0 {columns} 0 {rows}\n{columns} 0 0 0\n0 0 0 0 0 0 0\n");
@@ -76,6 +82,7 @@ fn nodes_of_a_surface_are_paid_for_with_what_becomes_of_them() {
 
 #[test]
 fn vertices_picks_and_faults_are_paid_for() {
+    let _turn = turn();
     let mut gocad = "GOCAD TSurf 1\n".to_owned();
     for i in 1..150_000 {
         gocad += &format!("VRTX {i} 0 0 0\n");
@@ -98,6 +105,7 @@ fn vertices_picks_and_faults_are_paid_for() {
 
 #[test]
 fn what_a_file_says_is_quoted_in_short() {
+    let _turn = turn();
     let long = "\u{1b}[31m".to_owned() + &"w".repeat(1 << 20);
     for (name, text) in [
         ("a.irap", format!("-996 {long}")),
@@ -132,6 +140,7 @@ fn tiny(side: u32, brick: u32) -> VolumeLayout {
 
 #[test]
 fn a_volume_of_tiny_bricks_has_few_tiles() {
+    let _turn = turn();
     let layout = tiny(4096, 2);
     let mut scene = Scene::new();
     let usual = SliceOptions::default();
@@ -148,6 +157,7 @@ fn a_volume_of_tiny_bricks_has_few_tiles() {
 
 #[test]
 fn many_triangles_at_one_vertex_are_no_endless_work() {
+    let _turn = turn();
     let spokes = 60_000_u32;
     let angle = |i: u32| f64::from(i) / f64::from(spokes) * std::f64::consts::TAU;
     let rim = (0..spokes).map(|i| [angle(i).cos() as f32, 0.1, angle(i).sin() as f32]);
