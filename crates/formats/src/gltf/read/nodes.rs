@@ -271,6 +271,8 @@ impl SceneBuilder<'_, '_> {
         };
         if source.primitives.len() > 1 {
             name = format!("{name}, primitive {}", key.primitive);
+            // As long as it is paid for: a text that grows takes twice its length.
+            name.shrink_to_fit();
         }
         self.budget.mesh(&name)?;
         let mesh = self.scene.add_mesh(Mesh {
