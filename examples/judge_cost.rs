@@ -17,9 +17,9 @@ use std::time::Instant;
 
 use antumbra::cull::judge::{
     Chosen, DepthRange, DrawBuffers, Eye, HostDepth, InstanceDesc, Instances, Judge, JudgeOptions,
-    JudgeView, JudgedInstance, Moved, Part, Phases,
+    JudgeView, JudgedInstance, Moved, Part,
 };
-use antumbra::cull::{AdapterChoice, Gpu};
+use antumbra::cull::{AdapterChoice, Gpu, TestDetail};
 use antumbra::scene::Aabb;
 use culling::Culling;
 use engine::{Engine, View};
@@ -35,12 +35,25 @@ const BALL: usize = 2;
 fn main() -> Result<(), Box<dyn Error>> {
     let gpu = Gpu::open(&AdapterChoice::Auto)?;
     for samples in [1, 4] {
-        frames(&gpu, samples)?;
+        for tested in [Tested::BoxesByTexels, Tested::Boxes, Tested::Balls] {
+            frames(&gpu, samples, tested)?;
+        }
     }
     for count in [10_000, 1_000_000] {
         recording(&gpu, count)?;
     }
     Ok(())
+}
+
+/// What is tested of the balls.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Tested {
+    /// Their boxes, by a few texels of the pyramid.
+    BoxesByTexels,
+    /// Their boxes, down to the pixel.
+    Boxes,
+    /// That they are round, down to the pixel.
+    Balls,
 }
 
 /// A place of the grid, off its cell's middle by up to a tenth of a metre.
@@ -55,15 +68,26 @@ fn place(number: u32) -> DVec3 {
 }
 
 /// Frames of an orbit with a judge, and without one.
-fn frames(gpu: &Gpu, samples: u32) -> Result<(), Box<dyn Error>> {
+fn frames(gpu: &Gpu, samples: u32, tested: Tested) -> Result<(), Box<dyn Error>> {
     let (device, queue) = (&gpu.device, &gpu.queue);
     let count = SIDE.pow(3);
     let mut engine = Engine::new(device.clone(), queue.clone(), samples, count);
-    let mut culling = Culling::new(gpu, &[SIZE], &engine, Phases::Two)?;
+    let detail = match tested {
+        Tested::BoxesByTexels => TestDetail::Pyramid,
+        Tested::Boxes | Tested::Balls => TestDetail::Pixel,
+    };
+    let options = JudgeOptions {
+        detail,
+        ..JudgeOptions::default()
+    };
+    let mut culling = Culling::new(gpu, &[SIZE], &engine, options)?;
     for number in 0..count {
         let at = DAffine3::from_scale(DVec3::splat(0.45));
         let at = DAffine3::from_translation(place(number)) * at;
         let id = culling.insert(BALL, at)?;
+        if tested == Tested::Balls {
+            culling.instances.set_roundness(id, 1.0)?;
+        }
         engine.place(id.index(), Mat4::from(at.as_affine3a()), number % 4);
     }
     engine.upload();
@@ -103,7 +127,7 @@ fn frames(gpu: &Gpu, samples: u32) -> Result<(), Box<dyn Error>> {
     let bytes = culling.judge.memory() + culling.instances.memory();
     let bytes = bytes as f64 / f64::from(count);
     println!(
-        "{count} balls, {} x {}, {samples} samples: a culled frame {:.1} ms, judging {share:.1} % of it; {bytes:.1} bytes an instance",
+        "{count} balls, {} x {}, {samples} samples, {tested:?}: a culled frame {:.1} ms, judging {share:.1} % of it; {bytes:.1} bytes an instance",
         SIZE[0],
         SIZE[1],
         median(&mut with.split_off(4)),

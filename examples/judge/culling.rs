@@ -21,7 +21,7 @@ impl Culling {
         gpu: &Gpu,
         sizes: &[[u32; 2]],
         engine: &Engine,
-        phases: Phases,
+        options: JudgeOptions,
     ) -> Result<Self, JudgeError> {
         let (samples, range) = (engine.samples, DepthRange::Forward);
         let view = |(number, size): (usize, &[u32; 2])| JudgeView {
@@ -43,14 +43,7 @@ impl Culling {
         let templates: Vec<_> = engine.meshes.iter().map(template).collect();
         Ok(Self {
             instances: Instances::new(gpu),
-            judge: Judge::new(
-                gpu,
-                views,
-                JudgeOptions {
-                    phases,
-                    list: false,
-                },
-            )?,
+            judge: Judge::new(gpu, views, options)?,
             draws: JudgeDraws::new(gpu, DrawKind::Indexed, &templates)?,
             templates,
             stale: true,

@@ -15,7 +15,7 @@ mod engine;
 use std::error::Error;
 use std::path::Path;
 
-use antumbra::cull::judge::{Chosen, DrawBuffers, Eye, InstanceId, Moved, Phases};
+use antumbra::cull::judge::{Chosen, DrawBuffers, Eye, InstanceId, JudgeOptions, Moved, Phases};
 use antumbra::cull::{AdapterChoice, Gpu, read_back};
 use culling::Culling;
 use engine::{Engine, View, bytes};
@@ -93,7 +93,7 @@ impl Default for Play {
     }
 }
 
-/// Plays frames. Every third is at rest: nothing moves, comes or goes.
+/// Plays frames. Every third is at rest: nothing moves, comes or goes, and no view is resized.
 pub fn run(gpu: &Gpu, play: Play, image: Option<&Path>) -> Result<Outcome, Box<dyn Error>> {
     let Play {
         phases,
@@ -106,7 +106,15 @@ pub fn run(gpu: &Gpu, play: Play, image: Option<&Path>) -> Result<Outcome, Box<d
     let (device, queue) = (gpu.device.clone(), gpu.queue.clone());
     let mut engine = Engine::new(device.clone(), queue.clone(), samples, objects + 64);
     let mut sizes = [[480, 360], [320, 320]];
-    let mut culling = Culling::new(gpu, &sizes, &engine, phases)?;
+    let mut culling = Culling::new(
+        gpu,
+        &sizes,
+        &engine,
+        JudgeOptions {
+            phases,
+            ..JudgeOptions::default()
+        },
+    )?;
     let mut views = sizes.map(|size| [engine.view(size), engine.view(size)]);
     let mut world = Vec::new();
     for number in 0..objects {
@@ -122,8 +130,9 @@ pub fn run(gpu: &Gpu, play: Play, image: Option<&Path>) -> Result<Outcome, Box<d
     let draws = Draws::new(&device, engine.meshes.len(), objects + 64);
     let mut outcome = Outcome::default();
     for frame in 0..frames {
-        let rests = frame % 3 == 2;
-        if frame == frames / 2 {
+        let is_resized = frame == frames / 2;
+        let rests = frame % 3 == 2 && !is_resized;
+        if is_resized {
             sizes[0] = [600, 340];
             culling.judge.resize(0, sizes[0])?;
             views[0] = [engine.view(sizes[0]), engine.view(sizes[0])];

@@ -91,6 +91,7 @@ impl View {
         let options = JudgeOptions {
             phases: Phases::Late,
             list: true,
+            ..JudgeOptions::default()
         };
         Ok(Self {
             judging: SharedJudging::new(Judging {

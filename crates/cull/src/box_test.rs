@@ -46,6 +46,15 @@ pub enum TestDetail {
     Pyramid,
 }
 
+impl TestDetail {
+    pub(crate) fn flag(self) -> u32 {
+        match self {
+            Self::Pixel => 0,
+            Self::Pyramid => ONE_LOOK,
+        }
+    }
+}
+
 /// How boxes are tested.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct TestRules {
@@ -68,11 +77,7 @@ impl TestRules {
             TestShape::Ellipsoid => 0,
             TestShape::Box => BOXES_ALONE,
         };
-        let detail = match self.detail {
-            TestDetail::Pixel => 0,
-            TestDetail::Pyramid => ONE_LOOK,
-        };
-        unknown | shape | detail
+        unknown | shape | self.detail.flag()
     }
 }
 

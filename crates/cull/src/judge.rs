@@ -72,6 +72,7 @@ pub(crate) use pyramid::{
 };
 use submitted::Submitted;
 
+use crate::box_test::TestDetail;
 use crate::device::Gpu;
 use crate::pipelines::Pipelines;
 use crate::verdict::Verdicts;
@@ -93,6 +94,8 @@ pub struct JudgeOptions {
     pub phases: Phases,
     /// Whether answers are read back for [`Judge::verdicts`].
     pub list: bool,
+    /// How closely the depth is inspected. Down to the pixel more is found hidden, and the test takes longer.
+    pub detail: TestDetail,
 }
 
 /// Which of a view's masks.
@@ -294,7 +297,7 @@ impl Judge {
                 view.masks.clear(Chosen::First, encoder);
             }
             let flags = if late { FRAME_LATE } else { 0 };
-            let flags = flags | if view.forgets { FORGET } else { 0 };
+            let flags = flags | if view.forgets { FORGET } else { 0 } | self.options.detail.flag();
             // A frame late, a frame that goes without a test leaves what was found before it, which is not about what it has drawn.
             view.forgets |= late;
             begun.push(BegunView { eye: *eye, flags });

@@ -49,6 +49,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let options = JudgeOptions {
         phases: Phases::Late,
         list: true,
+        ..JudgeOptions::default()
     };
     let mut judge = Judge::new(&gpu, vec![view], options)?;
     let projection = Projection::Perspective {

@@ -1,7 +1,7 @@
 //! Hosts with lists of their own: what was hidden as it was found, and eyes that move until answers are used.
 
 use antumbra_cull::judge::*;
-use antumbra_cull::{Verdict, Verdicts};
+use antumbra_cull::{TestDetail, Verdict, Verdicts};
 use antumbra_testing::{gpus, vulkan};
 
 use crate::play::{Play, cube, hosts, orbit};
@@ -48,6 +48,24 @@ fn what_was_hidden_comes_with_its_frame_and_ends_with_a_cut() {
             )
             .unwrap();
         assert!(hidden(&mut play).is_none());
+    }
+}
+
+#[test]
+fn what_a_few_texels_hide_is_hidden_down_to_the_pixel_too_and_more() {
+    let (depth, projection) = hosts()[0];
+    for gpu in gpus() {
+        let [coarse, fine] = [TestDetail::Pyramid, TestDetail::Pixel].map(|detail| {
+            let mut play = Play::inspecting(gpu, [200, 160], depth, Phases::Late, detail, 13);
+            play.fill(900);
+            for _ in 0..3 {
+                play.frame(orbit(projection, 1), Phases::Late);
+            }
+            hidden(&mut play).unwrap().1
+        });
+        assert!(coarse.iter().all(|index| fine.contains(index)));
+        let (coarse, fine) = (coarse.len(), fine.len());
+        assert!(coarse > 50 && fine > coarse, "{coarse} and {fine}");
     }
 }
 

@@ -1,7 +1,7 @@
 //! A world of boxes that an engine draws with a judge, beside the same engine drawing everything; and hosts' depths and projections.
 
-use antumbra_cull::Gpu;
 use antumbra_cull::judge::*;
+use antumbra_cull::{Gpu, TestDetail};
 use antumbra_scene::Aabb;
 use antumbra_testing::engine::{BOX_VERTICES, Drawn, Engine};
 use glam::camera::rh::proj::directx;
@@ -38,8 +38,23 @@ pub fn cube() -> Aabb {
 
 impl Play {
     pub fn new(gpu: &Gpu, size: [u32; 2], depth: HostDepth, phases: Phases, seed: u64) -> Self {
+        Self::inspecting(gpu, size, depth, phases, TestDetail::default(), seed)
+    }
+
+    pub fn inspecting(
+        gpu: &Gpu,
+        size: [u32; 2],
+        depth: HostDepth,
+        phases: Phases,
+        detail: TestDetail,
+        seed: u64,
+    ) -> Self {
         let view = JudgeView::main(size[0], size[1], depth);
-        let options = JudgeOptions { phases, list: true };
+        let options = JudgeOptions {
+            phases,
+            list: true,
+            detail,
+        };
         Self {
             gpu: gpu.clone(),
             instances: Instances::new(gpu),
