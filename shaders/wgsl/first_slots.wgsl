@@ -1,4 +1,4 @@
-//!import judged
+//!import screen_size
 //!import slot_states
 // Chooses what is drawn before the test of boxes, a word a slot, 1 or 0: what was visible in the last frame, what no test may cull, and what is large where nothing is known. Where
 // nothing is drawn after the test, all that is drawn: also what is transparent, and what nothing is known of, unless that is to be culled.
@@ -7,20 +7,15 @@
 @group(0) @binding(2) var<storage, read> states: array<u32>;
 @group(0) @binding(3) var<storage, read_write> first: array<u32>;
 
-// Half of the least size on the screen, as a part of its width or height, at which an entity that nothing is known of is drawn before the test: it may hide much.
+// The least size on the screen, as a part of its width or height, at which an entity that nothing is known of is drawn before the test: it may hide much.
 const LARGE: f32 = 0.035;
 
 // Of what is smaller, by no more than this, one in four is drawn: in a crowd of equals they hide many of the others.
 const SMALLER: f32 = 0.25;
 
 fn is_guessed(place: RelativeBox, slot: u32) -> bool {
-    let centre = view.clip_from_relative * vec4<f32>(place.centre, 1.0);
-    let x = view.clip_from_relative * vec4<f32>(place.x, 0.0);
-    let y = view.clip_from_relative * vec4<f32>(place.y, 0.0);
-    let z = view.clip_from_relative * vec4<f32>(place.z, 0.0);
-    let size = abs(x.xy) + abs(y.xy) + abs(z.xy);
-    let least = LARGE * select(1.0, SMALLER, slot % 4u == 0u);
-    return max(size.x, size.y) > least * centre.w;
+    let size = screen_size(place) / vec2<f32>(view.pixels_wide, view.pixels_high);
+    return max(size.x, size.y) > LARGE * select(1.0, SMALLER, slot % 4u == 0u);
 }
 
 fn is_first(instance: JudgedInstance, slot: u32, state: u32) -> bool {

@@ -8,9 +8,10 @@ use crate::compute_pipeline::rows_of;
 use crate::frame_graph::{CULL, FrameGraph, Shared};
 use crate::judge::{
     AT_MIDDLES, BOXES_ALONE, CULL_UNKNOWN, Eye, FORGET, FRAME_LATE, GpuJudgedView, HostDepth,
-    ONE_LOOK, PyramidNodes, declare_pyramid, fill_pyramid,
+    ONE_LOOK, PyramidNodes, WHOLE_BOXES, declare_pyramid, fill_pyramid,
 };
 use crate::renderer::DEPTH_FORMAT;
+use crate::resident_scene::ResidentScene;
 use crate::self_test::Capability;
 use crate::view_nodes::ViewNodes;
 
@@ -29,8 +30,10 @@ pub enum UnknownEntities {
 /// The shapes that are tested.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum TestShape {
-    /// Each entity's box, and, where its mesh is round, the ellipsoid around it.
+    /// Each entity's box, where its mesh is round the ellipsoid around it, and the boxes around parts of its mesh.
     #[default]
+    Parts,
+    /// Its box and its ellipsoid.
     Ellipsoid,
     /// Its box alone.
     Box,
@@ -50,7 +53,7 @@ impl TestDetail {
     pub(crate) fn flag(self) -> u32 {
         match self {
             Self::Pixel => 0,
-            Self::Pyramid => ONE_LOOK,
+            Self::Pyramid => ONE_LOOK | WHOLE_BOXES,
         }
     }
 }
@@ -74,8 +77,9 @@ impl TestRules {
             UnknownEntities::Culled => FRAME_LATE | CULL_UNKNOWN,
         };
         let shape = match self.shape {
-            TestShape::Ellipsoid => 0,
-            TestShape::Box => BOXES_ALONE,
+            TestShape::Parts => 0,
+            TestShape::Ellipsoid => WHOLE_BOXES,
+            TestShape::Box => WHOLE_BOXES | BOXES_ALONE,
         };
         unknown | shape | self.detail.flag()
     }
@@ -85,6 +89,8 @@ impl TestRules {
 #[derive(Debug, Clone, Copy)]
 pub struct ViewBoxes {
     boxes: Buffer,
+    /// The boxes of the parts of all meshes.
+    parts: Buffer,
     /// [`GpuJudgedView`].
     uniform: Buffer,
     /// Not written yet.
@@ -101,12 +107,13 @@ pub struct BoxTest {
     pub rest: Buffer,
     /// 1 for all that is drawn: what was drawn first, and what was found.
     pub drawn: Buffer,
+    pyramid: PyramidNodes,
 }
 
 impl FrameGraph<'_> {
     /// The boxes of all entities, for a view.
     pub fn view_boxes(&mut self, view: &ViewNodes, rules: TestRules) -> ViewBoxes {
-        let boxes = self.resident_scene(view).boxes;
+        let ResidentScene { boxes, parts, .. } = self.resident_scene(view);
         let (size, inputs, host) = (view.size(), view.inputs(), self.own_depth());
         let uniform = BufferDesc::new(size_of::<GpuJudgedView>() as u64);
         let uniform = self.graph().buffer(view.named("view of boxes"), uniform);
@@ -129,6 +136,7 @@ impl FrameGraph<'_> {
         });
         ViewBoxes {
             boxes,
+            parts,
             uniform,
             pyramid: declare_pyramid(self.graph, &view.named(""), host, size),
         }
@@ -145,8 +153,9 @@ impl FrameGraph<'_> {
         let mut node = self.graph().compute(view.named("recall"));
         node.group(CULL)
             .read(scene)
-            .storage_read(uniform)
+            .uniform(uniform)
             .storage_read(of.boxes)
+            .storage_read(of.parts)
             .storage_read(of.pyramid.layout)
             .storage_read(texels);
         let recalled = node.storage_write(recalled);
@@ -158,6 +167,7 @@ impl FrameGraph<'_> {
                 Bind::Buffer(2, recalled),
                 Bind::Buffer(5, of.pyramid.layout),
                 Bind::Buffer(6, texels),
+                Bind::Buffer(9, of.parts),
             ];
             pipeline.dispatch(ctx, &binds, rows_of(slots.div_ceil(64)))
         });
@@ -179,7 +189,7 @@ impl FrameGraph<'_> {
         let mut node = self.graph().compute(view.named("choose first"));
         node.group(CULL)
             .read(scene)
-            .storage_read(uniform)
+            .uniform(uniform)
             .storage_read(boxes)
             .storage_read(states);
         let first = node.storage_write(first);
@@ -212,7 +222,12 @@ impl FrameGraph<'_> {
         let host = self.own_depth();
         let depth = view.targets.depth;
         let scene = view.inputs().scene;
-        let ViewBoxes { boxes, uniform, .. } = of;
+        let ViewBoxes {
+            boxes,
+            parts,
+            uniform,
+            ..
+        } = of;
         let Shared { gpu, pipelines, .. } = &mut *self.shared;
         let PyramidNodes { layout, texels } = fill_pyramid(
             self.graph,
@@ -237,8 +252,9 @@ impl FrameGraph<'_> {
         let mut node = self.graph().compute(view.named("test boxes"));
         node.group(CULL)
             .read(scene)
-            .storage_read(uniform)
+            .uniform(uniform)
             .storage_read(boxes)
+            .storage_read(parts)
             .storage_read(first)
             .storage_read(layout)
             .storage_read(texels)
@@ -256,6 +272,7 @@ impl FrameGraph<'_> {
                 Bind::Buffer(6, texels),
                 Bind::Texture(7, depth),
                 Bind::Buffer(8, drawn),
+                Bind::Buffer(9, parts),
             ];
             pipeline.dispatch(ctx, &binds, rows_of(slots.div_ceil(64)))
         });
@@ -263,7 +280,55 @@ impl FrameGraph<'_> {
             states,
             rest,
             drawn,
+            pyramid: PyramidNodes { layout, texels },
         }
+    }
+
+    /// Tests what was drawn once more, against the complete depth: what comes first in the next frame is then what shows in this one. Any answer is right. `states`: those that
+    /// [`Self::test_boxes`] has written.
+    pub fn test_drawn(&mut self, view: &ViewNodes, of: ViewBoxes, tested: BoxTest) -> Buffer {
+        let host = self.own_depth();
+        let depth = view.targets.depth;
+        let scene = view.inputs().scene;
+        // The pyramid of the depth so far still holds: nothing has become farther. What it does not decide, the complete depth does, pixel by pixel.
+        let PyramidNodes { layout, texels } = tested.pyramid;
+        let job = match host.samples {
+            1 => &jobs::retest_slots_one::JOB,
+            _ => &jobs::retest_slots_many::JOB,
+        };
+        let pipeline = self.compute_pipeline(job, "retest_slots");
+        let ViewBoxes {
+            boxes,
+            parts,
+            uniform,
+            ..
+        } = of;
+        let mut node = self.graph().compute(view.named("test what was drawn"));
+        node.group(CULL)
+            .read(scene)
+            .uniform(uniform)
+            .storage_read(boxes)
+            .storage_read(parts)
+            .storage_read(tested.drawn)
+            .storage_read(layout)
+            .storage_read(texels)
+            .sample(depth);
+        let states = node.storage_write(tested.states);
+        node.run(move |ctx| {
+            let slots = ctx.get(scene)?.table.slots();
+            let binds = [
+                Bind::Buffer(0, uniform),
+                Bind::Buffer(1, boxes),
+                Bind::Buffer(2, tested.drawn),
+                Bind::Buffer(3, states),
+                Bind::Buffer(5, layout),
+                Bind::Buffer(6, texels),
+                Bind::Texture(7, depth),
+                Bind::Buffer(9, parts),
+            ];
+            pipeline.dispatch(ctx, &binds, rows_of(slots.div_ceil(64)))
+        });
+        states
     }
 
     /// The depth that the stage draws, as a host would declare it.

@@ -2,6 +2,7 @@
 
 mod class;
 mod detail;
+mod gpu_part_box;
 mod oriented;
 mod ranges;
 mod scale;
@@ -10,6 +11,7 @@ mod table;
 
 pub use class::{Alpha, PipelineClass, PipelineTraits};
 pub use detail::MeshDetail;
+pub use gpu_part_box::GpuPartBox;
 pub use oriented::OrientedBox;
 pub use ranges::{IndexRange, MeshRanges};
 pub use slot_groups::SlotGroups;

@@ -62,7 +62,7 @@ pub use view::JudgeView;
 
 use answers::Asked;
 pub(crate) use eye::{
-    AT_MIDDLES, BOXES_ALONE, CULL_UNKNOWN, FORGET, FRAME_LATE, GpuJudgedView, ONE_LOOK,
+    AT_MIDDLES, BOXES_ALONE, CULL_UNKNOWN, FORGET, FRAME_LATE, GpuJudgedView, ONE_LOOK, WHOLE_BOXES,
 };
 use list::List;
 use masks::Masks;

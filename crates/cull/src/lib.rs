@@ -70,8 +70,8 @@ pub use draw_source::{
     DrawList, DrawSource, INDIRECT_DRAW_BYTES, IndirectDraws, ListDraws, Run, patches,
 };
 pub use entities::{
-    Alpha, Batch, IndexRange, MeshDetail, MeshRanges, NewOccupant, Occupant, OrientedBox,
-    PipelineClass, PipelineTraits, SceneTable, SlotGroups,
+    Alpha, Batch, GpuPartBox, IndexRange, MeshDetail, MeshRanges, NewOccupant, Occupant,
+    OrientedBox, PipelineClass, PipelineTraits, SceneTable, SlotGroups,
 };
 pub use frame_graph::{CULL, Chosen, DRAW, FrameGraph};
 pub use latency::Latency;

@@ -5,7 +5,7 @@ use antumbra_graph::{Buffer, BufferDesc, Host};
 use antumbra_scene::Topology;
 
 use crate::draw_source::DrawList;
-use crate::entities::{MeshDetail, SceneTable};
+use crate::entities::{GpuPartBox, MeshDetail, SceneTable};
 use crate::frame_graph::{CULL, FrameGraph};
 use crate::indirect::{IndirectLayout, LayoutEntries, LayoutSize, SampleBounds};
 use crate::judge::{JudgedInstance, Part};
@@ -17,6 +17,8 @@ use crate::view_nodes::ViewNodes;
 pub struct ResidentScene {
     /// The boxes of all slots: a [`JudgedInstance`] a slot.
     pub boxes: Buffer,
+    /// The boxes of the parts of all meshes: a [`GpuPartBox`] each.
+    pub parts: Buffer,
     /// The full meshes of all opaque entities, inside and outside of any frustum. [`FrameGraph::compact`] keeps those with any sample.
     pub opaque: IndirectLayout,
     /// The slots of the transparent entities, ascending.
@@ -52,7 +54,10 @@ impl FrameGraph<'_> {
             entries_a_slot: 1,
         };
         let undeclared = self.layout_buffers("opaque entities", size);
+        let part_bytes =
+            u64::from(self.scene_layout().part_boxes.max(1)) * size_of::<GpuPartBox>() as u64;
         let graph = self.graph();
+        let parts = graph.buffer("boxes of parts", BufferDesc::new(part_bytes));
         let boxes = graph.buffer("boxes", BufferDesc::new(bytes));
         let stamp = graph.buffer("stamp of the resident scene", BufferDesc::new(16));
         let transparent: Host<Vec<u32>> = graph.host("transparent entities");
@@ -64,6 +69,7 @@ impl FrameGraph<'_> {
         let stamp = node.updates(stamp);
         let made = ResidentScene {
             boxes: node.updates(boxes),
+            parts: node.updates(parts),
             opaque: IndirectLayout {
                 list: node.updates(undeclared.list),
                 entries: node.updates(undeclared.entries),
@@ -95,6 +101,7 @@ impl FrameGraph<'_> {
             records.extend((0..table.slots()).map(|slot| record_of(table, slot)));
             ctx.upload(made.boxes, 0, bytemuck::cast_slice(&records))?;
             if held.arrangement != Some(table.arrangement()) {
+                ctx.upload(made.parts, 0, bytemuck::cast_slice(table.part_boxes()))?;
                 lay_out(&mut *ctx.get_mut(made.opaque.list)?, table).upload(ctx, made.opaque)?;
                 let mut transparent = ctx.get_mut(made.transparent)?;
                 transparent.clear();

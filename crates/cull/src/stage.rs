@@ -491,10 +491,10 @@ impl Stage {
         let built = self.built.views.get(view).ok_or_else(missing)?;
         let plan = &self.built.plan;
         let mut verdicts = match built.verdicts {
-            SetVerdicts::Said(VerdictSource::Host(verdicts)) => {
+            SetVerdicts::FromNodes(VerdictSource::Host(verdicts)) => {
                 plan.get(verdicts).ok_or_else(missing)?.clone()
             }
-            SetVerdicts::Drawn(drawn) => {
+            SetVerdicts::DrawnBySlot(drawn) => {
                 let bytes = read_back::buffer(&self.gpu, plan.buffer(drawn).ok_or_else(missing)?)?;
                 let frame = built.last.as_ref().ok_or_else(missing)?;
                 let mut candidates = Candidates::default();
@@ -502,7 +502,7 @@ impl Stage {
                 let drawn = |slot| CountLayout::BySlot.count(&bytes, slot, 0).unwrap_or(0) > 0;
                 Verdicts::of_drawn(scene.table(), &candidates, drawn)
             }
-            SetVerdicts::Said(VerdictSource::Gpu {
+            SetVerdicts::FromNodes(VerdictSource::Gpu {
                 candidates,
                 queried,
                 counts,

@@ -149,6 +149,8 @@ pub struct SceneLayout {
     pub slots: u32,
     /// Capacity in batches: the number of indirect draws.
     pub batches: u32,
+    /// Capacity in boxes of parts of meshes ([`SceneTable::part_boxes`]).
+    pub part_boxes: u32,
     /// Classes in use, as a bit mask by [`PipelineClass::index`].
     pub classes: u128,
     /// Whether any entity is blended.

@@ -46,8 +46,8 @@ pub trait Strategy: Send {
     /// What it does, in a sentence.
     fn summary(&self) -> &str;
 
-    /// Whether, with its present settings, it never culls an entity that owns a pixel of the reference: one that is in front at any pixel when everything in the frustum is drawn
-    /// at full detail.
+    /// Whether, with its present settings, it draws every entity that owns a pixel of the reference, and draws it at full detail. The reference is everything in the frustum at full detail; an
+    /// entity owns the pixels at which it is in front.
     fn conservative(&self) -> bool;
 
     /// When the results of its visibility tests (queries or counts) are used; `None` for a strategy without such tests. [`Latency::SameFrame`] is refused in
@@ -205,10 +205,10 @@ pub struct VisibleSet {
 /// How a view's verdicts are found.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum SetVerdicts {
-    /// From what the strategy's nodes say.
-    Said(VerdictSource),
-    /// From what was drawn, a u32 a slot, not 0 for what was, when somebody asks.
-    Drawn(Buffer),
+    /// The strategy's nodes make them.
+    FromNodes(VerdictSource),
+    /// From what was drawn: a u32 a slot, not 0 for a drawn one. It is read back only where verdicts are asked for.
+    DrawnBySlot(Buffer),
 }
 
 /// Where a view's verdicts can be read.
@@ -249,7 +249,7 @@ impl VerdictSource {
 impl From<VerdictSource> for VisibleSet {
     fn from(verdicts: VerdictSource) -> Self {
         Self {
-            verdicts: SetVerdicts::Said(verdicts),
+            verdicts: SetVerdicts::FromNodes(verdicts),
             narrowing: None,
         }
     }
@@ -265,7 +265,7 @@ impl VisibleSet {
     /// by entity for it, unless verdicts are [read](crate::Stage::verdicts) or the stage is audited.
     pub fn drawn_on_gpu(drawn: Buffer) -> Self {
         Self {
-            verdicts: SetVerdicts::Drawn(drawn),
+            verdicts: SetVerdicts::DrawnBySlot(drawn),
             narrowing: None,
         }
     }

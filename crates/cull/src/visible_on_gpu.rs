@@ -75,8 +75,8 @@ impl FrameGraph<'_> {
     /// What a set's verdicts follow from, on the host as far as an audit needs it there.
     pub(crate) fn said_of(&mut self, view: &mut ViewNodes, set: &VisibleSet) -> VerdictSource {
         match set.verdicts {
-            SetVerdicts::Said(source) => source,
-            SetVerdicts::Drawn(drawn) => {
+            SetVerdicts::FromNodes(source) => source,
+            SetVerdicts::DrawnBySlot(drawn) => {
                 let candidates = self.in_frustum(view);
                 let counts = self.all_queried(view, candidates, drawn);
                 VerdictSource::by_counts(candidates, counts, 0.into())

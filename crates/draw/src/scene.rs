@@ -277,6 +277,7 @@ impl StageScene for GpuScene {
         SceneLayout {
             slots: self.instances.capacity() as u32,
             batches: (self.table.batches().len() as u32).next_power_of_two(),
+            part_boxes: (self.table.part_boxes().len() as u32).next_power_of_two(),
             classes: self.classes,
             transparent: self.table.has_transparent(),
             positional_lights: self.lights.any_positional(),

@@ -43,6 +43,7 @@ mod keys;
 mod light;
 mod material;
 mod mesh;
+mod part_boxes;
 mod raster;
 mod scene;
 #[cfg(feature = "simplify")]
@@ -59,6 +60,7 @@ pub use keys::{EntityKey, ImageKey, MaterialKey, MeshKey};
 pub use light::Light;
 pub use material::{AlphaMode, Filter, Image, Material, Sampler, Wrap};
 pub use mesh::{Geometry, Mesh, Topology};
+pub use part_boxes::{PartBox, PartBoxes};
 pub use raster::Raster;
 pub use scene::{Drawable, PlacedLight, Scene, SceneChanges};
 #[cfg(feature = "simplify")]

@@ -80,10 +80,10 @@ const PARAMETERS: &[Parameter<DepthPyramid>] = &[
     ),
     Parameter::words(
         "shape",
-        &["ellipsoid", "box"],
-        "what is tested: each entity's box and the ellipsoid around it, or its box alone",
-        |s| ["ellipsoid", "box"][s.shape as usize],
-        |s, at| s.shape = [TestShape::Ellipsoid, TestShape::Box][at],
+        &["parts", "ellipsoid", "box"],
+        "what is tested: each entity's box, the ellipsoid around it and the boxes of its mesh's parts; without those of parts; or its box alone",
+        |s| ["parts", "ellipsoid", "box"][s.shape as usize],
+        |s, at| s.shape = [TestShape::Parts, TestShape::Ellipsoid, TestShape::Box][at],
     ),
     Parameter::words(
         "detail",
@@ -186,6 +186,7 @@ impl Strategy for DepthPyramid {
             DrawPhases::Two => {
                 let new = g.compact(view, "found visible", choices.opaque, tested.rest);
                 g.shade_indirect(view, "shade found visible", new);
+                g.test_drawn(view, boxes, tested);
                 tested.drawn
             }
         };

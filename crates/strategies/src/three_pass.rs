@@ -24,11 +24,11 @@ pub struct ThreePass {
     /// down, since the first two passes draw a smaller image.
     pub threshold: u32,
     /// Percent of the image that a frame may leave out although it is visible. The entities with the fewest visible samples are left out first, and none with more than
-    /// [`Allowance::LARGEST`] samples of the first two passes' image. A value above 0 raises the threshold of each frame as far as it permits; it never lowers it. With
-    /// [`Latency::OnGpu`] it acts only if it was above 0 when the plan was compiled: otherwise the plan has no node for it.
+    /// [`Allowance::LARGEST`] samples of the first two passes' image. A value above 0 raises the threshold of each frame as far as this percentage permits; it never lowers the threshold. With
+    /// [`Latency::OnGpu`] a plan that was compiled while `allow` was 0 has no node for it, and turning the dial later does nothing.
     pub allow: Dial,
-    /// An entity with at most this many visible samples is drawn one level of detail coarser, with at most a quarter of this number two levels,
-    /// with at most a sixteenth three. In pixels of the final image; 0: never. Blended entities are always drawn at full detail.
+    /// An entity with at most this many visible pixels of the final image is drawn one level of detail coarser, with at most a quarter of this number two levels,
+    /// with at most a sixteenth three. 0: never. Transparent entities (those that are blended) are always drawn at full detail.
     pub coarser: u32,
     /// The geometry of the occluders in the first pass.
     pub occluders: TestGeometry,
@@ -298,7 +298,7 @@ impl Strategy for ThreePass {
             },
             ProxyLimits {
                 deviation: self.deviation,
-                // A late answer is used when the eye may already have passed through the mesh.
+                // A late answer is used a frame after it was found. What crossed the near plane then, and hid much, may lie behind the eye now.
                 at_near_plane: match self.latency {
                     Latency::FrameLate => AtNearPlane::HideNothing,
                     Latency::SameFrame | Latency::OnGpu => AtNearPlane::Hide,
@@ -327,7 +327,8 @@ impl Tunable for ThreePass {
     /// scale with late counts if `latency` is frame-late. All steps override `latency`, `threshold`, `allow` and `coarser`, and `counting` where it is `queries`; some override
     /// `occluders`, `occludees` and `scale`.
     fn steps(&self) -> Vec<Step> {
-        // A late answer costs pixels at any setting, so the accurate steps use the answers of the same frame.
+        // A late answer costs pixels at any setting, so the accurate steps use the answers of the same frame. A budget keeps `allow` above 0 on steps with that dial, so that a plan on the
+        // GPU has the node for it.
         let undelayed = match self.latency {
             Latency::SameFrame => Latency::SameFrame,
             Latency::FrameLate | Latency::OnGpu => Latency::OnGpu,

@@ -4,11 +4,11 @@
 
 use antumbra_cull::{Gpu, StageOptions, Verdict};
 use antumbra_draw::GpuScene;
-use antumbra_scene::{Camera, ClipMatrix, Projection, Scene};
+use antumbra_scene::{Aabb, Camera, ClipMatrix, Geometry, Mesh, Projection, Scene};
 use antumbra_strategies::DepthPyramid;
 use antumbra_testing::{SceneBuilder, frame, gl, stage_with, views, vulkan};
 use antumbra_verify::{EntitySet, Oracle};
-use glam::{DAffine3, DMat4, DQuat, DVec2, DVec3, DVec4};
+use glam::{DAffine3, DMat4, DQuat, DVec2, DVec3, DVec4, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 
@@ -27,9 +27,30 @@ fn turn(random: &mut Pcg32) -> DQuat {
     DQuat::from_axis_angle(axis, number() * 3.1)
 }
 
-/// Boxes, balls and squares from a speck to a wall, some flat or long, in a cube of 20 m around a place that may be far from the origin.
+/// Beams that cross in all directions: a mesh whose box is mostly empty, so that the boxes of its parts are tested too.
+fn beams(random: &mut Pcg32) -> Mesh {
+    let mut made = Geometry::default();
+    for _ in 0..7 {
+        let mut number = |range: std::ops::Range<f64>| random.random_range(range);
+        let middle = DVec3::from_array([(); 3].map(|()| number(-0.8..0.8)));
+        let half = DVec3::from_array([(); 3].map(|()| 10f64.powf(number(-2.0..0.0))));
+        let beam = Geometry::from_box(&Aabb::from_centre(DVec3::ZERO, half));
+        let turn = DAffine3::from_rotation_translation(turn(random), middle);
+        let first = made.positions.len() as u32;
+        let corners = beam.positions.iter();
+        let corners = corners.map(|at| turn.transform_point3(Vec3::from(*at).as_dvec3()));
+        made.positions
+            .extend(corners.map(|at| at.as_vec3().to_array()));
+        made.indices
+            .extend(beam.indices.iter().map(|index| first + index));
+    }
+    Mesh::new("beams", made)
+}
+
+/// Boxes, balls, squares and beams from a speck to a wall, some flat or long, in a cube of 20 m around a place that may be far from the origin.
 fn world(random: &mut Pcg32, origin: DVec3) -> Scene {
     let mut builder = SceneBuilder::new();
+    let beams = [(); 4].map(|()| builder.scene.add_mesh(beams(random)).unwrap());
     let spread = random.random_range(2.0..10.0);
     for _ in 0..ENTITIES {
         let place = DVec3::from_array([(); 3].map(|()| random.random_range(-spread..spread)));
@@ -38,7 +59,10 @@ fn world(random: &mut Pcg32, origin: DVec3) -> Scene {
             0 => DVec3::from_array([(); 3].map(|()| 10f64.powf(random.random_range(-1.5..0.3)))),
             _ => DVec3::ONE,
         };
-        let mesh = [builder.cube, builder.ball, builder.square][random.random_range(0..3)];
+        let mesh = match random.random_range(0..4) {
+            0 => beams[random.random_range(0..4)],
+            other => [builder.cube, builder.ball, builder.square][other - 1],
+        };
         let at =
             DAffine3::from_scale_rotation_translation(sides * metres, turn(random), origin + place);
         builder.put(mesh, at);

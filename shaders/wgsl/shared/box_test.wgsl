@@ -75,11 +75,15 @@ fn look_at(place: RelativeBox, is_close: bool) -> u32 {
     let least = vec2<u32>(clamp(begin, vec2<f32>(0.0), last));
     let greatest = vec2<u32>(clamp(end, vec2<f32>(0.0), last));
     let extent = max(greatest.x - least.x, greatest.y - least.y);
+    let is_small = extent < 4u;
+    if is_small && nearest + lost < farthest_pixel(least, greatest) {
+        return LOOK_HIDDEN;
+    }
     if is_close {
         let shape = shape_of(seen, round, ellipsoid, nearest, margin, lost);
         return select(LOOK_HIDDEN, LOOK_SHOWS, any_behind(shape, least, greatest, extent));
     }
-    if extent < 4u {
+    if is_small {
         return LOOK_OPEN;
     }
     if nearest + lost < farthest(least, greatest, extent) {
@@ -140,6 +144,17 @@ fn any_behind(shape: SeenShape, least: vec2<u32>, greatest: vec2<u32>, extent: u
         }
     }
     return true;
+}
+
+// The nearness of the farthest sample in a rectangle of few pixels.
+fn farthest_pixel(least: vec2<u32>, greatest: vec2<u32>) -> f32 {
+    var found = NEAREST;
+    for (var y = least.y; y <= greatest.y; y++) {
+        for (var x = least.x; x <= greatest.x; x++) {
+            found = min(found, nearness(vec2<u32>(x, y)));
+        }
+    }
+    return found;
 }
 
 // By the pyramid: the nearness of the farthest sample in a rectangle of pixels and close to it. At most four texels a side are read.

@@ -35,6 +35,8 @@ const AT_MIDDLES: u32 = 4u;
 const CULL_UNKNOWN: u32 = 8u;
 // Ellipsoids are not tested.
 const BOXES_ALONE: u32 = 16u;
+// Boxes of parts are not tested.
+const WHOLE_BOXES: u32 = 64u;
 // What the pyramid lets through at first sight is visible.
 const ONE_LOOK: u32 = 32u;
 
@@ -48,7 +50,7 @@ const EXEMPT: u32 = 4u;
 // Nothing is known.
 const NEW: u32 = 5u;
 
-@group(0) @binding(0) var<storage, read> view: JudgedView;
+@group(0) @binding(0) var<uniform> view: JudgedView;
 @group(0) @binding(1) var<storage, read> instances: array<JudgedInstance>;
 
 // The error of the maths in f32, here and where the instances are drawn, as a fraction of the terms.

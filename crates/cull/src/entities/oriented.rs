@@ -1,8 +1,8 @@
 //! Oriented bounding boxes: the box of an entity's mesh after rotation and scale, which is tighter than its box along the world's axes.
 
-use antumbra_scene::Aabb;
 use antumbra_scene::bounds::round_up;
-use glam::{DAffine3, DMat3, DVec3, Vec3};
+use antumbra_scene::{Aabb, PartBox};
+use glam::{BVec3, DAffine3, DMat3, DVec3, Vec3};
 
 /// A box along axes of its own, which are at right angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,6 +15,20 @@ pub struct OrientedBox {
     pub half: Vec3,
     /// What is in the box lies in the ellipsoid whose half axes are the box's times this: 1 for a sphere, [`Self::ANGULAR`] for anything.
     pub roundness: f32,
+    /// Where the boxes of its parts begin in [`SceneTable::part_boxes`](super::SceneTable::part_boxes); 0: it has none.
+    pub parts: u32,
+}
+
+/// What is known of a mesh's shape.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct MeshShape {
+    pub bounds: Aabb,
+    /// As [`OrientedBox::roundness`].
+    pub roundness: f32,
+    /// As [`OrientedBox::parts`].
+    pub parts: u32,
+    /// Along which axes each part reaches from end to end.
+    pub flat: BVec3,
 }
 
 impl OrientedBox {
@@ -28,6 +42,7 @@ impl OrientedBox {
             axes: Vec3::AXES,
             half: Vec3::from(bounds.half_extents().to_array().map(round_up)),
             roundness: Self::ANGULAR,
+            parts: 0,
         }
     }
 
@@ -37,9 +52,10 @@ impl OrientedBox {
         Aabb::from_centre(self.centre, edges[0] + edges[1] + edges[2])
     }
 
-    /// The box around the contents of `local`, of this roundness, after the transform `world`. `bounds` are the bounds along the world's axes, used where a
-    /// transform shears or flattens, so that a box does not stay a box.
-    pub(crate) fn new(local: &Aabb, roundness: f32, world: &DAffine3, bounds: &Aabb) -> Self {
+    /// The box around a mesh of this shape after the transform `world`. `bounds` are the bounds along the world's axes, used where a transform shears or
+    /// flattens, so that a box does not stay a box.
+    pub(crate) fn new(shape: &MeshShape, world: &DAffine3, bounds: &Aabb) -> Self {
+        let local = &shape.bounds;
         let DMat3 {
             x_axis,
             y_axis,
@@ -58,11 +74,15 @@ impl OrientedBox {
         // The error of the angles, and the rounding to f32.
         let half = local.half_extents() * lengths;
         let slack = lost + half.max_element() * 4e-6;
+        // A part's box is a step too wide on each side, and the slack stretches it: by no more than that step, or it does not hold the part.
+        let step = half * (2.0 / f64::from(PartBox::STEPS));
+        let holds = shape.flat | step.cmpgt(DVec3::splat(slack * 2.0));
         Self {
             centre: world.transform_point3(local.centre()),
             axes: units.map(DVec3::as_vec3),
             half: (half + slack).as_vec3(),
-            roundness,
+            roundness: shape.roundness,
+            parts: if holds.all() { shape.parts } else { 0 },
         }
     }
 }
@@ -71,6 +91,15 @@ impl OrientedBox {
 mod tests {
     use super::*;
     use glam::DQuat;
+
+    fn shape(bounds: Aabb) -> MeshShape {
+        MeshShape {
+            bounds,
+            roundness: OrientedBox::ANGULAR,
+            parts: 1,
+            flat: BVec3::FALSE,
+        }
+    }
 
     /// The distance of a point from the centre, as a multiple of the half size; above 1 it is outside.
     fn outside(oriented: &OrientedBox, point: DVec3) -> f64 {
@@ -96,7 +125,7 @@ mod tests {
             (DAffine3::IDENTITY, true),
         ] {
             let bounds = local.transformed(&world);
-            let oriented = OrientedBox::new(&local, OrientedBox::ANGULAR, &world, &bounds);
+            let oriented = OrientedBox::new(&shape(local), &world, &bounds);
             let worst = local
                 .corners()
                 .map(|corner| outside(&oriented, world.transform_point3(corner)));
@@ -115,12 +144,7 @@ mod tests {
         assert!(OrientedBox::aligned(&odd).bounds().contains_box(&odd));
         // A flat mesh gets a small thickness.
         let sheet = Aabb::new(DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0));
-        let oriented = OrientedBox::new(
-            &sheet,
-            OrientedBox::ANGULAR,
-            &placed,
-            &sheet.transformed(&placed),
-        );
+        let oriented = OrientedBox::new(&shape(sheet), &placed, &sheet.transformed(&placed));
         assert!(oriented.half.z > 0.0 && oriented.half.z < 1e-4);
     }
 }

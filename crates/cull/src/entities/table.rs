@@ -6,15 +6,17 @@
 use std::collections::HashMap;
 
 use antumbra_scene::bounds::BoxArray;
-use antumbra_scene::{Aabb, EntityKey};
+use antumbra_scene::{Aabb, EntityKey, PartBox};
 use glam::{DAffine3, DVec3};
 
 use super::class::{Alpha, PipelineClass};
 use super::detail::MeshDetail;
-use super::oriented::OrientedBox;
+use super::gpu_part_box::GpuPartBox;
+use super::oriented::{MeshShape, OrientedBox};
 use super::ranges::{IndexRange, MeshRanges};
 use super::scale::{greatest_scale, least_scale};
 use super::slot_groups::SlotGroups;
+use crate::judge::JudgedInstance;
 
 /// What the instances of one instanced draw share: pipeline, texture, mesh. Sorts in drawing order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -70,6 +72,9 @@ pub struct SceneTable {
     changed_since: u64,
     batches: Vec<Batch>,
     meshes: Vec<MeshRanges>,
+    /// By mesh: where the boxes of its parts begin, or 0.
+    first_parts: Vec<u32>,
+    part_boxes: Vec<GpuPartBox>,
     epoch: u64,
     arrangement: u64,
     live: usize,
@@ -239,8 +244,32 @@ impl SceneTable {
 
     /// Adds a mesh and returns its index.
     pub fn add_mesh(&mut self, ranges: MeshRanges) -> u32 {
+        let first = self.add_parts(&ranges.parts.boxes);
+        self.first_parts.push(first);
         self.meshes.push(ranges);
         self.meshes.len() as u32 - 1
+    }
+
+    /// Adds the boxes of a mesh's parts, and returns where they begin; 0 where there are none or no room for them.
+    fn add_parts(&mut self, boxes: &[PartBox]) -> u32 {
+        if boxes.is_empty() {
+            return 0;
+        }
+        if self.part_boxes.is_empty() {
+            // 0 stands for none.
+            self.part_boxes.push(GpuPartBox::default());
+        }
+        let first = self.part_boxes.len() as u32;
+        if first + boxes.len() as u32 > JudgedInstance::GENERATIONS {
+            return 0;
+        }
+        self.part_boxes.extend(GpuPartBox::of(boxes));
+        first
+    }
+
+    /// The boxes of the parts of all meshes, as the device tests them.
+    pub fn part_boxes(&self) -> &[GpuPartBox] {
+        &self.part_boxes
     }
 
     /// Puts an entity into a slot: the next new one, or a free one. Its batch index is provisional until [`Self::sort_batches`].
@@ -330,9 +359,17 @@ impl SceneTable {
     }
 
     fn orient(&self, mesh: u32, bounds: Aabb, world: &DAffine3) -> OrientedBox {
-        match self.meshes.get(mesh as usize) {
+        let at = mesh as usize;
+        match self.meshes.get(at) {
             Some(mesh) if !mesh.bounds.is_empty() => {
-                OrientedBox::new(&mesh.bounds, mesh.roundness, world, &bounds)
+                let parts = self.first_parts.get(at).copied().unwrap_or(0);
+                let shape = MeshShape {
+                    bounds: mesh.bounds,
+                    roundness: mesh.roundness,
+                    parts,
+                    flat: mesh.parts.flat,
+                };
+                OrientedBox::new(&shape, world, &bounds)
             }
             _ => OrientedBox::aligned(&bounds),
         }

@@ -145,6 +145,7 @@ pub(crate) const AT_MIDDLES: u32 = 4;
 pub(crate) const CULL_UNKNOWN: u32 = 8;
 pub(crate) const BOXES_ALONE: u32 = 16;
 pub(crate) const ONE_LOOK: u32 = 32;
+pub(crate) const WHOLE_BOXES: u32 = 64;
 
 impl GpuJudgedView {
     pub fn new(eye: &Eye, size: [u32; 2], depth: HostDepth, count: u32, flags: u32) -> Self {

@@ -79,7 +79,7 @@ pub(super) fn first(
     let mut node = graph.compute(format!("{prefix}choose first"));
     node.group(CULL)
         .read(imports.view)
-        .storage_read(uniform)
+        .uniform(uniform)
         .storage_read(imports.instances)
         .storage_read(imports.states);
     let written = node.storage_write(first);
@@ -131,7 +131,7 @@ pub(super) fn test(
     let mut node = graph.compute(format!("{prefix}test"));
     node.group(CULL)
         .read(imports.view)
-        .storage_read(uniform)
+        .uniform(uniform)
         .storage_read(imports.instances)
         .storage_read(layout)
         .storage_read(texels)

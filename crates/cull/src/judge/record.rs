@@ -95,7 +95,7 @@ impl JudgedInstance {
     pub(crate) fn oriented(what: &OrientedBox, part: Part) -> Self {
         let edges = [0, 1, 2].map(|axis| what.axes[axis] * what.half[axis]);
         let round = Self::round_bits(what.roundness);
-        Self::of_edges(what.centre, edges, Self::traits(part, 0) | round)
+        Self::of_edges(what.centre, edges, Self::traits(part, what.parts) | round)
     }
 
     /// The traits of a live instance.

@@ -262,9 +262,9 @@ fn declare(
             graph.output(audit);
         }
         match set.verdicts {
-            SetVerdicts::Drawn(drawn) => graph.output(drawn),
-            SetVerdicts::Said(VerdictSource::Host(verdicts)) => graph.output(verdicts),
-            SetVerdicts::Said(VerdictSource::Gpu {
+            SetVerdicts::DrawnBySlot(drawn) => graph.output(drawn),
+            SetVerdicts::FromNodes(VerdictSource::Host(verdicts)) => graph.output(verdicts),
+            SetVerdicts::FromNodes(VerdictSource::Gpu {
                 candidates,
                 queried,
                 counts,

@@ -73,8 +73,8 @@ pub const LOST_FIND: Fault = Fault {
     change: |name, source| match name {
         "test_slots_one" | "test_slots_many" => with(
             source,
-            "let state = state_of(slot, lane, is_slot);",
-            "let state = select(state_of(slot, lane, is_slot), SLOT_HIDDEN, slot % 5u == 3u);",
+            "let state = state_of(slot, lane, is_tested);",
+            "let state = select(state_of(slot, lane, is_tested), SLOT_HIDDEN, slot % 5u == 3u);",
         ),
         _ => None,
     },
