@@ -12,6 +12,8 @@ mod measure;
 mod run;
 #[path = "shared/spawn.rs"]
 mod spawn;
+#[path = "shared/stages.rs"]
+mod stages;
 #[path = "shared/view.rs"]
 mod view;
 

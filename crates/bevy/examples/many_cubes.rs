@@ -10,6 +10,8 @@ mod headless;
 mod measure;
 #[path = "shared/run.rs"]
 mod run;
+#[path = "shared/stages.rs"]
+mod stages;
 #[path = "shared/view.rs"]
 mod view;
 

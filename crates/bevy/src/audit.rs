@@ -4,21 +4,21 @@
 
 mod counter;
 
-pub(crate) use counter::{Counter, Meshes, Suspect};
+pub(crate) use counter::Counter;
 
 use bevy::prelude::*;
 
+use crate::dial::Margin;
+use crate::meshes::Placed;
 use crate::settings::Audit;
 
 /// What the render world has to do for an audit in a frame.
-#[derive(Default)]
 pub(crate) enum Order {
-    #[default]
     Nothing,
     /// Copy this frame's depth.
     Copy,
     /// Draw these against the copy, with the matrix of its frame.
-    Count(Vec<Suspect>, Mat4),
+    Count(Vec<Placed>, Mat4),
 }
 
 /// How far a camera's audit is.
@@ -38,17 +38,16 @@ enum Step {
     /// What was found not to be hidden.
     Suspects(Audited),
     /// Their pixels are being counted.
-    Counting { has_moved: bool },
+    Counting { margin: Option<Margin> },
 }
 
 /// A frame that is audited.
-#[derive(Clone)]
 pub(crate) struct Audited {
     /// The judge's number of it.
     pub frame: u64,
     pub clip_from_world: Mat4,
-    /// Whether the camera had moved in it.
-    pub has_moved: bool,
+    /// What its answers were asked with, where the camera moved then and since.
+    pub margin: Option<Margin>,
     /// What was culled; later, what should not have been.
     pub culled: Vec<Entity>,
 }
@@ -93,8 +92,8 @@ impl Auditing {
     pub fn take_suspects(&mut self) -> Option<Audited> {
         match std::mem::take(&mut self.step) {
             Step::Suspects(audited) => {
-                let has_moved = audited.has_moved;
-                self.step = Step::Counting { has_moved };
+                let margin = audited.margin;
+                self.step = Step::Counting { margin };
                 Some(audited)
             }
             step => {
@@ -104,10 +103,15 @@ impl Auditing {
         }
     }
 
-    /// Ends with a count. Returns whether the camera had moved in that frame; `None` where none was under way.
-    pub fn end(&mut self) -> Option<bool> {
+    /// Passes a frame over in which nothing was culled.
+    pub fn pass(&mut self) {
+        self.since = 0;
+    }
+
+    /// Ends with a count. Returns [`Audited::margin`]; `None` where no audit was under way.
+    pub fn end(&mut self) -> Option<Option<Margin>> {
         match std::mem::take(&mut self.step) {
-            Step::Counting { has_moved } => Some(has_moved),
+            Step::Counting { margin } => Some(margin),
             step => {
                 self.step = step;
                 None

@@ -9,7 +9,9 @@ use bevy::render::renderer::RenderDevice;
 
 use crate::culler::Culler;
 use crate::occludees::Kind;
-use crate::settings::{AntumbraCulling, CullingReport, Strategy};
+use crate::occluders::{OccluderShape, occluders_of};
+use crate::settings::{AntumbraCulling, CullingReport, Occluders, Strategy};
+use crate::view::Pose;
 
 /// The cameras that cull, with what their images depend on.
 type Cameras<'w, 's> = Query<
@@ -26,11 +28,12 @@ type Cameras<'w, 's> = Query<
     ),
 >;
 
-/// Leaves out of each camera's meshes what its newest answers call hidden. The order of the list stays, as Bevy's render world relies on it; the lists of lights, for their shadows, are not touched.
+/// Leaves out of each camera's meshes what its newest answers call hidden. The order of the list stays, as Bevy's render world relies on it.
 pub(crate) fn cull(
     mut culler: ResMut<Culler>,
     device: Option<Res<RenderDevice>>,
     mut cameras: Cameras,
+    tagged: Query<OccluderShape>,
 ) {
     let start = Instant::now();
     // Lets answers arrive that the GPU has finished; never waits.
@@ -41,42 +44,46 @@ pub(crate) fn cull(
     }
     let Culler {
         occludees,
-        views,
+        cameras: views,
+        occluders,
         spent,
         ..
     } = &mut *culler;
+    occluders.clear();
     for (entity, settings, camera, projection, place, mut visible, mut report) in &mut cameras {
         let meshes = visible.get_mut(TypeId::of::<Mesh3d>());
         report.culled.clear();
         report.age = None;
-        let view = views.get_mut(&entity);
-        if let Some(view) = view
-            && camera.is_active
-            && settings.strategy == Strategy::FrameLate
-        {
-            let eye = place.translation();
-            if !settings.frozen {
-                view.collect(settings, occludees, &mut report);
-                view.follow(settings, eye);
+        report.shift = 0.0;
+        if camera.is_active && settings.strategy == Strategy::FrameLate {
+            if settings.occluders == Occluders::Tagged {
+                occluders.insert(entity, occluders_of(meshes.iter(), &tagged));
             }
-            report.shift = view.shift(settings);
-            report.age = view.age();
-            let mut nearest = f32::INFINITY;
-            if let Some(verdicts) = view.verdicts(settings, eye, near(projection)) {
-                meshes.retain(|mesh| {
-                    let Some(found) = occludees.find(Kind::Mesh, *mesh) else {
-                        return true;
-                    };
-                    if verdicts.hides(&found) {
-                        report.culled.push(*mesh);
-                        return false;
-                    }
-                    nearest = nearest.min(found.now.distance(eye));
-                    true
-                });
-            }
-            if !settings.frozen {
-                view.note_nearest(nearest);
+            if let Some(view) = views.get_mut(&entity) {
+                let pose = pose_of(camera, projection, place);
+                if !settings.frozen {
+                    view.collect(settings, occludees, &mut report);
+                }
+                view.follow(settings, pose.eye);
+                report.age = view.view.age();
+                let mut nearest = f32::INFINITY;
+                if let Some(verdicts) = view.verdicts(settings, pose) {
+                    report.shift = verdicts.margin().most();
+                    meshes.retain(|mesh| {
+                        let Some(found) = occludees.find(Kind::Mesh, *mesh) else {
+                            return true;
+                        };
+                        if verdicts.hides(&found) {
+                            report.culled.push(*mesh);
+                            return false;
+                        }
+                        nearest = nearest.min(found.distance(pose.eye));
+                        true
+                    });
+                }
+                if !settings.frozen {
+                    view.note_nearest(nearest);
+                }
             }
         }
         report.drawn = meshes.len() as u32;
@@ -84,10 +91,14 @@ pub(crate) fn cull(
     spent.since(start);
 }
 
-/// The distance of the near plane; 0 where it is not one of a perspective.
-pub(crate) fn near(projection: &Projection) -> f32 {
-    match projection {
-        Projection::Perspective(perspective) => perspective.near,
-        _ => 0.0,
+/// Where a camera is seen from.
+pub(crate) fn pose_of(camera: &Camera, projection: &Projection, place: &GlobalTransform) -> Pose {
+    Pose {
+        eye: place.translation(),
+        clip_from_world: camera.clip_from_view() * place.to_matrix().inverse(),
+        near: match projection {
+            Projection::Perspective(perspective) => perspective.near,
+            _ => 0.0,
+        },
     }
 }

@@ -1,25 +1,41 @@
-//! What the plug-in holds: the boxes, and a judge a camera.
+//! What the plug-in holds: everything that can be culled, and a judge a view.
 
+use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use antumbra::cull::Gpu;
 use antumbra::cull::judge::Judge;
+use bevy::ecs::change_detection::Tick;
 use bevy::ecs::entity::EntityHashMap;
 use bevy::platform::time::Instant;
 use bevy::prelude::*;
+use bevy::render::renderer::{RenderAdapter, RenderAdapterInfo, RenderDevice, RenderQueue};
 
 use crate::audit::Counter;
+use crate::camera::CameraView;
+use crate::casters::{Face, FaceRequest, FaceView};
+use crate::meshes::Placed;
 use crate::occludees::Occludees;
-use crate::view::View;
+use crate::occluders::OccluderDepth;
 
 /// In the main world. The judges are shared with the render world, which tests while the next frame may be under way here.
 #[derive(Resource)]
 pub(crate) struct Culler {
     pub gpu: Gpu,
     pub occludees: Occludees,
-    pub views: EntityHashMap<View>,
+    pub cameras: EntityHashMap<CameraView>,
+    /// What hides from each camera in this frame, where tagged occluders alone do.
+    pub occluders: EntityHashMap<Vec<Placed>>,
+    pub faces: HashMap<Face, FaceView>,
+    /// The faces of shadow maps that are to be tested in this frame.
+    pub requests: Vec<(Face, FaceRequest)>,
     pub spent: Spent,
+    /// Whether it has taken over the meshes and the lights that there are.
+    pub has_meshes: bool,
+    pub has_lights: bool,
+    /// When Bevy got the device that this is on. Two devices of two instances of wgpu may be equal.
+    device_since: Tick,
 }
 
 /// Time of the CPU since it was last asked for.
@@ -36,24 +52,59 @@ impl Spent {
     }
 }
 
-/// What works on the GPU for one camera, in both worlds.
+/// What works on the GPU for one view, in both worlds.
 pub(crate) struct Judging {
     pub judge: Judge,
     pub counter: Counter,
+    pub occluders: OccluderDepth,
 }
 
-/// A camera's judge, which both worlds hold.
+/// A view's judge, which both worlds hold.
 #[derive(Clone)]
 pub(crate) struct SharedJudging(Arc<Mutex<Judging>>);
 
 impl Culler {
-    pub fn new(gpu: Gpu) -> Self {
-        Self {
+    /// On Bevy's device; `None` where it has none.
+    pub fn of(world: &World) -> Option<Self> {
+        let device = world.get_resource_ref::<RenderDevice>()?;
+        let queue = world.get_resource::<RenderQueue>()?;
+        let info = world.get_resource::<RenderAdapterInfo>()?;
+        let adapter = world.get_resource::<RenderAdapter>()?;
+        let gpu = Gpu::adopt(
+            device.wgpu_device().clone(),
+            wgpu::Queue::clone(queue),
+            wgpu::AdapterInfo::clone(info),
+            adapter.get_downlevel_capabilities(),
+        );
+        Some(Self {
             occludees: Occludees::new(&gpu),
-            views: EntityHashMap::default(),
+            cameras: EntityHashMap::default(),
+            occluders: EntityHashMap::default(),
+            faces: HashMap::new(),
+            requests: Vec::new(),
             spent: Spent::default(),
+            has_meshes: false,
+            has_lights: false,
+            device_since: device.last_changed(),
             gpu,
-        }
+        })
+    }
+
+    /// Whether it is on this device of the main world.
+    pub fn is_on(&self, device: &Ref<RenderDevice>) -> bool {
+        self.device_since == device.last_changed()
+    }
+}
+
+/// Whether Bevy has recovered with another device.
+pub(crate) fn has_other_device(culler: Res<Culler>, device: Option<Res<RenderDevice>>) -> bool {
+    device.is_some_and(|device| !culler.is_on(&device.into()))
+}
+
+/// Begins anew on Bevy's device.
+pub(crate) fn renew(world: &mut World) {
+    if let Some(culler) = Culler::of(world) {
+        world.insert_resource(culler);
     }
 }
 

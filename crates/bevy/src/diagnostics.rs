@@ -12,7 +12,7 @@ pub const DRAWN: DiagnosticPath = DiagnosticPath::const_new("antumbra/drawn");
 pub const CULLED: DiagnosticPath = DiagnosticPath::const_new("antumbra/culled");
 /// Wrong pixels in percent of the image, of each camera's last frame that was audited; the greatest.
 pub const WRONG_PIXELS: DiagnosticPath = DiagnosticPath::const_new("antumbra/wrong_pixels");
-/// Microseconds of the CPU that this plug-in took in a frame: in the main world, and where both worlds are in step.
+/// Microseconds of the CPU that this plug-in took in a frame: in the main world, lights included, and where both worlds are in step.
 pub const MICROSECONDS: DiagnosticPath = DiagnosticPath::const_new("antumbra/microseconds");
 
 pub(crate) fn register(app: &mut App) {

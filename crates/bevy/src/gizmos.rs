@@ -56,15 +56,20 @@ fn draw(
     for (camera, settings, report) in &cameras {
         for mesh in &report.culled {
             if let Some(found) = culler.occludees.find(Kind::Mesh, *mesh) {
-                let place = Transform::from_translation(found.now.middle())
-                    .with_scale(found.now.most - found.now.least);
+                let [middle, half] = [found.bounds.centre(), found.bounds.half_extents()]
+                    .map(|point| Vec3::from_array(point.as_vec3().to_array()));
+                let place = Transform::from_translation(middle).with_scale(2.0 * half);
                 gizmos.cube(place, colours.culled);
             }
         }
         if settings.frozen
-            && let Some(view) = culler.views.get(&camera)
+            && let Some(asked) = culler
+                .cameras
+                .get(&camera)
+                .and_then(|view| view.view.newest())
         {
-            volume(&mut gizmos, view.matrix(), colours.frozen);
+            let matrix = asked.request.pose.clip_from_world;
+            volume(&mut gizmos, matrix, colours.frozen);
         }
     }
 }

@@ -1,57 +1,65 @@
-//! Brings the boxes onto the device while the worlds are in step, and tests them in the render world once a camera's opaque pass is done.
+//! Brings the boxes onto the device while the worlds are in step, and says what the render world is to test.
+
+mod render;
 
 use antumbra::cull::judge::JudgeError;
 use bevy::camera::MainPassResolutionOverride;
-use bevy::ecs::entity::EntityHashMap;
+use bevy::ecs::query::QueryData;
 use bevy::platform::time::Instant;
 use bevy::prelude::*;
 use bevy::render::MainWorld;
-use bevy::render::mesh::RenderMesh;
-use bevy::render::mesh::allocator::MeshAllocator;
-use bevy::render::render_asset::RenderAssets;
-use bevy::render::renderer::{PendingCommandBuffers, RenderContext, RenderDevice, ViewQuery};
-use bevy::render::sync_world::MainEntity;
-use bevy::render::view::ViewDepthStencilTexture;
+use bevy::render::camera::TemporalJitter;
+use bevy::render::renderer::{PendingCommandBuffers, RenderDevice};
 
-use crate::audit::{Audited, Meshes, Order, Suspect};
-use crate::culler::{Culler, Judging, SharedJudging};
-use crate::settings::{AntumbraCulling, CullingReport, Strategy};
-use crate::view::{Image2d, View};
+pub(crate) use render::{Begun, test, test_tagged};
+use render::{BegunView, Tagged};
 
-/// In the render world: the cameras whose frames have begun, by their entities in the main world.
-#[derive(Resource, Default)]
-pub(crate) struct Begun(EntityHashMap<BegunView>);
+use crate::audit::{Audited, Order};
+use crate::camera::CameraView;
+use crate::casters::{FaceRequest, FaceView};
+use crate::cull::pose_of;
+use crate::culler::Culler;
+use crate::meshes::Placed;
+use crate::settings::{AntumbraCulling, CullingReport, Occluders, Strategy};
+use crate::view::{Image2d, Pose, View};
 
-struct BegunView {
-    judging: SharedJudging,
-    audit: Order,
+/// What says how a camera is tested.
+#[derive(QueryData)]
+#[query_data(mutable)]
+struct CameraShape {
+    entity: Entity,
+    settings: &'static AntumbraCulling,
+    camera: &'static Camera,
+    projection: &'static Projection,
+    msaa: &'static Msaa,
+    place: &'static GlobalTransform,
+    is_scaled: Has<MainPassResolutionOverride>,
+    is_jittered: Has<TemporalJitter>,
+    report: &'static mut CullingReport,
 }
 
-type Camera3ds = (
-    Entity,
-    &'static AntumbraCulling,
-    &'static Camera,
-    &'static Msaa,
-    &'static GlobalTransform,
-    Has<MainPassResolutionOverride>,
-    &'static mut CullingReport,
-);
-
-/// Begins a frame of each camera that culls: makes judges for new cameras, follows their sizes, and records what has changed.
+/// Begins a frame of each view that is tested: makes judges for new ones, follows their sizes, and records what has changed.
 pub(crate) fn begin(
     mut main: ResMut<MainWorld>,
     mut begun: ResMut<Begun>,
     device: Option<Res<RenderDevice>>,
     pending: Option<ResMut<PendingCommandBuffers>>,
 ) {
-    begun.0.clear();
+    begun.cameras.clear();
+    begun.tagged.clear();
     let (Some(device), Some(mut pending)) = (device, pending) else {
         return;
     };
     let start = Instant::now();
-    let mut cameras = main.query::<Camera3ds>();
+    let mut cameras = main.query::<CameraShape>();
     main.resource_scope(|main: &mut World, mut culler: Mut<Culler>| {
         let culler = &mut *culler;
+        // Bevy recovers with another device; once it is there, everything begins anew on it.
+        let of_main = main.get_resource_ref::<RenderDevice>();
+        let is_same = of_main.is_some_and(|of_main| culler.is_on(&of_main));
+        if !is_same || !is_alive(&device) {
+            return;
+        }
         let mut encoder =
             device
                 .wgpu_device()
@@ -60,60 +68,84 @@ pub(crate) fn begin(
                 });
         let mut live = Vec::new();
         let mut suspects = Vec::new();
-        for (entity, settings, camera, msaa, place, is_scaled, mut report) in cameras.iter_mut(main)
-        {
-            if settings.strategy == Strategy::Off || !camera.is_active {
+        for mut shape in cameras.iter_mut(main) {
+            let (settings, report) = (shape.settings, &mut *shape.report);
+            if settings.strategy == Strategy::Off || !shape.camera.is_active {
+                report.fault = None;
                 continue;
             }
-            let image = match image_of(camera, *msaa, is_scaled) {
+            let image = match image_of(
+                shape.camera,
+                settings.occluders,
+                *shape.msaa,
+                shape.is_scaled,
+            ) {
                 Ok(Some(image)) => image,
                 Ok(None) => continue,
                 Err(fault) => {
-                    tell(&mut report, fault.to_owned());
+                    tell(report, fault.to_owned());
                     continue;
                 }
             };
-            live.push(entity);
+            live.push(shape.entity);
             if settings.frozen {
                 continue;
             }
-            let clip_from_world = camera.clip_from_view() * place.to_matrix().inverse();
-            let judging = culler.begin(entity, image, settings, clip_from_world, &mut encoder);
-            match judging {
-                Ok(judging) => {
+            let pose = pose_of(shape.camera, shape.projection, shape.place);
+            let asked = Asking {
+                image,
+                settings,
+                pose,
+                is_jittered: shape.is_jittered,
+            };
+            match culler.begin(shape.entity, asked, &mut encoder) {
+                Ok(view) => {
                     report.fault = None;
                     let mut audit = Order::Nothing;
-                    if let Some(view) = culler.views.get_mut(&entity) {
-                        if let Some(audited) = view.take_suspects() {
-                            suspects.push((entity, audited));
-                        } else if view.begin_audit(settings, &report.culled) {
-                            audit = Order::Copy;
-                        }
+                    if let Some(audited) = view.take_suspects() {
+                        suspects.push((shape.entity, audited));
+                    } else if view.begin_audit(settings, &report.culled) {
+                        audit = Order::Copy;
                     }
-                    begun.0.insert(entity, BegunView { judging, audit });
+                    let judging = view.view.judging.clone();
+                    let test = BegunView { judging, audit };
+                    begun.cameras.insert(shape.entity, test);
                 }
                 Err(error) => {
-                    culler.views.remove(&entity);
-                    tell(&mut report, error.to_string());
+                    culler.cameras.remove(&shape.entity);
+                    tell(report, error.to_string());
                 }
             }
         }
         for (entity, audited) in suspects {
-            if let Some(view) = begun.0.get_mut(&entity) {
+            if let Some(view) = begun.cameras.get_mut(&entity) {
                 view.audit = Order::Count(found(main, &audited), audited.clip_from_world);
             }
         }
-        culler.views.retain(|entity, _| live.contains(entity));
+        culler.cameras.retain(|entity, _| live.contains(entity));
+        culler.move_tagged(&mut begun);
+        culler.begin_faces(&mut begun.tagged, &mut encoder);
         culler.occludees.epoch += 1;
         pending.push([encoder.finish()]);
         culler.spent.since(start);
     });
 }
 
+/// Whether a device makes buffers. One that is lost says so to its owner alone, and what it makes cannot be written.
+fn is_alive(device: &RenderDevice) -> bool {
+    let probe = device.wgpu_device().create_buffer(&wgpu::BufferDescriptor {
+        label: Some("antumbra: probe"),
+        size: 16,
+        usage: wgpu::BufferUsages::COPY_SRC,
+        mapped_at_creation: true,
+    });
+    probe.get_mapped_range_mut(..).is_ok()
+}
+
 /// The meshes of what was culled, where it is now.
-fn found(main: &World, audited: &Audited) -> Vec<Suspect> {
+fn found(main: &World, audited: &Audited) -> Vec<Placed> {
     let suspects = audited.culled.iter().filter_map(|entity| {
-        Some(Suspect {
+        Some(Placed {
             mesh: main.get::<Mesh3d>(*entity)?.id(),
             place: main.get::<GlobalTransform>(*entity)?.affine(),
         })
@@ -121,19 +153,32 @@ fn found(main: &World, audited: &Audited) -> Vec<Suspect> {
     suspects.collect()
 }
 
-/// The image that a camera draws; none while its target has no size.
-fn image_of(camera: &Camera, msaa: Msaa, is_scaled: bool) -> Result<Option<Image2d>, &'static str> {
+/// The image that a camera is tested in; none while its target has no size.
+fn image_of(
+    camera: &Camera,
+    occluders: Occluders,
+    msaa: Msaa,
+    is_scaled: bool,
+) -> Result<Option<Image2d>, &'static str> {
     let (Some(size), Some(part)) = (
         camera.physical_target_size(),
         camera.physical_viewport_rect(),
     ) else {
         return Ok(None);
     };
-    if size.min_element() == 0 {
+    if size.min_element() == 0 || part.is_empty() {
         return Ok(None);
     }
+    if occluders == Occluders::Tagged {
+        return Ok(Some(Image2d {
+            size: part.size(),
+            samples: 1,
+        }));
+    }
     if is_scaled || part.min != UVec2::ZERO || part.max != size {
-        return Err("it draws into a part of its target; give it a target of its own");
+        return Err(
+            "it draws into a part of its target; give it a target of its own, or tag occluders (`Occluders::Tagged`)",
+        );
     }
     Ok(Some(Image2d {
         size,
@@ -149,73 +194,107 @@ fn tell(report: &mut CullingReport, fault: String) {
     }
 }
 
+/// What a camera is tested with in a frame.
+struct Asking<'a> {
+    image: Image2d,
+    settings: &'a AntumbraCulling,
+    pose: Pose,
+    is_jittered: bool,
+}
+
 impl Culler {
     fn begin(
         &mut self,
         camera: Entity,
-        image: Image2d,
-        settings: &AntumbraCulling,
-        clip_from_world: Mat4,
+        asked: Asking<'_>,
         encoder: &mut wgpu::CommandEncoder,
-    ) -> Result<SharedJudging, JudgeError> {
-        let before = self.views.remove(&camera);
-        let fits = before.filter(|view| view.image.samples == image.samples);
+    ) -> Result<&mut CameraView, JudgeError> {
+        let Asking {
+            image,
+            settings,
+            pose,
+            is_jittered,
+        } = asked;
+        let before = self.cameras.remove(&camera);
+        let fits = before.filter(|before| {
+            before.view.image.samples == image.samples && before.occluders == settings.occluders
+        });
         let mut view = match fits {
             Some(view) => view,
-            None => View::new(&self.gpu, image)?,
+            None => CameraView::new(&self.gpu, image, settings)?,
         };
-        let eye = view.eye(settings, clip_from_world);
-        let shared = view.judging.clone();
-        let report = {
-            let Judging { judge, .. } = &mut *shared.lock();
-            if view.image.size != image.size {
-                judge.resize(0, image.size.to_array())?;
-                view.image = image;
-            }
-            judge.begin(&mut self.occludees.instances, &[eye], encoder)?
-        };
-        view.note_asked(report.frame, self.occludees.epoch);
-        self.views.insert(camera, view);
-        Ok(shared)
+        let request = view.request(settings, pose, is_jittered);
+        view.view
+            .ask(request, image.size, &mut self.occludees, encoder)?;
+        Ok(self.cameras.entry(camera).insert(view).into_mut())
     }
-}
 
-/// Tests all boxes against what a camera's opaque pass has left in its depth.
-pub(crate) fn test(
-    view: ViewQuery<(&MainEntity, &ViewDepthStencilTexture)>,
-    begun: Res<Begun>,
-    assets: Res<RenderAssets<RenderMesh>>,
-    allocator: Res<MeshAllocator>,
-    mut context: RenderContext,
-) {
-    let (camera, depth) = view.into_inner();
-    let Some(view) = begun.0.get(&camera.id()) else {
-        return;
-    };
-    let Judging { judge, counter } = &mut *view.judging.lock();
-    let encoder = context.command_encoder();
-    if let Err(error) = judge.test(&[depth.texture()], encoder) {
-        warn_once!("antumbra: {error}");
-    }
-    match &view.audit {
-        Order::Nothing => {}
-        Order::Copy => counter.copy(depth.texture(), encoder),
-        Order::Count(suspects, clip_from_world) => {
-            let meshes = Meshes {
-                assets: &assets,
-                allocator: &allocator,
+    /// Has cameras with tagged occluders tested against a depth of these.
+    fn move_tagged(&mut self, begun: &mut Begun) {
+        for (camera, view) in &self.cameras {
+            if view.occluders != Occluders::Tagged {
+                continue;
+            }
+            let (Some(asked), Some(test)) = (view.view.newest(), begun.cameras.remove(camera))
+            else {
+                continue;
             };
-            counter.count(suspects, *clip_from_world, meshes, encoder);
+            let occluders = self.occluders.remove(camera).unwrap_or_default();
+            let tagged = Tagged {
+                occluders,
+                clip_from_world: asked.request.pose.clip_from_world,
+                size: view.view.image.size,
+            };
+            begun.tagged.push((test, tagged));
+        }
+    }
+
+    /// Begins a frame of the shadow maps that are to be tested, and forgets the others.
+    fn begin_faces(
+        &mut self,
+        begun: &mut Vec<(BegunView, Tagged)>,
+        encoder: &mut wgpu::CommandEncoder,
+    ) {
+        let mut before = std::mem::take(&mut self.faces);
+        for (face, request) in std::mem::take(&mut self.requests) {
+            let FaceRequest {
+                request,
+                image,
+                occluders,
+            } = request;
+            let view = before
+                .remove(&face)
+                .map_or_else(|| View::new(&self.gpu, image), |FaceView(view)| Ok(view));
+            let asked = view.and_then(|mut view| {
+                view.ask(request, image.size, &mut self.occludees, encoder)?;
+                Ok(view)
+            });
+            match asked {
+                Ok(view) => {
+                    let test = BegunView {
+                        judging: view.judging.clone(),
+                        audit: Order::Nothing,
+                    };
+                    let tagged = Tagged {
+                        occluders,
+                        clip_from_world: request.pose.clip_from_world,
+                        size: image.size,
+                    };
+                    begun.push((test, tagged));
+                    self.faces.insert(face, FaceView(view));
+                }
+                Err(error) => warn_once!("antumbra: a light keeps its casters: {error}"),
+            }
         }
     }
 }
 
-/// Has the depth of cameras that cull made so that it can be read.
-pub(crate) fn make_depth_readable(mut cameras: Query<&mut Camera3d, With<AntumbraCulling>>) {
-    for mut camera in &mut cameras {
+/// Has the depth of cameras that cull by it made so that it can be read.
+pub(crate) fn make_depth_readable(mut cameras: Query<(&mut Camera3d, &AntumbraCulling)>) {
+    for (mut camera, settings) in &mut cameras {
         let wanted = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC;
         let usages = wgpu::TextureUsages::from(camera.depth_texture_usages);
-        if !usages.contains(wanted) {
+        if settings.occluders == Occluders::Depth && !usages.contains(wanted) {
             camera.depth_texture_usages = (usages | wanted).into();
         }
     }

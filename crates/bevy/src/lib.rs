@@ -17,30 +17,35 @@
 //! box is drawn; so is what was outside of the view. Shadows do not change.
 
 mod audit;
+mod camera;
+mod casters;
 mod cull;
 mod culler;
 pub mod diagnostics;
+mod dial;
 mod gizmos;
 mod judging;
 mod lights;
+mod meshes;
 mod occludees;
+mod occluders;
 mod roundness;
 mod settings;
 mod track;
 mod view;
 
+pub use casters::{ShadowCulling, ShadowReport};
 pub use gizmos::CullingGizmos;
-pub use settings::{AntumbraCulling, Audit, Budget, CullingReport, Strategy};
+pub use occluders::Occluder;
+pub use settings::{AntumbraCulling, Audit, Budget, CullingReport, Occluders, Strategy};
 
-use antumbra::cull::Gpu;
 use bevy::asset::AssetEventSystems;
 use bevy::camera::visibility::VisibilitySystems;
 use bevy::core_pipeline::Core3d;
 use bevy::core_pipeline::core_3d::{main_opaque_pass_3d, main_transparent_pass_3d};
 use bevy::light::SimulationLightSystems;
 use bevy::prelude::*;
-use bevy::render::renderer::{RenderAdapter, RenderAdapterInfo, RenderDevice, RenderQueue};
-use bevy::render::{ExtractSchedule, RenderApp};
+use bevy::render::{ExtractSchedule, Render, RenderApp, RenderSystems};
 use bevy::transform::TransformSystems;
 
 /// Adds culling to an app, for cameras that have [`AntumbraCulling`].
@@ -54,6 +59,8 @@ pub enum AntumbraSystems {
     Track,
     /// Edits the cameras' lists.
     Cull,
+    /// Edits the lights' lists, after [`SimulationLightSystems::CheckLightVisibility`].
+    CullCasters,
 }
 
 impl Plugin for AntumbraPlugin {
@@ -61,6 +68,9 @@ impl Plugin for AntumbraPlugin {
         diagnostics::register(app);
         app.register_type::<AntumbraCulling>()
             .register_type::<CullingReport>()
+            .register_type::<Occluder>()
+            .register_type::<ShadowCulling>()
+            .register_type::<ShadowReport>()
             .configure_sets(
                 PostUpdate,
                 (AntumbraSystems::Track, AntumbraSystems::Cull)
@@ -72,36 +82,40 @@ impl Plugin for AntumbraPlugin {
                     .before(SimulationLightSystems::CheckLightVisibility)
                     .run_if(resource_exists::<culler::Culler>),
             )
+            .configure_sets(
+                PostUpdate,
+                AntumbraSystems::CullCasters
+                    .after(AntumbraSystems::Cull)
+                    .after(SimulationLightSystems::CheckLightVisibility)
+                    .run_if(resource_exists::<culler::Culler>),
+            )
             .add_systems(
                 PostUpdate,
                 (
-                    (track::track_meshes, track::track_lights).in_set(AntumbraSystems::Track),
+                    (
+                        culler::renew.run_if(culler::has_other_device),
+                        track::track_meshes,
+                        track::track_lights,
+                    )
+                        .chain()
+                        .in_set(AntumbraSystems::Track),
                     (
                         judging::make_depth_readable,
-                        (cull::cull, lights::cull_lights, diagnostics::measure).chain(),
+                        (cull::cull, lights::cull_lights).chain(),
                     )
                         .in_set(AntumbraSystems::Cull),
+                    (casters::cull_casters, diagnostics::measure)
+                        .chain()
+                        .in_set(AntumbraSystems::CullCasters),
                 ),
             );
     }
 
     fn finish(&self, app: &mut App) {
-        let world = app.world();
-        let (Some(device), Some(queue), Some(info), Some(adapter)) = (
-            world.get_resource::<RenderDevice>(),
-            world.get_resource::<RenderQueue>(),
-            world.get_resource::<RenderAdapterInfo>(),
-            world.get_resource::<RenderAdapter>(),
-        ) else {
+        let Some(culler) = culler::Culler::of(app.world()) else {
             return;
         };
-        let gpu = Gpu::adopt(
-            device.wgpu_device().clone(),
-            wgpu::Queue::clone(queue),
-            wgpu::AdapterInfo::clone(info),
-            adapter.get_downlevel_capabilities(),
-        );
-        app.insert_resource(culler::Culler::new(gpu));
+        app.insert_resource(culler);
         gizmos::add(app);
         let Some(render) = app.get_sub_app_mut(RenderApp) else {
             return;
@@ -109,6 +123,10 @@ impl Plugin for AntumbraPlugin {
         render
             .init_resource::<judging::Begun>()
             .add_systems(ExtractSchedule, judging::begin)
+            .add_systems(
+                Render,
+                judging::test_tagged.in_set(RenderSystems::PrepareBindGroups),
+            )
             .add_systems(
                 Core3d,
                 judging::test

@@ -1,12 +1,14 @@
-//! Leaves out point and spot lights whose volume nobody sees, with their shadow maps, where cameras ask for it.
+//! Leaves out point and spot lights whose whole reach is hidden, with their shadow maps, where cameras ask for it.
 
 use std::any::TypeId;
 
 use bevy::camera::visibility::{ViewVisibility, VisibleEntities};
 use bevy::ecs::entity::EntityHashSet;
 use bevy::light::cluster::ClusterVisibilityClass;
+use bevy::platform::time::Instant;
 use bevy::prelude::*;
 
+use crate::cull::pose_of;
 use crate::culler::Culler;
 use crate::occludees::Kind;
 use crate::settings::{AntumbraCulling, CullingReport, Strategy};
@@ -24,10 +26,10 @@ type Cameras<'w, 's> = Query<
     ),
 >;
 
-/// A light is left out when each camera that has it in view asks for it, and finds its volume hidden: nothing that is seen is lit by it then. Bevy has marked it as visible in this frame,
+/// A light is left out when each camera that has it in view asks for it, and finds its reach hidden: nothing that is seen is lit by it then. Bevy has marked it as visible in this frame,
 /// which is taken back before lights are assigned and extracted. One that is a mesh as well stays.
 pub(crate) fn cull_lights(
-    culler: Res<Culler>,
+    mut culler: ResMut<Culler>,
     mut cameras: Cameras,
     mut lights: Query<
         &mut ViewVisibility,
@@ -36,10 +38,15 @@ pub(crate) fn cull_lights(
 ) {
     let asks =
         |settings: &AntumbraCulling| settings.lights && settings.strategy == Strategy::FrameLate;
-    if !cameras
-        .iter()
-        .any(|(.., ours)| ours.is_some_and(|(settings, _)| asks(settings)))
-    {
+    let start = Instant::now();
+    let mut are_asked_for = false;
+    for (.., ours) in &mut cameras {
+        if let Some((settings, mut report)) = ours {
+            report.lights = 0;
+            are_asked_for |= asks(settings);
+        }
+    }
+    if !are_asked_for {
         return;
     }
     let mut hidden = EntityHashSet::default();
@@ -49,16 +56,11 @@ pub(crate) fn cull_lights(
             continue;
         }
         let in_view = visible.get(TypeId::of::<ClusterVisibilityClass>());
-        let eye = place.translation();
+        let pose = pose_of(camera, projection, place);
         let verdicts = ours
             .as_ref()
             .filter(|(settings, _)| asks(settings))
-            .and_then(|(settings, _)| {
-                culler
-                    .views
-                    .get(&entity)?
-                    .verdicts(settings, eye, crate::cull::near(projection))
-            });
+            .and_then(|(settings, _)| culler.cameras.get(&entity)?.verdicts(settings, pose));
         let mut left_out = 0;
         for light in in_view {
             let found = culler.occludees.find(Kind::Light, *light);
@@ -83,4 +85,5 @@ pub(crate) fn cull_lights(
             *visibility = ViewVisibility::HIDDEN;
         }
     }
+    culler.spent.since(start);
 }

@@ -4,21 +4,23 @@ use bevy::prelude::*;
 
 /// On a camera: leave out what is hidden behind something else. Each camera has its own answers.
 ///
-/// The camera needs no prepass, and may have any number of samples. What it draws with is what hides: the depth of its opaque pass. The answers come a frame or more later, so that pixels may be
-/// wrong where a moving camera, or a moving occluder, uncovers something; [`Budget`] says how many may be.
+/// The camera needs no prepass, and may have any number of samples. What it draws is what hides: the depth of its opaque pass, or, where [`Self::occluders`] says so, meshes that are tagged. The answers come
+/// a frame or more later, so that pixels may be wrong where a moving camera, or a moving occluder, uncovers something; [`Budget`] says how many may be.
 #[derive(Component, Reflect, Debug, Clone, PartialEq)]
 #[reflect(Component, Default, Debug, Clone, PartialEq)]
 #[require(Camera3d, CullingReport)]
 pub struct AntumbraCulling {
     /// How to cull.
     pub strategy: Strategy,
+    /// What hides.
+    pub occluders: Occluders,
     /// How many pixels may be wrong while the camera moves.
     pub budget: Budget,
     /// How often wrong pixels are counted.
     pub audit: Audit,
     /// Keeps the answers of the last frame, so that the camera can be flown away to look at what is culled.
     pub frozen: bool,
-    /// Whether point and spot lights whose volume nobody sees are left out, with their shadow maps. A light goes when each camera that has it in view asks for that, and finds all that it reaches hidden.
+    /// Whether point and spot lights whose whole reach is hidden are left out, with their shadow maps. Each camera that has the light in view must ask for that, and find it hidden.
     pub lights: bool,
     /// Incremented by [`Self::cut`].
     pub cuts: u32,
@@ -28,6 +30,7 @@ impl Default for AntumbraCulling {
     fn default() -> Self {
         Self {
             strategy: Strategy::default(),
+            occluders: Occluders::default(),
             budget: Budget::default(),
             audit: Audit::default(),
             frozen: false,
@@ -55,19 +58,31 @@ pub enum Strategy {
     FrameLate,
 }
 
-/// How many pixels may be wrong while the camera moves. What is hidden must be so by some pixels on all sides, and the more these are, the less is uncovered before new answers come.
+/// What hides others from a camera. Boxes alone never do.
+#[derive(Reflect, Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[reflect(Default, Debug, Clone, PartialEq, Hash)]
+pub enum Occluders {
+    /// What the camera draws: the depth of its opaque pass.
+    #[default]
+    Depth,
+    /// Meshes with [`Occluder`](crate::Occluder), which are drawn into a depth for this alone, with one sample a pixel. For cameras whose depth cannot be read: those that draw into a part of their target, and those
+    /// with several samples on OpenGL. It costs a pass over the tagged meshes.
+    Tagged,
+}
+
+/// How many pixels may be wrong while the camera moves. What is hidden must be so by some pixels, and the more these are, the less is uncovered before new answers arrive.
 #[derive(Reflect, Debug, Clone, Copy, PartialEq)]
 #[reflect(Default, Debug, Clone, PartialEq)]
 pub enum Budget {
     /// Always as many pixels on all sides, at least 1.
     Shift(f32),
-    /// As many as keep the wrong pixels below this share of the image in percent, as the [`Audit`] counts them. Without an audit it stays at [`Budget::FIRST_SHIFT`].
+    /// As many, on the side that the camera uncovers as it goes, and an eighth of them on the others, as keep the wrong pixels below this share of the image in percent, as the [`Audit`] counts them. Without an audit it stays at [`Budget::FIRST_SHIFT`].
     WrongPixels(f32),
 }
 
 impl Budget {
-    /// The pixels on all sides that a budget of wrong pixels begins with.
-    pub const FIRST_SHIFT: f32 = 8.0;
+    /// The pixels that a budget of wrong pixels begins with.
+    pub const FIRST_SHIFT: f32 = 16.0;
     /// The most that it comes to. Where even that is too little, nothing is culled while the camera moves.
     pub const MOST_SHIFT: f32 = 128.0;
 }
@@ -102,13 +117,14 @@ pub struct CullingReport {
     pub drawn: u32,
     /// Meshes in the frustum that are left out, sorted.
     pub culled: Vec<Entity>,
-    /// Lights in view whose volume is hidden from this camera, where it asks for that.
+    /// Lights in view whose reach is hidden from this camera, where it asks for that.
     pub lights: u32,
     /// How many frames old the answers are; `None` where there are none, and everything is drawn.
     pub age: Option<u32>,
-    /// The pixels by which what is hidden must be so on all sides.
+    /// The pixels by which what is left out was hidden, on the side that the camera uncovers; 0 for a camera at rest, and where nothing is known.
     pub shift: f32,
-    /// The wrong pixels of the last frame that was audited, in percent of the image: those that a mesh would have changed which was left out.
+    /// The wrong pixels of the last frame that was audited, in percent of the image: those that a mesh would have changed which was left out. Exact for opaque, one-sided meshes that stand still and are not bent; with
+    /// [`Occluders::Tagged`] it may be too high, as it knows of no other occluders.
     pub wrong: Option<f32>,
     /// Frames that were audited.
     pub audits: u32,

@@ -1,4 +1,4 @@
-//! Follows meshes and lights as they come, move, change and go.
+//! Follows meshes and lights as they are added, move, change and are removed.
 
 use bevy::camera::primitives::{Aabb, Sphere};
 use bevy::camera::visibility::{DynamicSkinnedMeshBounds, NoCpuCulling, NoFrustumCulling};
@@ -39,7 +39,12 @@ impl Mesh3dShapeItem<'_, '_> {
             true => occludees.roundness.of(self.mesh.id(), meshes, self.aabb),
             false => Roundness::ANGULAR,
         };
-        occludees.put(self.entity, Shape::Mesh(self.aabb, self.place, roundness));
+        let shape = Shape::Mesh {
+            aabb: *self.aabb,
+            place: *self.place,
+            roundness,
+        };
+        occludees.put(self.entity, shape);
     }
 }
 
@@ -87,7 +92,10 @@ pub(crate) fn track_meshes(
 ) {
     let start = Instant::now();
     let Culler {
-        occludees, spent, ..
+        occludees,
+        spent,
+        has_meshes,
+        ..
     } = &mut *culler;
     let mut again: Vec<Entity> = exempt.iter().collect();
     again.extend(gone.p0().read());
@@ -100,6 +108,7 @@ pub(crate) fn track_meshes(
     for event in events.read() {
         if let AssetEvent::Modified { id } | AssetEvent::Removed { id } = event {
             occludees.roundness.forget(*id);
+            occludees.changed_meshes += 1;
         }
     }
     for entity in again {
@@ -108,9 +117,15 @@ pub(crate) fn track_meshes(
             Err(_) => occludees.remove(Kind::Mesh, entity),
         }
     }
+    if !std::mem::replace(has_meshes, true) {
+        for mesh in &all {
+            mesh.put(occludees, &meshes);
+        }
+    }
     for mesh in &changed {
         mesh.put(occludees, &meshes);
     }
+    occludees.settle();
     spent.since(start);
 }
 
@@ -121,10 +136,16 @@ type Lights = Or<(With<PointLight>, With<SpotLight>)>;
 pub(crate) fn track_lights(
     mut culler: ResMut<Culler>,
     changed: Query<(Entity, &Sphere), (Lights, Changed<Sphere>)>,
-    lights: Query<&Sphere, Lights>,
+    lights: Query<(Entity, &Sphere), Lights>,
     mut gone: ParamSet<(RemovedComponents<PointLight>, RemovedComponents<SpotLight>)>,
 ) {
-    let occludees = &mut culler.occludees;
+    let start = Instant::now();
+    let Culler {
+        occludees,
+        spent,
+        has_lights,
+        ..
+    } = &mut *culler;
     let mut again: Vec<Entity> = gone.p0().read().collect();
     again.extend(gone.p1().read());
     for entity in again {
@@ -132,7 +153,16 @@ pub(crate) fn track_lights(
             occludees.remove(Kind::Light, entity);
         }
     }
-    for (entity, sphere) in &changed {
-        occludees.put(entity, Shape::Ball(sphere.center.into(), sphere.radius));
+    let mut put = |(entity, sphere): (Entity, &Sphere)| {
+        let shape = Shape::Ball {
+            centre: sphere.center.into(),
+            radius: sphere.radius,
+        };
+        occludees.put(entity, shape);
+    };
+    if !std::mem::replace(has_lights, true) {
+        lights.iter().for_each(&mut put);
     }
+    changed.iter().for_each(put);
+    spent.since(start);
 }

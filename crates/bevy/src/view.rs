@@ -1,75 +1,81 @@
-//! A camera with a judge: what was asked in which frame, and what has come back.
+//! A judge, what it was asked in which frame, and what has come back.
 
 use std::collections::VecDeque;
 
 use antumbra::cull::Gpu;
 use antumbra::cull::judge::{
-    DepthRange, Eye, HostDepth, Judge, JudgeError, JudgeOptions, JudgeView, Phases,
+    DepthRange, Drift, Eye, HostDepth, Judge, JudgeError, JudgeOptions, JudgeView, Phases,
 };
 use antumbra::glam as ours;
 use bevy::core_pipeline::core_3d::CORE_3D_DEPTH_FORMAT;
 use bevy::prelude::*;
 
-use crate::audit::{Audited, Auditing, Counter};
+use crate::audit::Counter;
 use crate::culler::{Judging, SharedJudging};
-use crate::occludees::{Found, Kind, Occludees};
-use crate::settings::{AntumbraCulling, Budget, CullingReport};
+use crate::dial::Margin;
+use crate::occludees::{Found, Occludees};
+use crate::occluders::OccluderDepth;
 
-/// A camera that culls.
+/// What is tested from one point: a camera, or a face of a light's shadow maps.
 pub(crate) struct View {
     pub judging: SharedJudging,
     pub image: Image2d,
     asked: VecDeque<Asked>,
     answers: Option<Answers>,
-    /// Where the camera was in the last frame, and how far it had come since the one before.
-    last: Option<Place>,
-    /// The distance of what was nearest to the camera in the last frame.
-    nearest: f32,
-    /// The settings' cuts in the last frame.
-    cuts: u32,
     is_cut: bool,
-    /// Pixels, under a budget of wrong ones.
-    dial: f32,
-    /// The matrix of the last frame, and whether it was another one before.
-    matrix: Mat4,
-    has_moved: bool,
-    auditing: Auditing,
 }
 
-/// What a judge has to know of a camera's image.
+/// What a judge has to know of an image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Image2d {
     pub size: UVec2,
     pub samples: u32,
 }
 
+/// Where a view is seen from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Pose {
+    pub eye: Vec3,
+    pub clip_from_world: Mat4,
+    /// The distance of the near plane; 0 where it is not one of a perspective.
+    pub near: f32,
+}
+
+/// What a test is asked with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Request {
+    pub pose: Pose,
+    /// The pixels by which what is hidden must be so.
+    pub margin: Margin,
+    /// Which way the eye goes: a direction of any length.
+    pub way: Vec3,
+    /// Whether the view has been moving.
+    pub is_moving: bool,
+    /// What hides: another number for other occluders, or the same ones elsewhere.
+    pub occluders: u64,
+}
+
 /// A frame in which a test was asked for.
 #[derive(Debug, Clone, Copy)]
-struct Asked {
+pub(crate) struct Asked {
     /// The judge's number of it.
     frame: u64,
     /// The boxes that were tested.
     epoch: u64,
-    place: Vec3,
+    pub request: Request,
 }
 
 /// What has come back.
 #[derive(Debug)]
-struct Answers {
-    of: Asked,
+pub(crate) struct Answers {
+    pub of: Asked,
     hidden: Vec<u32>,
-}
-
-#[derive(Debug, Clone, Copy)]
-struct Place {
-    at: Vec3,
-    step: f32,
 }
 
 /// Answers for a frame.
 pub(crate) struct Verdicts<'a> {
     answers: &'a Answers,
-    /// Where the camera is now.
+    /// Where the eye is now.
     eye: Vec3,
     /// What is nearer than this is drawn.
     near: f32,
@@ -77,6 +83,8 @@ pub(crate) struct Verdicts<'a> {
 
 /// Frames that are remembered until their answers come. More than a judge has under way.
 const MOST_ASKED: usize = 16;
+/// The corners of the near plane are farther from the eye than its middle: for 120 degrees high and 16:9, 3.7 times.
+const NEAR_ROOM: f32 = 4.0;
 
 impl View {
     /// # Errors
@@ -97,176 +105,45 @@ impl View {
             judging: SharedJudging::new(Judging {
                 judge: Judge::new(gpu, vec![view], options)?,
                 counter: Counter::new(gpu),
+                occluders: OccluderDepth::new(gpu),
             }),
             image,
             asked: VecDeque::new(),
             answers: None,
-            last: None,
-            nearest: f32::INFINITY,
-            cuts: 0,
             is_cut: true,
-            dial: Budget::FIRST_SHIFT,
-            matrix: Mat4::ZERO,
-            has_moved: false,
-            auditing: Auditing::default(),
         })
     }
 
-    /// Takes over what has come back. Never waits.
-    pub fn collect(
-        &mut self,
-        settings: &AntumbraCulling,
-        occludees: &Occludees,
-        report: &mut CullingReport,
-    ) {
+    /// Takes over the newest answers. Never waits. Returns their frame if they were not known yet.
+    pub fn collect(&mut self) -> Option<u64> {
         let shared = self.judging.clone();
         let mut judging = shared.lock();
-        let Judging { judge, counter } = &mut *judging;
-        if let Some(pixels) = counter.take()
-            && let Some(has_moved) = self.auditing.end()
-        {
-            let image = self.image.size.as_vec2();
-            let wrong = 100.0 * pixels as f32 / (image.x * image.y);
-            report.wrong = Some(wrong);
-            report.audits += 1;
-            if has_moved {
-                self.note_wrong(settings, wrong);
-            }
-        }
-        let Some(hidden) = judge.hidden(0).ok().flatten() else {
-            return;
-        };
+        let hidden = judging.judge.hidden(0).ok().flatten()?;
         let frame = hidden.frame;
-        let known = self.answers.as_ref().map(|answers| answers.of.frame);
-        let of = self.asked.iter().find(|asked| asked.frame == frame);
-        let Some(of) = of.filter(|_| known != Some(frame)).copied() else {
-            return;
-        };
-        self.auditing.note_answers(frame, |entity| {
-            let found = occludees.find(Kind::Mesh, entity);
-            found.is_none_or(|found| hidden.contains(found.index))
-        });
-        let mut words = self
-            .answers
-            .take()
-            .map_or_else(Vec::new, |answers| answers.hidden);
+        let of = *self.asked.iter().find(|asked| asked.frame == frame)?;
+        let before = self.answers.take();
+        if before.as_ref().is_some_and(|known| known.of.frame == frame) {
+            self.answers = before;
+            return None;
+        }
+        let mut words = before.map_or_else(Vec::new, |answers| answers.hidden);
         words.clear();
         words.extend_from_slice(hidden.words());
         self.answers = Some(Answers { of, hidden: words });
         self.asked.retain(|asked| asked.frame >= frame);
+        Some(frame)
     }
 
-    /// Forgets what was known if the camera has jumped: because its owner says so, or because it has come farther than to what was nearest to it, and much farther than in the frame before.
-    pub fn follow(&mut self, settings: &AntumbraCulling, eye: Vec3) {
-        let step = self.last.map_or(0.0, |last| last.at.distance(eye));
-        let before = self.last.map_or(0.0, |last| last.step);
-        let has_jumped = step > self.nearest && step > before * JUMP;
-        if std::mem::replace(&mut self.cuts, settings.cuts) != settings.cuts || has_jumped {
-            self.is_cut = true;
-            self.answers = None;
-            self.asked.clear();
-        }
-        self.last = Some(Place { at: eye, step });
+    /// Forgets what was known, and what is under way.
+    pub fn forget(&mut self) {
+        self.is_cut = true;
+        self.answers = None;
+        self.asked.clear();
     }
 
-    /// Notes how near to the camera something is that is drawn.
-    pub fn note_nearest(&mut self, nearest: f32) {
-        self.nearest = nearest;
-    }
-
-    /// What is known for a camera that is here, and has its near plane so far away. Nothing where the budget cannot be kept.
-    pub fn verdicts(
-        &self,
-        settings: &AntumbraCulling,
-        eye: Vec3,
-        near: f32,
-    ) -> Option<Verdicts<'_>> {
-        let answers = self.answers.as_ref()?;
-        let is_over_budget =
-            matches!(settings.budget, Budget::WrongPixels(_)) && self.dial > Budget::MOST_SHIFT;
-        if is_over_budget && self.has_moved && !settings.frozen {
-            return None;
-        }
-        // What was hidden from where it was frozen stays so wherever the camera is taken.
-        let eye = match settings.frozen {
-            true => answers.of.place,
-            false => eye,
-        };
-        let near = near * NEAR_ROOM + answers.of.place.distance(eye);
-        Some(Verdicts { answers, eye, near })
-    }
-
-    /// The eye that a test is asked for.
-    pub fn eye(&mut self, settings: &AntumbraCulling, clip_from_world: Mat4) -> Eye {
-        self.has_moved = std::mem::replace(&mut self.matrix, clip_from_world) != clip_from_world;
-        let matrix = ours::Mat4::from_cols_array(&clip_from_world.to_cols_array());
-        Eye {
-            cut: std::mem::take(&mut self.is_cut),
-            shift: self.shift(settings),
-            // Bevy's shaders compute in f32 from the world's origin.
-            ..Eye::new(matrix, ours::DVec3::ZERO)
-        }
-    }
-
-    /// Whether the depth of the frame that was asked about last is to be copied, for it is audited.
-    pub fn begin_audit(&mut self, settings: &AntumbraCulling, culled: &[Entity]) -> bool {
-        let is_due = self.auditing.is_due(settings.audit) && !culled.is_empty();
-        if let Some(asked) = self.asked.back().filter(|_| is_due) {
-            self.auditing.begin(Audited {
-                frame: asked.frame,
-                clip_from_world: self.matrix,
-                has_moved: self.has_moved,
-                culled: culled.to_vec(),
-            });
-        }
-        is_due
-    }
-
-    /// What an audit has found not to be hidden, to be counted.
-    pub fn take_suspects(&mut self) -> Option<Audited> {
-        self.auditing.take_suspects()
-    }
-
-    /// The pixels by which what is hidden must be so on all sides.
-    pub fn shift(&self, settings: &AntumbraCulling) -> f32 {
-        let wanted = match settings.budget {
-            Budget::Shift(pixels) => pixels,
-            Budget::WrongPixels(_) if self.has_moved => self.dial,
-            // While the camera stands still, nothing is uncovered.
-            Budget::WrongPixels(_) => LEAST_SHIFT,
-        };
-        // Written so that what is not a number is the least.
-        wanted.min(Budget::MOST_SHIFT).max(LEAST_SHIFT)
-    }
-
-    /// Turns the dial by the wrong pixels, in percent, of a frame in which the camera moved. Past its end, nothing is culled in motion until it has come back.
-    fn note_wrong(&mut self, settings: &AntumbraCulling, wrong: f32) {
-        let Budget::WrongPixels(allowed) = settings.budget else {
-            return;
-        };
-        if wrong > allowed {
-            self.dial = (self.dial * 2.0).min(Budget::MOST_SHIFT * 2.0);
-        } else if wrong < allowed * 0.25 {
-            self.dial = (self.dial * 0.9).max(LEAST_SHIFT);
-        }
-    }
-
-    /// Notes that a test was asked for.
-    pub fn note_asked(&mut self, frame: u64, epoch: u64) {
-        let place = self.last.map_or(Vec3::ZERO, |last| last.at);
-        self.asked.push_back(Asked {
-            frame,
-            epoch,
-            place,
-        });
-        while self.asked.len() > MOST_ASKED {
-            self.asked.pop_front();
-        }
-    }
-
-    /// The matrix of the last frame that was asked about.
-    pub fn matrix(&self) -> Mat4 {
-        self.matrix
+    /// What is known.
+    pub fn answers(&self) -> Option<&Answers> {
+        self.answers.as_ref()
     }
 
     /// How many frames old the answers are.
@@ -275,22 +152,88 @@ impl View {
         let answers = self.answers.as_ref()?;
         Some((newest + 1).saturating_sub(answers.of.frame) as u32)
     }
+
+    /// The last test that was asked for.
+    pub fn newest(&self) -> Option<&Asked> {
+        self.asked.back()
+    }
+
+    /// Asks for a test in this frame.
+    ///
+    /// # Errors
+    /// [`JudgeError`] for a matrix that gives no image, or a size that the device does not have.
+    pub fn ask(
+        &mut self,
+        request: Request,
+        size: UVec2,
+        occludees: &mut Occludees,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> Result<(), JudgeError> {
+        let columns = request.pose.clip_from_world.to_cols_array();
+        let Margin { sides, ahead } = request.margin;
+        let eye = Eye {
+            cut: std::mem::take(&mut self.is_cut),
+            shift: sides,
+            drift: Drift {
+                way: ours::Vec3::from_array(request.way.to_array()),
+                pixels: ahead,
+            },
+            // Bevy's shaders compute in f32 from the world's origin.
+            ..Eye::new(ours::Mat4::from_cols_array(&columns), ours::DVec3::ZERO)
+        };
+        let shared = self.judging.clone();
+        let judge = &mut shared.lock().judge;
+        if self.image.size != size {
+            judge.resize(0, size.to_array())?;
+            self.image.size = size;
+        }
+        let report = judge.begin(&mut occludees.instances, &[eye], encoder)?;
+        self.asked.push_back(Asked {
+            frame: report.frame,
+            epoch: occludees.epoch,
+            request,
+        });
+        while self.asked.len() > MOST_ASKED {
+            self.asked.pop_front();
+        }
+        Ok(())
+    }
 }
 
-/// Takes in the jitter of temporal antialiasing.
-const LEAST_SHIFT: f32 = 1.0;
-/// A step of the camera that is so many times longer than the one before may be a jump.
-const JUMP: f32 = 4.0;
-/// The corners of the near plane are farther from the eye than its middle: for 120 degrees high and 16:9, 3.7 times.
-const NEAR_ROOM: f32 = 4.0;
+impl Asked {
+    /// The judge's number of the frame.
+    pub fn frame(&self) -> u64 {
+        self.frame
+    }
+}
+
+impl Answers {
+    /// What is known for a view that is seen from elsewhere now.
+    pub fn verdicts(&self, pose: Pose) -> Verdicts<'_> {
+        Verdicts {
+            answers: self,
+            eye: pose.eye,
+            near: pose.near * NEAR_ROOM + self.of.request.pose.eye.distance(pose.eye),
+        }
+    }
+
+    /// Whether an instance was hidden.
+    pub fn contains(&self, index: u32) -> bool {
+        let word = self.hidden.get(index as usize / 32);
+        word.is_some_and(|word| word >> (index % 32) & 1 != 0)
+    }
+}
 
 impl Verdicts<'_> {
-    /// Whether something is left out. It was hidden, it is where it was tested, and the camera has not come near to it.
+    /// The pixels by which what was hidden was so.
+    pub fn margin(&self) -> Margin {
+        self.answers.of.request.margin
+    }
+
+    /// Whether something is left out. It was hidden, it is where it was tested, and the eye has not come near to it.
     pub fn hides(&self, found: &Found) -> bool {
-        let word = self.answers.hidden.get(found.index as usize / 32);
-        let is_hidden = word.is_some_and(|word| word >> (found.index % 32) & 1 != 0);
-        is_hidden
+        self.answers.contains(found.index)
             && found.since <= self.answers.of.epoch
-            && found.now.distance(self.eye) > self.near
+            && found.distance(self.eye) > self.near
     }
 }

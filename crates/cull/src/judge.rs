@@ -55,7 +55,7 @@ pub use answers::Hidden;
 pub use depth::{DepthRange, HostDepth};
 pub use draws::{DrawBuffers, DrawKind, DrawTemplate, JudgeDraws};
 pub use error::JudgeError;
-pub use eye::Eye;
+pub use eye::{Drift, Eye};
 pub use instances::{InstanceDesc, InstanceId, Instances, Moved};
 pub use record::{JudgedInstance, Part};
 pub use view::JudgeView;

@@ -144,18 +144,12 @@ fn box_margin(bounds: &Aabb) -> f64 {
     largest * 1e-2 + reach * f64::from(f32::EPSILON) * 8.0
 }
 
-/// How round a mesh is: the largest distance of any vertex from the middle of its bounds, where these are a cube with an edge of 2.
+/// How round a mesh is, in all its forms.
 fn roundness(mesh: &Mesh, bounds: &Aabb) -> f32 {
-    let (centre, half) = (bounds.centre(), bounds.half_extents());
-    // Along an axis without extent every vertex is in the middle.
-    let inverse = DVec3::select(half.cmpgt(DVec3::ZERO), half.recip(), DVec3::ZERO);
     let geometries = mesh.levels.iter().chain(&mesh.proxy);
     let vertices = geometries.flat_map(|geometry| &geometry.positions);
-    let squared = vertices
-        .map(|vertex| ((Vec3::from(*vertex).as_dvec3() - centre) * inverse).length_squared())
-        .fold(0.0, f64::max);
-    // Rounded up; the box itself has the rest.
-    ((squared.sqrt() * (1.0 + 1e-6)) as f32).min(OrientedBox::ANGULAR)
+    let points = vertices.map(|vertex| Vec3::from(*vertex).as_dvec3());
+    bounds.roundness(points).min(OrientedBox::ANGULAR)
 }
 
 /// Widens bounds by a margin. A rasteriser snaps each vertex by itself, so a box must be wider than its contents by more than that.

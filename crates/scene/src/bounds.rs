@@ -150,6 +150,19 @@ impl Aabb {
         Self::from_centre(transform.transform_point3(centre), reach + slack)
     }
 
+    /// How far points reach towards the corners: the largest distance of any of `points` from the middle, where the box is a cube with an edge of 2, rounded up. 1 is a ball that touches
+    /// the sides; points that fill the box reach the root of 3.
+    pub fn roundness(&self, points: impl IntoIterator<Item = DVec3>) -> f32 {
+        let (centre, half) = (self.centre(), self.half_extents());
+        // Along an axis without extent every point is in the middle.
+        let inverse = DVec3::select(half.cmpgt(DVec3::ZERO), half.recip(), DVec3::ZERO);
+        let squared = points
+            .into_iter()
+            .map(|point| ((point - centre) * inverse).length_squared())
+            .fold(0.0, f64::max);
+        (squared.sqrt() * (1.0 + 1e-6)) as f32
+    }
+
     /// The box, larger by `margin` metres on every side.
     #[must_use]
     pub fn grown(&self, margin: DVec3) -> Self {

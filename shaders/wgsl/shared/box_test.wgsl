@@ -48,9 +48,10 @@ fn look_at(place: RelativeBox, is_close: bool) -> u32 {
     let lost = error.z + abs(nearest) * error.w + view.depth_step;
     let shift = 2.0 * view.shift / vec2<f32>(view.pixels_wide, view.pixels_high);
     let margin = error.xy + max(abs(low), abs(high)) * error.w + shift;
+    let drift = drift_of(low, high);
     let scale = vec2<f32>(0.5 * view.pixels_wide, -0.5 * view.pixels_high);
-    let one = (low - margin) * scale;
-    let other = (high + margin) * scale;
+    let one = (low - margin + drift.xy) * scale;
+    let other = (high + margin + drift.zw) * scale;
     let upper = min(one, other);
     let lower = max(one, other);
     // What is not a number, or too large for one, shows.
@@ -80,7 +81,10 @@ fn look_at(place: RelativeBox, is_close: bool) -> u32 {
         return LOOK_HIDDEN;
     }
     if is_close {
-        let shape = shape_of(seen, round, ellipsoid, nearest, margin, lost);
+        var shape = shape_of(seen, round, ellipsoid, nearest, margin, lost);
+        // A shape that is swept meets a block where the shape meets the block swept the other way.
+        shape.offset = 0.5 * (drift.xy + drift.zw);
+        shape.margin += 0.5 * (drift.zw - drift.xy);
         return select(LOOK_HIDDEN, LOOK_SHOWS, any_behind(shape, least, greatest, extent));
     }
     if is_small {

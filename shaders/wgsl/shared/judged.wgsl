@@ -20,9 +20,10 @@ struct JudgedView {
     flags: u32,
     // By how many pixels the image may shift until the answers are used.
     shift: f32,
-    padding_a: f32,
-    padding_b: f32,
-    padding_c: f32,
+    // Where the eye goes: x, y and w of that direction in clip space. The greatest of them is by how many pixels what is hidden may go, relative to what hides it, until the answers are used.
+    drift_x: f32,
+    drift_y: f32,
+    drift_w: f32,
 }
 
 // What is remembered of the instances belongs to another camera.

@@ -17,6 +17,22 @@ struct SeenBox {
     least_w: f32,
 }
 
+// How far what lies between two corners may go until the answers are used, relative to what hides it: the least x and y, and the greatest, in normalised device coordinates. What is near moves against the
+// eye's way, and what is behind less so; all points of the image move towards or away from one, where the eye goes.
+fn drift_of(low: vec2<f32>, high: vec2<f32>) -> vec4<f32> {
+    let way = vec2<f32>(view.drift_x, view.drift_y);
+    let pixels = max(max(abs(way.x), abs(way.y)), abs(view.drift_w));
+    let one = way - low * view.drift_w;
+    let other = way - high * view.drift_w;
+    let reach = max(abs(one), abs(other)) * 0.5 * vec2<f32>(view.pixels_wide, view.pixels_high);
+    let most = max(reach.x, reach.y);
+    if !(most > 0.0) {
+        return vec4<f32>(0.0);
+    }
+    let scale = pixels / most;
+    return vec4<f32>(min(min(one, other) * scale, vec2<f32>(0.0)), max(max(one, other) * scale, vec2<f32>(0.0)));
+}
+
 fn corner_of(seen: SeenBox, corner: u32) -> vec4<f32> {
     let side = select(vec3<f32>(-1.0), vec3<f32>(1.0), (vec3<u32>(corner) & vec3<u32>(1u, 2u, 4u)) != vec3<u32>(0u));
     return seen.centre + seen.x * side.x + seen.y * side.y + seen.z * side.z;
@@ -115,6 +131,8 @@ struct SeenShape {
     nearest: f32,
     // By how much coordinates and nearness may be wrong.
     margin: vec2<f32>,
+    // How far from here the middle of all its places is.
+    offset: vec2<f32>,
     lost: f32,
     // Where the box lies along three directions of the screen that its edges are at right angles to: the direction, the least and the greatest.
     slabs: array<vec4<f32>, 3>,
@@ -173,7 +191,7 @@ fn nearest_in(shape: SeenShape, first: vec2<u32>, last: vec2<u32>) -> f32 {
     let pixels = vec2<f32>(view.pixels_wide, view.pixels_high);
     // How far from a pixel's middle its samples may be.
     let off_middle = select(0.5, 0.0, (view.flags & AT_MIDDLES) != 0u);
-    let middle = (vec2<f32>(first + last + 1u) / pixels - 1.0) * vec2<f32>(1.0, -1.0);
+    let middle = (vec2<f32>(first + last + 1u) / pixels - 1.0) * vec2<f32>(1.0, -1.0) - shape.offset;
     let half = (vec2<f32>(last - first) + 2.0 * (off_middle + SNAPPING)) / pixels + shape.margin;
     var nearest = min(shape.nearest, nearest_of_ellipsoid(shape.ellipsoid, middle, half));
     if shape.is_round {

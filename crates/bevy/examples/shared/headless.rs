@@ -21,13 +21,8 @@ pub fn app() -> App {
         exit_condition: ExitCondition::DontExit,
         ..default()
     };
-    // A debug build validates indirect draws, at a price that a release does not pay.
-    let settings = WgpuSettings {
-        instance_flags: wgpu::InstanceFlags::empty().with_env(),
-        ..default()
-    };
     let render = RenderPlugin {
-        render_creation: RenderCreation::Automatic(Box::new(settings)),
+        render_creation: render_creation(),
         synchronous_pipeline_compilation: true,
         ..default()
     };
@@ -41,6 +36,16 @@ pub fn app() -> App {
     );
     app.insert_resource(ClearColor(Color::linear_rgb(0.02, 0.02, 0.03)));
     app
+}
+
+/// How the device is made.
+pub fn render_creation() -> RenderCreation {
+    // A debug build validates indirect draws, at a price that a release does not pay.
+    let settings = WgpuSettings {
+        instance_flags: wgpu::InstanceFlags::empty().with_env(),
+        ..default()
+    };
+    RenderCreation::Automatic(Box::new(settings))
 }
 
 /// Brings an app to where frames can run.
@@ -57,25 +62,12 @@ pub fn target(app: &mut App, size: [u32; 2]) -> Handle<Image> {
     app.world_mut().resource_mut::<Assets<Image>>().add(image)
 }
 
-/// What a frame took.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct FrameTime {
-    /// Until the commands were submitted.
-    pub host: Duration,
-    /// Until the device had done them.
-    pub whole: Duration,
-}
-
-/// Runs a frame, and waits until the device has done it.
-pub fn frame(app: &mut App) -> FrameTime {
+/// Runs a frame, and waits until the device has done it. Returns the time from the first system to the device's last command.
+pub fn frame(app: &mut App) -> Duration {
     let start = Instant::now();
     app.update();
-    let host = start.elapsed();
     wait(app);
-    FrameTime {
-        host,
-        whole: start.elapsed(),
-    }
+    start.elapsed()
 }
 
 /// The device's name.

@@ -11,7 +11,8 @@ use bevy::prelude::*;
 use bevy::render::occlusion_culling::OcclusionCulling;
 
 use crate::arguments::{Arguments, Way};
-use crate::headless::{self, FrameTime};
+use crate::headless;
+use crate::stages::{StageTimes, Stages};
 use crate::view::View;
 
 /// Frames of each way that are not counted: pipelines are compiled, and meshes come onto the device.
@@ -22,7 +23,9 @@ struct Contender {
     way: Way,
     app: App,
     camera: Entity,
-    times: Vec<FrameTime>,
+    stages: Stages,
+    times: Vec<Duration>,
+    stage_times: Vec<StageTimes>,
     /// What is drawn after CPU culling, summed over the frames that count. Bevy's own occlusion culling draws fewer: it decides on the GPU.
     drawn: usize,
     /// Wrong pixels in percent, of frames that were audited.
@@ -41,7 +44,7 @@ pub fn measure(arguments: &Arguments, view: &View, spawn: &dyn Fn(&mut App)) {
     }
     for number in 0..WARM_UP + arguments.frames {
         let pose = view.pose(arguments.path_frame(number.saturating_sub(WARM_UP)));
-        // Whoever comes first in a turn changes, so that nobody always has the warmer caches.
+        // The first of a turn changes, so that none always has the warmer caches.
         let count = contenders.len();
         for turn in 0..count {
             let contender = &mut contenders[(turn + number) % count];
@@ -51,17 +54,24 @@ pub fn measure(arguments: &Arguments, view: &View, spawn: &dyn Fn(&mut App)) {
             }
         }
     }
-    println!("way                  frame ms    host ms      drawn   wrong pixels, %");
+    println!(
+        "way                  frame ms  extract ms  queue ms  prepare ms      drawn   wrong pixels, %"
+    );
     for contender in &contenders {
-        let whole = median(contender.times.iter().map(|time| time.whole));
-        let host = median(contender.times.iter().map(|time| time.host));
+        let frame = median(contender.times.iter().copied());
+        let stages = contender.stage_times.iter();
+        let extraction = median(stages.clone().map(|times| times.extraction));
+        let queueing = median(stages.clone().map(|times| times.queueing));
+        let preparation = median(stages.map(|times| times.preparation));
         let drawn = contender.drawn / contender.times.len().max(1);
         let wrong = match contender.wrong.len() {
             0 => String::new(),
             count => format!("{:.4}", contender.wrong.iter().sum::<f32>() / count as f32),
         };
         let name = contender.way.name();
-        println!("{name:18} {whole:10.2} {host:10.2} {drawn:10} {wrong:>17}");
+        println!(
+            "{name:18} {frame:10.2} {extraction:11.2} {queueing:9.2} {preparation:11.2} {drawn:10} {wrong:>17}"
+        );
     }
 }
 
@@ -85,26 +95,30 @@ impl Contender {
         if way.is_ours() {
             entity.insert(arguments.culling());
         }
+        let stages = Stages::of(&mut app);
         headless::finish(&mut app);
         Self {
             way,
             app,
             camera,
+            stages,
             times: Vec::new(),
+            stage_times: Vec::new(),
             drawn: 0,
             wrong: Vec::new(),
             audits: 0,
         }
     }
 
-    fn frame(&mut self, pose: Transform) -> FrameTime {
+    fn frame(&mut self, pose: Transform) -> Duration {
         self.app.world_mut().entity_mut(self.camera).insert(pose);
         headless::frame(&mut self.app)
     }
 
     /// Counts a frame.
-    fn note(&mut self, time: FrameTime) {
+    fn note(&mut self, time: Duration) {
         self.times.push(time);
+        self.stage_times.push(self.stages.times());
         let visible = self.app.world().get::<VisibleEntities>(self.camera);
         self.drawn += visible.map_or(0, |visible| visible.len(TypeId::of::<Mesh3d>()));
         if let Some(report) = self.app.world().get::<CullingReport>(self.camera)

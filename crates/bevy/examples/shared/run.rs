@@ -46,7 +46,7 @@ fn without_window(arguments: &Arguments, view: &View, spawn: &dyn Fn(&mut App)) 
         if let Some(report) = app.world().get::<CullingReport>(camera) {
             println!(
                 "frame {frame:4}: {:8.2} ms, {} drawn, {} culled, wrong pixels {}",
-                time.whole.as_secs_f64() * 1e3,
+                time.as_secs_f64() * 1e3,
                 report.drawn,
                 report.culled.len(),
                 report

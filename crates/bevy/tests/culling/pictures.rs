@@ -17,7 +17,7 @@ impl Dice {
 }
 
 /// Boxes of all sizes on a floor, and lights that cast shadows.
-fn fill(play: &mut Play) {
+pub fn fill(play: &mut Play) {
     let mut dice = Dice(5);
     let world = play.app.world_mut();
     let cube = world
@@ -136,6 +136,16 @@ fn lights_that_light_nothing_in_sight_go_and_the_picture_stays() {
         );
     }
     assert_eq!((culled.report().lights, full.report().lights), (3, 0));
+    // Where cameras do not ask any more, there is nothing to report.
+    let settings = culled
+        .app
+        .world()
+        .get::<AntumbraCulling>(culled.camera)
+        .cloned();
+    culled.set(culled.camera, AntumbraCulling::default());
+    culled.frame();
+    assert_eq!(culled.report().lights, 0);
+    culled.set(culled.camera, settings.unwrap());
     // They are back at once when the camera is behind the wall.
     for play in [&mut culled, &mut full] {
         let camera = play.camera;

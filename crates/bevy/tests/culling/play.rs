@@ -100,13 +100,26 @@ impl Play {
     }
 
     pub fn add(&mut self, paint: Paint, place: Transform) -> Entity {
+        self.add_shape(paint, self.cube.clone(), place)
+    }
+
+    pub fn add_mesh(&mut self, paint: Paint, mesh: Mesh, place: Transform) -> Entity {
+        let mesh = self
+            .app
+            .world_mut()
+            .resource_mut::<Assets<Mesh>>()
+            .add(mesh);
+        self.add_shape(paint, mesh, place)
+    }
+
+    fn add_shape(&mut self, paint: Paint, mesh: Handle<Mesh>, place: Transform) -> Entity {
         let mut materials = self
             .app
             .world_mut()
             .resource_mut::<Assets<StandardMaterial>>();
         let material = MeshMaterial3d(materials.add(paint.material()));
-        let mesh = Mesh3d(self.cube.clone());
-        self.app.world_mut().spawn((mesh, material, place)).id()
+        let bundle = (Mesh3d(mesh), material, place);
+        self.app.world_mut().spawn(bundle).id()
     }
 
     /// A wall through the origin that hides all that is behind its middle.

@@ -3,7 +3,7 @@
 use antumbra_scene::{Aabb, Camera, Frustum, frustum::Plane, is_invertible};
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
-use glam::{DVec3, DVec4, Mat4};
+use glam::{DVec3, DVec4, Mat4, Vec3};
 
 use super::depth::{DepthRange, HostDepth};
 use crate::split_point::SplitPoint;
@@ -21,6 +21,48 @@ pub struct Eye {
     /// By how many pixels the image may shift until this frame's answers are used, where that is later: what is hidden is so by as much, and what crosses the image's edge is not. With 0, answers are about
     /// this very image. It makes what a moving camera uncovers rarer in answers that are late, and hides less.
     pub shift: f32,
+    /// Which way the eye goes, where answers are used later.
+    pub drift: Drift,
+}
+
+/// Which way an eye goes until answers are used. What is near then moves against it, and uncovers what is behind on one side: only there what is hidden must be so by some pixels, where [`Eye::shift`] asks for them
+/// on all sides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drift {
+    /// A direction in world space, of any length.
+    pub way: Vec3,
+    /// By how many pixels what is hidden may move relative to what hides it.
+    pub pixels: f32,
+}
+
+impl Drift {
+    /// An eye that stays where it is.
+    pub const NONE: Self = Self {
+        way: Vec3::ZERO,
+        pixels: 0.0,
+    };
+
+    /// Why it is none.
+    fn fault(&self) -> Option<String> {
+        let is_right = self.way.is_finite() && self.pixels >= 0.0 && self.pixels.is_finite();
+        (!is_right).then(|| {
+            format!(
+                "it drifts along {} by {} pixels: give finite numbers, and at least 0 pixels",
+                self.way, self.pixels
+            )
+        })
+    }
+
+    /// The direction in clip space (x, y and w), the greatest coordinate of which is the pixels.
+    fn in_clip_space(&self, clip_from_relative: &Mat4) -> Vec3 {
+        let way = *clip_from_relative * self.way.extend(0.0);
+        let way = Vec3::new(way.x, way.y, way.w);
+        let greatest = way.abs().max_element();
+        match greatest.is_finite() && greatest > 0.0 {
+            true => way / greatest * self.pixels,
+            false => Vec3::ZERO,
+        }
+    }
 }
 
 impl Eye {
@@ -31,6 +73,7 @@ impl Eye {
             position,
             cut: false,
             shift: 0.0,
+            drift: Drift::NONE,
         }
     }
 
@@ -58,6 +101,9 @@ impl Eye {
                 "its image shifts by {} pixels: give a finite number that is at least 0",
                 self.shift
             ));
+        }
+        if let Some(fault) = self.drift.fault() {
+            return Some(fault);
         }
         (!is_invertible(&self.clip_from_relative.as_dmat4())).then(|| {
             "its matrix is singular, so that points at different places look the same: give one that can be inverted".to_owned()
@@ -131,12 +177,12 @@ pub(crate) struct GpuJudgedView {
     pub count: u32,
     flags: u32,
     shift: f32,
-    padding_a: f32,
-    padding_b: f32,
-    padding_c: f32,
+    drift_x: f32,
+    drift_y: f32,
+    drift_w: f32,
 }
 
-assert_layout!(GpuJudgedView, "judge_first", "JudgedView", { clip_from_relative, eye_high, pixels_wide, eye_low, pixels_high, towards, depth_step, count, flags, shift, padding_a, padding_b, padding_c });
+assert_layout!(GpuJudgedView, "judge_first", "JudgedView", { clip_from_relative, eye_high, pixels_wide, eye_low, pixels_high, towards, depth_step, count, flags, shift, drift_x, drift_y, drift_w });
 
 /// Bits of `GpuJudgedView::flags`.
 pub(crate) const FORGET: u32 = 1;
@@ -150,6 +196,7 @@ pub(crate) const WHOLE_BOXES: u32 = 64;
 impl GpuJudgedView {
     pub fn new(eye: &Eye, size: [u32; 2], depth: HostDepth, count: u32, flags: u32) -> Self {
         let SplitPoint { high, low } = SplitPoint::new(eye.position);
+        let drift = eye.drift.in_clip_space(&eye.clip_from_relative);
         Self {
             clip_from_relative: eye.clip_from_relative.to_cols_array(),
             eye_high: high,
@@ -161,9 +208,9 @@ impl GpuJudgedView {
             count,
             flags,
             shift: eye.shift,
-            padding_a: 0.0,
-            padding_b: 0.0,
-            padding_c: 0.0,
+            drift_x: drift.x,
+            drift_y: drift.y,
+            drift_w: drift.z,
         }
     }
 }

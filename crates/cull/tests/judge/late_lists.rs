@@ -3,6 +3,7 @@
 use antumbra_cull::judge::*;
 use antumbra_cull::{TestDetail, Verdict, Verdicts};
 use antumbra_testing::{gpus, vulkan};
+use glam::Vec3;
 
 use crate::play::{Play, cube, hosts, orbit};
 use crate::{ahead, boxed};
@@ -118,6 +119,39 @@ fn a_shift_is_counted_in_pixels_and_what_the_edge_cuts_off_may_come_in() {
     assert_eq!(found(0.0), [1, 2]);
     assert_eq!(found(3.0), [1]);
     assert_eq!(found(7.0), [0u32; 0]);
+}
+
+#[test]
+fn an_eye_that_goes_one_way_uncovers_on_one_side() {
+    let (depth, projection) = hosts()[0];
+    let mut play = Play::new(vulkan(), [200, 160], depth, Phases::Late, 0);
+    let scale = f64::from(projection.col(0).x) * 100.0 / 10.0;
+    // A wall from 50 pixels left of the middle to 50 right of it, and behind it what ends 5 pixels inside of its right edge.
+    let wall = 50.0 / scale;
+    play.add(boxed([0.0, 0.0, -10.1], [wall, 12.0, 0.1]), Part::Both);
+    let end = 45.0 / scale * 11.0 / 10.0;
+    play.add(boxed([end - 0.2, 0.0, -11.5], [0.2, 0.2, 0.5]), Part::Both);
+    let id = play.ids[1].unwrap();
+    // As a box and as a ball.
+    for roundness in [2.0, 1.0] {
+        play.instances.set_roundness(id, roundness).unwrap();
+        let mut is_hidden = |way: Vec3, pixels| {
+            let eye = Eye {
+                drift: Drift { way, pixels },
+                ..ahead(projection)
+            };
+            play.frame(eye, Phases::Late);
+            hidden(&mut play).unwrap().1.contains(&1)
+        };
+        assert!(is_hidden(Vec3::ZERO, 20.0));
+        // To the right the wall goes left; forwards, its edge goes outwards. What is behind follows less.
+        assert!(is_hidden(Vec3::X, 3.0) && !is_hidden(Vec3::X, 8.0));
+        assert!(is_hidden(Vec3::NEG_X, 20.0) && is_hidden(Vec3::Y, 20.0));
+        assert!(is_hidden(Vec3::NEG_Z, 20.0) && !is_hidden(Vec3::Z, 8.0));
+        assert!(
+            is_hidden(Vec3::new(1.0, 4.0, 0.0), 8.0) && !is_hidden(Vec3::new(4.0, 1.0, 0.0), 9.0)
+        );
+    }
 }
 
 #[test]

@@ -59,6 +59,11 @@ fn what_cannot_be_judged_is_refused_and_the_message_says_what_to_do() {
         })
         .contains("shifts by NaN pixels")
     );
+    for drift in [(Vec3::NAN, 1.0), (Vec3::X, -1.0), (Vec3::X, f32::INFINITY)] {
+        let (way, pixels) = drift;
+        let drift = Drift { way, pixels };
+        assert!(refused(Eye { drift, ..eye }).contains("drifts along"));
+    }
     // The instances.
     let desc = |at| InstanceDesc {
         bounds: cube(),

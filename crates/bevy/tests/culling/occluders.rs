@@ -1,0 +1,170 @@
+//! Tagged occluders: what hides from cameras whose depth is not read, and from lights.
+
+use antumbra_bevy::{AntumbraCulling, Occluder, Occluders, ShadowCulling, ShadowReport};
+use bevy::camera::Viewport;
+use bevy::camera::visibility::VisibilityRange;
+use bevy::prelude::*;
+
+use crate::play::{Paint, Play, boxed, differences, from};
+use crate::{BEHIND, SIZE};
+
+fn tagged() -> AntumbraCulling {
+    AntumbraCulling {
+        occluders: Occluders::Tagged,
+        ..default()
+    }
+}
+
+#[test]
+fn only_what_is_tagged_hides() {
+    let mut play = Play::with([160, 120], (tagged(), Msaa::default()));
+    let wall = play.add_wall();
+    let red = play.add(Paint::Red, boxed(BEHIND, SIZE));
+    play.settle();
+    assert!(play.report().age.is_some() && !play.culls(red));
+    play.set(wall, Occluder::default());
+    play.settle();
+    assert!(play.culls(red) && !play.culls(wall));
+    assert_eq!(play.report().fault, None);
+    // As with the camera's own depth, what is not drawn hides nothing.
+    play.set(wall, Visibility::Hidden);
+    play.settle();
+    assert!(!play.culls(red) && play.seen(Paint::Red) > 20);
+    play.set(wall, Visibility::Inherited);
+    play.settle();
+    assert!(play.culls(red));
+    // Neither does what is faded.
+    play.set(
+        wall,
+        VisibilityRange {
+            start_margin: 0.0..0.0,
+            end_margin: 50.0..90.0,
+            use_aabb: false,
+        },
+    );
+    play.settle();
+    assert!(!play.culls(red));
+    play.app
+        .world_mut()
+        .entity_mut(wall)
+        .remove::<VisibilityRange>();
+    play.settle();
+    assert!(play.culls(red));
+}
+
+#[test]
+fn a_simpler_mesh_hides_in_place_of_the_own_one() {
+    let mut play = Play::with([160, 120], (tagged(), Msaa::Off));
+    let wall = play.add_wall();
+    // Half as wide and high as the wall.
+    let simpler = Mesh::from(Cuboid::from_length(0.5));
+    let simpler = play
+        .app
+        .world_mut()
+        .resource_mut::<Assets<Mesh>>()
+        .add(simpler);
+    play.set(
+        wall,
+        Occluder {
+            mesh: Some(simpler),
+        },
+    );
+    let red = play.add(Paint::Red, boxed(BEHIND, SIZE));
+    let blue = play.add(Paint::Blue, boxed([3.0, 0.0, -3.0], SIZE));
+    play.settle();
+    assert!(play.culls(red) && !play.culls(blue));
+}
+
+#[test]
+fn a_camera_that_draws_into_a_part_of_its_target_culls_by_tagged_occluders() {
+    let [mut culled, mut full] = [true, false].map(|culls| {
+        let mut play = Play::with([200, 150], Msaa::Sample4);
+        crate::pictures::fill(&mut play);
+        let camera = play.camera;
+        play.set(camera, from([0.0, 0.5, 19.0]));
+        let part = Viewport {
+            physical_position: UVec2::new(30, 20),
+            physical_size: UVec2::new(160, 120),
+            ..default()
+        };
+        let world = play.app.world_mut();
+        let mut meshes = world.query_filtered::<Entity, With<Mesh3d>>();
+        let meshes: Vec<Entity> = meshes.iter(world).collect();
+        for mesh in meshes {
+            play.set(mesh, Occluder::default());
+        }
+        let world = play.app.world_mut();
+        world.get_mut::<Camera>(camera).unwrap().viewport = Some(part);
+        if culls {
+            play.set(camera, tagged());
+        }
+        play
+    });
+    for frame in 0..5 {
+        culled.frame();
+        full.frame();
+        let wrong = differences(&culled.pixels(), &full.pixels());
+        assert_eq!(wrong, 0, "frame {frame}");
+    }
+    let left_out = culled.report().culled.len();
+    assert!(left_out > 60, "{left_out}");
+    assert_eq!(culled.report().fault, None);
+}
+
+#[test]
+fn lights_leave_out_casters_that_are_hidden_from_them_and_shadows_stay() {
+    let mut screens = Vec::new();
+    let [mut culled, mut full] = [true, false].map(|culls| {
+        let mut play = Play::with([200, 150], Msaa::Off);
+        crate::pictures::fill(&mut play);
+        play.set(play.camera, from([0.0, 6.0, 19.0]));
+        // A screen before each lamp.
+        let [lamp, spot] = [[2.0, 5.0, 3.0], [-11.0, 6.5, 5.5]].map(|at| {
+            play.add(
+                Paint::Grey,
+                boxed(at, [3.0, 3.0, 0.2]).looking_at(Vec3::ZERO, Vec3::Y),
+            )
+        });
+        for screen in [lamp, spot] {
+            play.set(screen, Occluder::default());
+        }
+        screens.push(lamp);
+        if culls {
+            let world = play.app.world_mut();
+            let mut lights =
+                world.query_filtered::<Entity, Or<(With<PointLight>, With<SpotLight>)>>();
+            let lights: Vec<Entity> = lights.iter(world).collect();
+            for light in lights {
+                play.set(light, ShadowCulling);
+            }
+        }
+        play
+    });
+    let reports = |play: &mut Play| -> Vec<ShadowReport> {
+        let world = play.app.world_mut();
+        let mut reports = world.query::<&ShadowReport>();
+        reports.iter(world).copied().collect()
+    };
+    for frame in 0..12 {
+        // A screen that moves hides nothing where it was.
+        if frame >= 6 {
+            let at = [2.0 + 0.3 * frame as f32, 5.0, 3.0];
+            let place = boxed(at, [3.0, 3.0, 0.2]).looking_at(Vec3::ZERO, Vec3::Y);
+            culled.set(screens[0], place);
+            full.set(screens[1], place);
+        }
+        culled.frame();
+        full.frame();
+        let wrong = differences(&culled.pixels(), &full.pixels());
+        assert_eq!(wrong, 0, "frame {frame}");
+        let reports = reports(&mut culled);
+        assert_eq!(reports.len(), 2);
+        if frame == 5 {
+            assert!(
+                reports.iter().all(|report| report.culled > 10),
+                "{reports:?}"
+            );
+        }
+    }
+    assert!(reports(&mut full).is_empty());
+}
