@@ -11,6 +11,9 @@ mod roff;
 
 use std::path::{Path, PathBuf};
 
+// Under the flags of coverage, every program needs libFuzzer's counters.
+use libfuzzer_sys as _;
+
 use antumbra_scene::Raster;
 use antumbra_subsurface::{BrickSource, SubsurfaceError, VolumeLayout, write_volume};
 use antumbra_terrain::{Field, PreparedScene, RasterDetail, Sectors, Terrain, TerrainOptions};

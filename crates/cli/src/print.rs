@@ -34,6 +34,6 @@ pub fn print_styled(text: impl Display) -> Result<(), Failure> {
 
 /// Prints a message to standard error, clean and not too long. Where that is closed the message is lost, and the program goes on.
 pub fn warn(message: impl Display) {
-    let message = shorten(&clean(&message.to_string()), MOST);
+    let message = clean(&shorten(&message.to_string(), MOST));
     let _ = writeln!(io::stderr(), "antumbra: {message}");
 }

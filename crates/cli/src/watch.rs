@@ -48,7 +48,7 @@ impl Watch {
 
     /// Tells that a frame is finished.
     pub fn sign(&self) {
-        // After the silence nobody listens any more.
+        // The thread has ended if it has called `silence`.
         let _ = self.signs.send(());
     }
 }

@@ -6,7 +6,7 @@ mod common;
 use std::io::Write;
 use std::path::Path;
 
-use common::{QUIET_MESA, antumbra, refuses, stderr};
+use common::{antumbra, program, refuses, stderr};
 
 fn report(dir: &Path) -> serde_json::Value {
     serde_json::from_slice(&std::fs::read(dir.join("report.json")).unwrap()).unwrap()
@@ -426,19 +426,12 @@ fn a_broken_file_is_named_once() {
 /// A reader that leaves ends the program without a complaint.
 #[test]
 fn a_closed_pipe_is_no_failure() {
-    use std::process::{Command, Stdio};
     for arguments in [
         &["strategies"][..],
         &["doctor"],
         &["graph", "grid:2", "--strategy", "none"],
     ] {
-        let mut child = Command::new(assert_cmd::cargo::cargo_bin("antumbra"))
-            .args(arguments)
-            .env(QUIET_MESA.0, QUIET_MESA.1)
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
+        let mut child = program(arguments).spawn().unwrap();
         drop(child.stdout.take());
         let output = child.wait_with_output().unwrap();
         assert_eq!(output.status.code(), Some(0), "{arguments:?}");

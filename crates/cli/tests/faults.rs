@@ -8,9 +8,10 @@ use std::fs::{self, File, OpenOptions};
 use std::os::unix::ffi::OsStrExt;
 use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
-use std::process::{Child, Command, Output, Stdio};
+use std::process::{Child, Command, Output};
+use std::time::Duration;
 
-use common::{QUIET_MESA, antumbra, refuses, stderr, succeeds};
+use common::{antumbra, names, program, refuses, stderr, succeeds};
 
 /// A comparison that takes a second or two.
 const SMALL: [&str; 8] = [
@@ -24,27 +25,8 @@ const SMALL: [&str; 8] = [
     "64x48",
 ];
 
-fn names(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).unwrap();
-    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let mut names: Vec<String> = names.collect();
-    names.sort();
-    names
-}
-
 fn text(path: &Path) -> String {
     path.to_str().unwrap().to_owned()
-}
-
-/// The program, not yet started.
-fn program(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_antumbra"));
-    command
-        .args(arguments)
-        .env(QUIET_MESA.0, QUIET_MESA.1)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
-    command
 }
 
 fn into(out: &Path) -> Vec<String> {
@@ -198,7 +180,7 @@ fn pictures_of_an_earlier_run_do_not_stay_behind() {
         "{first:?}"
     );
     assert!(first.contains(&"trade.svg".to_owned()));
-    fs::write(out.join("9-mine-worst.png"), "somebody's").unwrap();
+    fs::write(out.join("9-mine-worst.png"), "not ours").unwrap();
     succeeds(&words(&into(&out)));
     assert_eq!(
         names(&out),
@@ -263,7 +245,6 @@ fn a_fifo_where_a_file_should_be_is_not_waited_for() {
     refuses(&["prepare", &text(&scene), "-o", &out], 1, &["a FIFO"]);
 }
 
-/// A scene whose only file has this name, with a camera of that name.
 #[test]
 fn names_out_of_files_reach_the_terminal_clean_and_cut() {
     let folder = tempfile::tempdir().unwrap();
@@ -331,9 +312,11 @@ fn started(out: &Path) -> Child {
         "--out",
         out.to_str().unwrap(),
     ];
-    let run = program(&asked).spawn().unwrap();
+    let mut run = program(&asked).spawn().unwrap();
     while !out.join(".antumbra.lock").exists() {
-        std::thread::yield_now();
+        let status = run.try_wait().unwrap();
+        assert!(status.is_none(), "it has ended before it had its folder");
+        std::thread::sleep(Duration::from_millis(1));
     }
     run
 }

@@ -6,7 +6,7 @@ mod common;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use common::{refuses, succeeds};
+use common::{names, refuses, succeeds};
 use tempfile::TempDir;
 
 const TRIANGLE: &str = "mtllib sheet.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl sheet\nf 1/1 2/2 3/3\n";
@@ -159,10 +159,7 @@ fn whatever_a_report_writes_is_known_to_the_check() {
     ];
     let sweep = ["--strategy", wrong, "--vary", "scale=0.5", "--out"];
     succeeds(&[&asked[..], &sweep, &[out.to_str().unwrap()]].concat());
-    let names: Vec<String> = fs::read_dir(&out)
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .collect();
+    let names = names(&out);
     assert!(
         names.iter().any(|name| name.ends_with("worst.png")),
         "{names:?}"
@@ -176,6 +173,8 @@ fn whatever_a_report_writes_is_known_to_the_check() {
         "a-worst.png",
         "-worst.png",
         "1-a-best.png",
+        "1-a/b-worst.png",
+        "1-/../../b-worst.png",
     ] {
         assert!(!antumbra::measure::compare::is_report_file(name), "{name}");
     }

@@ -8,11 +8,11 @@ mod common;
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
+use std::process::{Child, Command, Output};
 use std::time::Instant;
 
 use base64::Engine as _;
-use common::{QUIET_MESA, stderr};
+use common::{PROGRAM, caught, names, stderr};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use serde_json::Value;
@@ -54,33 +54,16 @@ fn sweep(out: &Path) -> Vec<String> {
 
 /// The program, in this PID namespace or in one of its own.
 fn program(arguments: &[String], apart: bool) -> Command {
-    let antumbra = env!("CARGO_BIN_EXE_antumbra");
-    let mut command = match apart {
-        false => Command::new(antumbra),
-        true => {
-            let mut command = Command::new("unshare");
-            command.args(["-pf", "--kill-child", antumbra]);
-            command
-        }
-    };
-    command
-        .args(arguments)
-        .env(QUIET_MESA.0, QUIET_MESA.1)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
-    command
+    if !apart {
+        return common::program(arguments);
+    }
+    let mut command = Command::new("unshare");
+    command.args(["-pf", "--kill-child", PROGRAM]);
+    caught(command, arguments)
 }
 
 fn start(arguments: &[String], apart: bool) -> Child {
     program(arguments, apart).spawn().unwrap()
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).into_iter().flatten();
-    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let mut names: Vec<String> = names.collect();
-    names.sort();
-    names
 }
 
 /// What is in a folder that a report was, or was not, written into.

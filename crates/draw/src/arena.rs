@@ -1,7 +1,7 @@
 //! A growing GPU buffer of elements of one type. It never shrinks, and is copied into a larger buffer when it grows.
 //!
 //! Each write takes a staging buffer of its own, which costs some KB however short it is, and stays until it was submitted and is done. So
-//! what is appended is gathered, and written in portions.
+//! few elements are gathered, and many are written at once, both in portions.
 
 use bytemuck::Pod;
 
@@ -64,6 +64,14 @@ impl<T: Pod> Arena<T> {
     pub fn append(&mut self, gpu: &Gpu, elements: &[T]) -> Result<u64, DrawError> {
         let first = self.len;
         self.reserve(gpu, first + elements.len() as u64)?;
+        if size_of_val(elements) >= PORTION {
+            self.flush(gpu);
+            for portion in elements.chunks(PORTION / size_of::<T>()) {
+                self.write(gpu, self.len, portion);
+                submit_portion(gpu);
+            }
+            return Ok(first);
+        }
         self.pending.extend_from_slice(elements);
         self.len += elements.len() as u64;
         if size_of_val(self.pending.as_slice()) >= PORTION {
@@ -73,29 +81,36 @@ impl<T: Pod> Arena<T> {
         Ok(first)
     }
 
-    /// Writes what was appended.
+    /// Writes what was appended, and frees the memory that it was gathered in.
     pub fn flush(&mut self, gpu: &Gpu) {
-        if !self.pending.is_empty() {
-            let first = self.len - self.pending.len() as u64;
-            gpu.queue.write_buffer(
-                &self.buffer,
-                first * size_of::<T>() as u64,
-                bytemuck::cast_slice(&self.pending),
-            );
-            self.pending.clear();
-        }
+        let pending = std::mem::take(&mut self.pending);
+        self.write(gpu, self.len - pending.len() as u64, &pending);
     }
 
-    /// Grows to a capacity of at least `wanted` elements. The contents are kept.
+    /// Grows to a capacity of at least `wanted` elements, by doubling. The contents are kept.
     ///
     /// # Errors
     /// As for [`Self::append`].
     pub fn reserve(&mut self, gpu: &Gpu, wanted: u64) -> Result<(), DrawError> {
+        self.grow(gpu, wanted, wanted.next_power_of_two())
+    }
+
+    /// Grows so that so many elements can be appended: by doubling, or by so many where that is more.
+    ///
+    /// # Errors
+    /// As for [`Self::append`].
+    pub fn reserve_more(&mut self, gpu: &Gpu, more: u64) -> Result<(), DrawError> {
+        let wanted = self.len.saturating_add(more);
+        self.grow(gpu, wanted, wanted.max(self.capacity * 2))
+    }
+
+    /// Grows if `wanted` elements do not fit, to a capacity of `usual` where the device can hold that.
+    fn grow(&mut self, gpu: &Gpu, wanted: u64, usual: u64) -> Result<(), DrawError> {
         if wanted <= self.capacity {
             return Ok(());
         }
         let most = gpu.device.limits().max_buffer_size / size_of::<T>() as u64;
-        let capacity = wanted.next_power_of_two().min(most).max(wanted);
+        let capacity = usual.min(most).max(wanted);
         let grown = create::<T>(gpu, self.label, self.usage, capacity)?;
         let bytes = bytes_of::<T>(self.len - self.pending.len() as u64);
         if bytes > 0 {

@@ -1,7 +1,7 @@
 //! Meshes in three shared arenas: positions (all that a depth pass reads), the other attributes, and indices.
 //!
 //! Every mesh also gets its bounding box as a geometry of twelve triangles, so that box tests use the same position function as all other
-//! passes. The box is widened a little: it must cover every sample that its contents cover after rounding.
+//! passes. The box is widened a little: it must cover every sample that its contents cover after rounding. All boxes share their indices.
 
 use antumbra_scene::{Aabb, Geometry, Mesh, PartBoxes};
 use bytemuck::{Pod, Zeroable};
@@ -23,12 +23,18 @@ pub struct Attributes {
     pub colour: [u8; 4],
 }
 
+/// The vertices and indices of a box.
+const BOX_VERTICES: u64 = 8;
+const BOX_INDICES: u64 = 36;
+
 /// The arenas of all meshes.
 #[derive(Debug)]
 pub struct MeshArenas {
     positions: Arena<[f32; 3]>,
     attributes: Arena<Attributes>,
     indices: Arena<u32>,
+    /// The first index of all boxes, once there is one.
+    box_indices: Option<u64>,
 }
 
 /// The buffers of the arenas.
@@ -56,6 +62,7 @@ impl MeshArenas {
                 1 << 12,
             )?,
             indices: Arena::new(gpu, "indices", wgpu::BufferUsages::INDEX, 1 << 14)?,
+            box_indices: None,
         })
     }
 
@@ -66,6 +73,32 @@ impl MeshArenas {
             attributes: self.attributes.buffer(),
             indices: self.indices.buffer(),
         }
+    }
+
+    /// Makes room for meshes that will be added, at once: an arena that grows step by step leaves the memory of each step behind.
+    ///
+    /// # Errors
+    /// As for [`Self::add`].
+    pub fn reserve<'a>(
+        &mut self,
+        gpu: &Gpu,
+        meshes: impl Iterator<Item = &'a Mesh>,
+    ) -> Result<(), DrawError> {
+        let mut vertices = 0;
+        let mut indices = match self.box_indices {
+            Some(_) => 0,
+            None => BOX_INDICES,
+        };
+        for mesh in meshes {
+            for geometry in mesh.levels.iter().chain(&mesh.proxy) {
+                vertices += geometry.positions.len() as u64;
+                indices += geometry.indices.len() as u64;
+            }
+            vertices += BOX_VERTICES;
+        }
+        self.positions.reserve_more(gpu, vertices)?;
+        self.attributes.reserve_more(gpu, vertices)?;
+        self.indices.reserve_more(gpu, indices)
     }
 
     /// Uploads all geometries of a mesh. `deviation` is that of its proxy, in the mesh's own units.
@@ -88,7 +121,12 @@ impl MeshArenas {
             Some(bounds) => {
                 let margin = box_margin(&bounds);
                 let boxed = Geometry::from_box(&widened(&bounds, margin));
-                (self.append(gpu, &boxed)?, margin)
+                let first_index = match self.box_indices {
+                    Some(first) => first,
+                    None => self.indices.append(gpu, &boxed.indices)?,
+                };
+                self.box_indices = Some(first_index);
+                (self.append_vertices(gpu, &boxed, first_index)?, margin)
             }
             None => (IndexRange::default(), 0.0),
         };
@@ -115,6 +153,16 @@ impl MeshArenas {
 
     fn append(&mut self, gpu: &Gpu, geometry: &Geometry) -> Result<IndexRange, DrawError> {
         let first_index = self.indices.append(gpu, &geometry.indices)?;
+        self.append_vertices(gpu, geometry, first_index)
+    }
+
+    /// Appends the vertices of a geometry whose indices are there already.
+    fn append_vertices(
+        &mut self,
+        gpu: &Gpu,
+        geometry: &Geometry,
+        first_index: u64,
+    ) -> Result<IndexRange, DrawError> {
         let base_vertex = self.positions.append(gpu, &geometry.positions)?;
         self.attributes.append(gpu, &attributes(geometry))?;
         let too_many = DrawError::TooLarge {

@@ -49,13 +49,13 @@ impl Discarded {
     }
 
     /// Takes the path off the list, which the caller holds, and counts the file.
-    pub(crate) fn finish(self, list: &mut Unfinished) {
+    pub(crate) fn finish(mut self, list: &mut Unfinished) {
         FINISHED.fetch_add(1, Ordering::Relaxed);
         self.take_off(list);
     }
 
     /// Takes the path off the list, which the caller holds.
-    pub(crate) fn take_off(mut self, list: &mut Unfinished) {
+    pub(crate) fn take_off(&mut self, list: &mut Unfinished) {
         let path = std::mem::take(&mut self.0);
         list.0.remove(&path);
     }

@@ -25,7 +25,7 @@ pub use kind::kind;
 pub use memory::{MemoryBudget, OverBudget, default_memory, parse_size, size};
 pub use out_folder::OutFolder;
 pub use part::sweep;
-pub use read::{open, read_whole_file};
+pub use read::{open, read_whole_file, read_whole_file_within};
 pub use target::{probe, real_path};
 pub use together::{FileContents, WriteFailure, write_together};
 pub use whole::WholeFile;

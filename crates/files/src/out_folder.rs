@@ -5,8 +5,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::discard::{Discarded, unfinished};
-use crate::lock::FolderLock;
+use crate::lock::{FolderLock, MOST_TRIES};
 use crate::part::{self, Part};
+use crate::target::real_path;
 use crate::together::{FileContents, WriteFailure, replace};
 
 /// A folder that this process alone writes a set of files into, from before the work until its end.
@@ -22,31 +23,30 @@ pub struct OutFolder {
 }
 
 impl OutFolder {
-    /// Opens a folder for outputs: creates it, locks it, removes what killed runs left in it, and tries to write.
+    /// Opens a folder for outputs: creates it, locks it, removes what killed runs left in it, and tries to write. Links are followed.
     ///
     /// # Errors
     /// [`io::ErrorKind::ResourceBusy`] where another run writes into the folder; the system's, for a folder that cannot be created or is
     /// read-only or full. Nothing is left then.
     pub fn open(path: &Path) -> io::Result<Self> {
         let mut folder = Self {
-            path: path.to_owned(),
+            path: real_path(path),
             lock: None,
             made: Vec::new(),
         };
-        loop {
-            folder.make()?;
-            match FolderLock::take(path) {
-                Ok(lock) => folder.lock = Some(lock),
-                // The run that made the folder has removed it again.
-                Err(error) if error.kind() == io::ErrorKind::NotFound && !path.is_dir() => {
-                    continue;
-                }
+        let mut tries = 0;
+        folder.lock = loop {
+            tries += 1;
+            let locked = folder.make().and_then(|()| FolderLock::take(&folder.path));
+            match locked {
+                Ok(lock) => break Some(lock),
+                // The run that made a folder has removed it again.
+                Err(error) if error.kind() == io::ErrorKind::NotFound && tries < MOST_TRIES => {}
                 Err(error) => return Err(error),
             }
-            break;
-        }
-        part::sweep(path);
-        Part::probe(path)?;
+        };
+        part::sweep(&folder.path);
+        Part::probe(&folder.path)?;
         Ok(folder)
     }
 
@@ -65,8 +65,6 @@ impl OutFolder {
                     self.made.push((folder, discarded));
                 }
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-                // Another run has removed the folder around it; the caller tries again.
-                Err(error) if error.kind() == io::ErrorKind::NotFound => return self.retry(),
                 Err(error) => return Err(error),
             }
         }
@@ -76,21 +74,18 @@ impl OutFolder {
         }
     }
 
-    fn retry(&mut self) -> io::Result<()> {
-        fs::create_dir_all(&self.path)
-    }
-
-    /// The folder's path.
+    /// The folder's real path.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Writes all files or none, by their names in the folder, as [`write_together`](crate::write_together) does. Files of `old` that are no
-    /// new ones are removed, and so is the last file's predecessor: while files take their places, the last one is not there.
+    /// Writes all files or none, by their names in the folder, as [`write_together`](crate::write_together) does. First the last file's
+    /// predecessor is removed, so that a set without its last file is known to be incomplete. Regular files of `old` that are no new ones are
+    /// removed before the last file takes its place.
     ///
     /// # Errors
-    /// The first file that failed. Nothing has changed then.
+    /// As for [`write_together`](crate::write_together); the predecessor of the last file is gone as well where a file did not take its place.
     pub fn replace(&self, files: Vec<FileContents>, old: &[String]) -> Result<(), WriteFailure> {
         let files: Vec<FileContents> = files
             .into_iter()
@@ -99,22 +94,21 @@ impl OutFolder {
                 bytes: file.bytes,
             })
             .collect();
-        let last = files.last().map(|file| file.path.clone());
         let old = old.iter().map(|name| self.path.join(name));
         let old = old.filter(|old| files.iter().all(|file| file.path != *old));
-        // A link at the last file's place is followed when it is written.
-        let last = last.filter(|last| fs::symlink_metadata(last).is_ok_and(|is| is.is_file()));
-        let old: Vec<PathBuf> = last.into_iter().chain(old).collect();
-        replace(&files, &old)
+        replace(&files, &old.collect::<Vec<PathBuf>>())
     }
 }
 
 impl Drop for OutFolder {
     fn drop(&mut self) {
         self.lock = None;
-        while let Some((folder, _discarded)) = self.made.pop() {
+        // A folder that another run makes in its place is not on the list of this process.
+        let mut list = unfinished();
+        while let Some((folder, mut discarded)) = self.made.pop() {
             // Where something is in it, it stays.
             let _ = fs::remove_dir(folder);
+            discarded.take_off(&mut list);
         }
     }
 }

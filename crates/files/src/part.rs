@@ -7,7 +7,7 @@ use std::path::Path;
 use tempfile::TempPath;
 
 use crate::discard::{Discarded, Unfinished, unfinished};
-use crate::lock::is_at;
+use crate::lock::{MOST_TRIES, is_at};
 
 const PREFIX: &str = ".antumbra-";
 const SUFFIX: &str = ".partial";
@@ -25,7 +25,7 @@ pub(crate) struct Part {
 impl Part {
     /// A new, empty part in a folder, with the permissions of an ordinary new file.
     pub(crate) fn create(folder: &Path) -> io::Result<Self> {
-        loop {
+        for _ in 0..MOST_TRIES {
             let mut builder = tempfile::Builder::new();
             builder.prefix(PREFIX).suffix(SUFFIX).rand_bytes(LETTERS);
             #[cfg(unix)]
@@ -53,6 +53,9 @@ impl Part {
                 discarded,
             });
         }
+        Err(io::Error::other(
+            "what is created in its folder is removed at once: name another folder",
+        ))
     }
 
     /// Tries whether a folder takes files.
@@ -72,7 +75,7 @@ impl Part {
         let Self {
             path,
             file,
-            discarded,
+            mut discarded,
         } = self;
         let renamed = path.persist(to).map_err(|refused| refused.error);
         drop(file);
@@ -112,7 +115,7 @@ fn sweep_part(path: &Path) {
         return;
     };
     match file.try_lock() {
-        // Removed under the lock: whoever makes a part of that name meanwhile finds that it is gone.
+        // Removed under the lock: a process that has just made the part finds that it is gone.
         Ok(()) if is_at(&file, path) => {
             if let Err(error) = fs::remove_file(path) {
                 tracing::debug!(%error, path = %path.display(), "a leftover stays");

@@ -5,6 +5,7 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use crate::kind::kind;
+use crate::memory::MemoryBudget;
 
 /// Opens a regular file for reading. Links are followed.
 ///
@@ -51,4 +52,17 @@ pub fn read_whole_file(path: &Path, largest: u64) -> io::Result<Vec<u8>> {
         ));
     }
     Ok(bytes)
+}
+
+/// As [`read_whole_file`], for a load that may take `max_memory` bytes.
+///
+/// # Errors
+/// As for [`read_whole_file`]; a file that is larger than the load's memory.
+pub fn read_whole_file_within(path: &Path, largest: u64, max_memory: u64) -> io::Result<Vec<u8>> {
+    let length = fs::metadata(path)?.len();
+    MemoryBudget::new(max_memory)
+        .allow(length, || "the file")
+        .map_err(|over| io::Error::new(io::ErrorKind::FileTooLarge, over))?;
+    // The file may have grown meanwhile.
+    read_whole_file(path, largest.min(max_memory))
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use crate::discard::unfinished;
+use crate::discard::{Unfinished, unfinished};
 use crate::whole::WholeFile;
 
 /// A file's path and contents.
@@ -31,56 +31,74 @@ pub struct WriteFailure {
 /// Only the loss of power and a signal that cannot be caught can come between two renames.
 ///
 /// # Errors
-/// The first file that failed. Nothing has changed then.
+/// The first file that failed. If it could not be written, nothing has changed. If it could not take its place (its folder was removed
+/// meanwhile), the files that took theirs are removed, and what they replaced is lost.
 pub fn write_together(files: &[FileContents]) -> Result<(), WriteFailure> {
-    replace(files, &[])
+    let complete = complete(files)?;
+    take_places(complete, unfinished(), &[])
 }
 
-/// As [`write_together`]; `old` are removed right before the first file takes its place.
+/// As [`write_together`]. The last file's predecessor is removed before the first file takes its place, and the regular files of `old` before
+/// the last one does. What of `old` cannot be removed stays.
 pub(crate) fn replace(files: &[FileContents], old: &[PathBuf]) -> Result<(), WriteFailure> {
-    let mut complete = Vec::with_capacity(files.len());
-    for file in files {
+    let complete = complete(files)?;
+    let held = unfinished();
+    if let Some(last) = complete.last() {
+        let removed = match fs::remove_file(last.target()) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+            removed => removed,
+        };
+        removed.map_err(failure(last.target()))?;
+    }
+    take_places(complete, held, old)
+}
+
+/// All files, written and flushed beside their places.
+fn complete(files: &[FileContents]) -> Result<Vec<WholeFile>, WriteFailure> {
+    let complete = files.iter().map(|file| {
         let failed = failure(&file.path);
         let mut whole = WholeFile::create(&file.path).map_err(&failed)?;
         let written = whole.file().write_all(&file.bytes);
         written.and_then(|()| whole.complete()).map_err(failed)?;
-        complete.push(whole);
-    }
-    let mut held = unfinished();
-    for path in old {
-        remove(path).map_err(failure(path))?;
-    }
+        Ok(whole)
+    });
+    complete.collect()
+}
+
+fn take_places(
+    complete: Vec<WholeFile>,
+    mut held: Unfinished,
+    old: &[PathBuf],
+) -> Result<(), WriteFailure> {
     let mut placed: Vec<PathBuf> = Vec::with_capacity(complete.len());
     let mut rest = complete.into_iter();
-    let failed = rest.by_ref().find_map(|whole| {
-        let path = whole.target().to_owned();
-        match whole.take_place(&mut held) {
-            Ok(()) => {
-                placed.push(path);
-                None
-            }
-            Err(source) => Some(WriteFailure { path, source }),
+    let mut failed = Ok(());
+    while let Some(whole) = rest.next() {
+        if rest.len() == 0 {
+            old.iter().for_each(|old| remove_regular(old));
         }
-    });
-    // Parts take themselves off the list.
-    drop(held);
-    drop(rest);
-    match failed {
-        None => Ok(()),
-        Some(failed) => {
-            for path in placed {
+        let path = whole.target().to_owned();
+        if let Err(source) = whole.take_place(&mut held) {
+            for path in &placed {
                 // The error that is returned is the first one.
                 let _ = fs::remove_file(path);
             }
-            Err(failed)
+            failed = Err(WriteFailure { path, source });
+            break;
         }
+        placed.push(path);
     }
+    // Parts take themselves off the list.
+    drop(held);
+    failed
 }
 
-fn remove(path: &Path) -> io::Result<()> {
-    match fs::remove_file(path) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-        _ => Ok(()),
+/// Removes a regular file. A folder, a link or a device is none of ours.
+fn remove_regular(path: &Path) {
+    if fs::symlink_metadata(path).is_ok_and(|found| found.is_file())
+        && let Err(error) = fs::remove_file(path)
+    {
+        tracing::debug!(%error, path = %path.display(), "a file of an earlier set stays");
     }
 }
 

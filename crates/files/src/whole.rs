@@ -45,7 +45,7 @@ impl WholeFile {
         self.take_place(&mut unfinished())
     }
 
-    /// Everything that can still fail but for the rename.
+    /// Does everything that can fail, except the rename.
     pub(crate) fn complete(&mut self) -> io::Result<()> {
         if let Some(permissions) = &self.target.permissions {
             self.part.file().set_permissions(permissions.clone())?;

@@ -37,9 +37,15 @@ pub fn shorten(text: &str, most: usize) -> String {
     kept.chain(['\u{2026}']).collect()
 }
 
+/// The beginning of a text out of a file, for a message: clean, and at most `most` characters.
+#[must_use]
+pub fn short(text: &str, most: usize) -> String {
+    // Cut first: the text may be as long as its file.
+    clean(&shorten(text, most))
+}
+
 /// A name out of a file for a message: clean, and at most 60 characters.
 #[must_use]
 pub fn name(text: &str) -> String {
-    // Cut first: a name may be as long as its file.
-    clean(&shorten(text, 60))
+    short(text, 60)
 }

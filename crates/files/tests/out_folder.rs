@@ -62,6 +62,21 @@ fn what_an_earlier_set_named_is_removed_and_nothing_else_is() {
 }
 
 #[test]
+fn what_an_earlier_set_named_and_is_no_regular_file_stays() {
+    let outer = tempfile::tempdir().unwrap();
+    let folder = OutFolder::open(outer.path()).unwrap();
+    for name in ["report", "1.png"] {
+        fs::write(outer.path().join(name), "old").unwrap();
+    }
+    fs::create_dir(outer.path().join("2.png")).unwrap();
+    let old = ["2.png", "1.png"].map(str::to_owned);
+    folder.replace(vec![file("report")], &old).unwrap();
+    assert_eq!(fs::read(outer.path().join("report")).unwrap(), b"report");
+    drop(folder);
+    assert_eq!(names(outer.path()), ["2.png", "report"]);
+}
+
+#[test]
 fn a_set_that_fails_changes_nothing() {
     let outer = tempfile::tempdir().unwrap();
     let folder = OutFolder::open(outer.path()).unwrap();
@@ -85,4 +100,24 @@ fn a_file_where_the_folder_should_be_is_refused() {
     OutFolder::open(&path).unwrap_err();
     OutFolder::open(&path.join("below")).unwrap_err();
     assert_eq!(names(outer.path()), ["file"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_is_followed_to_a_folder_that_is_not_there_yet() {
+    use std::os::unix::fs::symlink;
+    let outer = tempfile::tempdir().unwrap();
+    let link = outer.path().join("link");
+    symlink("deep/out", &link).unwrap();
+    drop(OutFolder::open(&link).unwrap());
+    assert_eq!(names(outer.path()), ["link"]);
+    let folder = OutFolder::open(&link).unwrap();
+    folder.replace(vec![file("x")], &[]).unwrap();
+    drop(folder);
+    assert_eq!(names(&outer.path().join("deep/out")), ["x"]);
+    // A link that leads to itself.
+    let turning = outer.path().join("turning");
+    symlink("turning", &turning).unwrap();
+    OutFolder::open(&turning).unwrap_err();
+    assert_eq!(names(outer.path()), ["deep", "link", "turning"]);
 }

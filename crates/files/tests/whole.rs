@@ -78,7 +78,7 @@ fn leftovers_are_swept_and_nothing_else_is() {
         ".volume-x.partial",
     ];
     for other in others {
-        fs::write(folder.path().join(other), "somebody's").unwrap();
+        fs::write(folder.path().join(other), "not ours").unwrap();
     }
     let mut own = WholeFile::create(&folder.path().join("own.txt")).unwrap();
     own.file().write_all(b"whole").unwrap();

@@ -17,7 +17,7 @@ pub struct LoadError {
 
 /// The message: what it quotes of the file is clean and not too long.
 fn message(file: Option<&Path>, problem: &LoadProblem) -> String {
-    let problem_in_words = words::clean(&words::shorten(&problem.to_string(), 500));
+    let problem_in_words = words::short(&problem.to_string(), 500);
     format!("{}{problem_in_words}", prefix(file, problem))
 }
 

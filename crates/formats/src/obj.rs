@@ -92,20 +92,26 @@ pub(super) fn read(
     });
     let mut scene = Scene::new();
     let mut known: HashMap<Option<usize>, MaterialKey> = HashMap::new();
-    for model in models {
-        let geometry = geometry(&model.mesh);
-        if geometry.indices.is_empty() {
-            continue;
-        }
-        budget.enter(format!("the object \"{}\"", shorten(&model.name)));
-        budget.vertices(geometry.positions.len() as u64)?;
+    let models: Vec<tobj::Model> = models
+        .into_iter()
+        .filter(|model| !model.mesh.indices.is_empty())
+        .collect();
+    let part = |model: &tobj::Model| format!("the object \"{}\"", shorten(&model.name));
+    for model in &models {
+        budget.enter(part(model));
+        budget.vertices(model.mesh.positions.len() as u64 / 3)?;
         budget.entities(1)?;
         budget.mesh(&model.name)?;
         budget.name(&model.name)?;
+    }
+    scene.reserve(models.len());
+    for model in models {
+        let geometry = geometry(&model.mesh);
         let id = model.mesh.material_id.filter(|id| *id < materials.len());
         let material = match known.get(&id) {
             Some(key) => *key,
             None => {
+                budget.enter(part(&model));
                 let source = id.and_then(|id| materials.get(id));
                 let material = material(source, &mut scene, files, budget)?;
                 budget.material(&material.name)?;

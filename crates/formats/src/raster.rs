@@ -7,13 +7,17 @@ mod esri;
 mod geotiff;
 mod npz;
 pub mod text;
+mod tiff_directory;
 
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
-use antumbra_files::{MemoryBudget, OverBudget, default_memory, words};
+use antumbra_files::{MemoryBudget, OverBudget, default_memory, read_whole_file_within, words};
 use antumbra_scene::Raster;
+
+/// Letters of a problem in a message, since it may quote the file.
+const MOST_LETTERS: usize = 400;
 
 /// The greatest size of a file in bytes.
 const MAX_FILE_BYTES: u64 = 4 << 30;
@@ -104,7 +108,7 @@ pub fn load_raster_within(file: &Path, max_memory: u64) -> Result<Raster, Raster
     let extension = file.extension().and_then(|extension| extension.to_str());
     let format = extension.and_then(RasterFormat::from_extension);
     let format = format.ok_or_else(|| RasterError::UnknownExtension { file: file.into() })?;
-    let bytes = antumbra_files::read_whole_file(file, MAX_FILE_BYTES.min(max_memory));
+    let bytes = read_whole_file_within(file, MAX_FILE_BYTES, max_memory);
     let bytes = bytes.map_err(|source| RasterError::Io {
         file: file.into(),
         source,
@@ -112,7 +116,7 @@ pub fn load_raster_within(file: &Path, max_memory: u64) -> Result<Raster, Raster
     read(format, &bytes, max_memory).map_err(|problem| RasterError::Format {
         file: Some(file.into()),
         format,
-        problem: in_words(problem),
+        problem: words::short(&problem, MOST_LETTERS),
     })
 }
 
@@ -136,7 +140,7 @@ pub fn load_raster_slice_within(
     read(format, bytes, max_memory).map_err(|problem| RasterError::Format {
         file: None,
         format,
-        problem: in_words(problem),
+        problem: words::short(&problem, MOST_LETTERS),
     })
 }
 
@@ -151,11 +155,6 @@ fn read(format: RasterFormat, bytes: &[u8], max_memory: u64) -> Result<Raster, S
         RasterFormat::GeoTiff => geotiff::read(bytes, &mut memory),
         RasterFormat::Npz => npz::read(bytes, &mut memory),
     }
-}
-
-/// A problem for a message: what it quotes of the file is clean and not too long.
-fn in_words(problem: String) -> String {
-    words::clean(&words::shorten(&problem, 400))
 }
 
 /// Takes the memory of a grid's posts, `decoded` bytes each while they are read.

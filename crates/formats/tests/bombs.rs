@@ -132,6 +132,11 @@ fn headers_of_an_npz_are_quoted_in_short() {
 
 /// A TIFF with one strip of this many bytes for an image of bytes this large.
 fn tiff(side: u32, strip: u32) -> Vec<u8> {
+    tiff_with(side, strip, 1)
+}
+
+/// The same with a directory that declares so many places of strips.
+fn tiff_with(side: u32, strip: u32, places: u32) -> Vec<u8> {
     let tags: [(u16, u16, u32); 8] = [
         (256, 4, side),
         (257, 4, side),
@@ -149,7 +154,8 @@ fn tiff(side: u32, strip: u32) -> Vec<u8> {
     for (tag, kind, value) in tags {
         bytes.extend(tag.to_le_bytes());
         bytes.extend(kind.to_le_bytes());
-        bytes.extend(1_u32.to_le_bytes());
+        let count = if tag == 273 { places } else { 1 };
+        bytes.extend(count.to_le_bytes());
         bytes.extend(value.to_le_bytes());
     }
     bytes.extend([0; 4]);
@@ -164,6 +170,17 @@ fn posts_of_a_geotiff_are_paid_for_before_they_are_decoded() {
         RasterFormat::GeoTiff,
         &bomb,
         &["32768 x 32768 posts", "GiB"],
+    );
+}
+
+#[test]
+fn the_directory_of_a_geotiff_is_paid_for_before_it_is_read() {
+    let _turn = turn();
+    let bomb = tiff_with(2, 64, 6_000_000);
+    raster(
+        RasterFormat::GeoTiff,
+        &bomb,
+        &["its tag 273 of 6000000 values", "MiB"],
     );
 }
 

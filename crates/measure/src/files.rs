@@ -1,36 +1,27 @@
 //! Reads files with a size limit, and writes whole files.
 
-use std::io::{Read, Write};
+use std::io::{ErrorKind, Write};
 use std::path::Path;
 
 use antumbra_files::WholeFile;
 
 use crate::MeasureError;
 
-/// Reads a whole file of at most `limit` bytes. Never allocates more than that, whatever length the file reports.
+/// Reads a whole file of at most `limit` bytes.
 pub(crate) fn read_limited(
     path: &Path,
     kind: &'static str,
     limit: u64,
 ) -> Result<Vec<u8>, MeasureError> {
-    let fail = |source| MeasureError::File {
-        action: "read",
-        path: path.to_owned(),
-        source,
-    };
-    let file = antumbra_files::open(path).map_err(fail)?;
-    let mut bytes = Vec::new();
-    file.take(limit.saturating_add(1))
-        .read_to_end(&mut bytes)
-        .map_err(fail)?;
-    if bytes.len() as u64 > limit {
-        return Err(MeasureError::TooLarge {
-            path: path.to_owned(),
-            kind,
-            limit,
-        });
-    }
-    Ok(bytes)
+    let path = path.to_owned();
+    antumbra_files::read_whole_file(&path, limit).map_err(|source| match source.kind() {
+        ErrorKind::FileTooLarge => MeasureError::TooLarge { path, kind, limit },
+        _ => MeasureError::File {
+            action: "read",
+            path,
+            source,
+        },
+    })
 }
 
 /// Writes a file whole, or not at all.

@@ -1,7 +1,6 @@
 //! Formats numbers and strings for people: few digits, the same number of them everywhere, and no control characters from file contents.
 
-pub(crate) use antumbra_files::words::clean;
-use antumbra_files::words::shorten;
+pub(crate) use antumbra_files::words::{clean, short};
 
 /// Milliseconds with three significant digits or so: `0.042`, `1.25`, `16.7`, `250`.
 pub(crate) fn milliseconds(ms: f64) -> String {
@@ -74,11 +73,6 @@ pub(crate) fn flip(flip: f64) -> String {
         f if f < 5e-5 => format!("{flip:.0e}"),
         _ => format!("{flip:.4}"),
     }
-}
-
-/// [`clean`], and no longer than `letters` characters. A cut is shown by an ellipsis.
-pub(crate) fn short(text: &str, letters: usize) -> String {
-    clean(&shorten(text, letters))
 }
 
 /// A number and its noun, in the plural but for exactly one.

@@ -9,6 +9,7 @@ mod drawable;
 mod propagate;
 #[cfg(feature = "simplify")]
 mod proxies;
+mod reserve;
 mod transforms;
 mod tree;
 mod update;

@@ -28,7 +28,7 @@ mod triangles;
 
 use std::path::Path;
 
-use antumbra_files::words;
+use antumbra_files::{default_memory, read_whole_file_within, words};
 use antumbra_formats::{RasterError, RasterFormat, load_raster_slice_within};
 use antumbra_scene::Raster;
 
@@ -39,6 +39,9 @@ use crate::surface::{Surface, SurfaceKind};
 use budget::ReadBudget;
 
 pub use options::{ReadOptions, ZPositive};
+
+/// Letters of a problem in a message, since it may quote the file.
+const MOST_LETTERS: usize = 400;
 
 /// The greatest size of a file in bytes.
 pub const MAX_FILE_BYTES: u64 = 4 << 30;
@@ -61,7 +64,12 @@ pub fn surfaces(
     options: &ReadOptions,
     progress: ProgressFn<'_>,
 ) -> Result<Vec<Surface>, SubsurfaceError> {
-    surfaces_from_bytes(path, &contents(path)?, options, progress)
+    surfaces_from_bytes(
+        path,
+        &contents(path, options.max_memory)?,
+        options,
+        progress,
+    )
 }
 
 /// Reads surfaces from the contents of a file. The path gives names, and the format where the contents do not.
@@ -80,24 +88,19 @@ pub fn surfaces_from_bytes(
     let up = options.z_positive.unwrap_or(ZPositive::Up);
     let mut budget =
         ReadBudget::new(options, bytes.len()).map_err(|problem| format.error(path, problem))?;
-    let left = budget.left();
     let budget = &mut budget;
-    let horizon = |raster: Result<Raster, String>, budget: &mut ReadBudget| {
-        let raster = raster?;
-        let (columns, rows) = (raster.columns, raster.rows);
-        let nodes = u64::from(columns) * u64::from(rows);
-        budget.surfaces(1, nodes, || {
-            format!("the horizon of its {columns} x {rows} nodes")
-        })?;
+    let horizon = |raster: Raster| {
         let surface = Surface::from_raster(&raster, &stem).map_err(|error| error.to_string());
         surface.map(|surface| vec![surface])
     };
-    let raster = |format| {
-        let raster = load_raster_slice_within(format, bytes, left);
+    // Its posts are paid for within what is left, and given back.
+    let raster = |format, budget: &mut ReadBudget| {
+        let raster = load_raster_slice_within(format, bytes, budget.left());
         let mut raster = raster.map_err(|error| match error {
             RasterError::Format { problem, .. } => problem,
             other => other.to_string(),
         })?;
+        budget.horizon(raster.columns, raster.rows)?;
         if up == ZPositive::Down {
             raster
                 .elevation
@@ -108,10 +111,10 @@ pub fn surfaces_from_bytes(
     };
     let kind = options.kind.unwrap_or(SurfaceKind::Fault);
     let read = match format {
-        Format::IrapBinary => horizon(irap::read(bytes, down), budget),
-        Format::IrapAscii => horizon(irap_ascii::read(bytes, down), budget),
-        Format::Esri => horizon(raster(RasterFormat::Esri), budget),
-        Format::GeoTiff => horizon(raster(RasterFormat::GeoTiff), budget),
+        Format::IrapBinary => irap::read(bytes, down, budget).and_then(horizon),
+        Format::IrapAscii => irap_ascii::read(bytes, down, budget).and_then(horizon),
+        Format::Esri => raster(RasterFormat::Esri, budget).and_then(horizon),
+        Format::GeoTiff => raster(RasterFormat::GeoTiff, budget).and_then(horizon),
         Format::Roff => roff_grid::grid(bytes, down, budget).and_then(|grid| {
             let [nx, ny, nz] = grid.size();
             let pillars = (u64::from(nx) + 1) * (u64::from(ny) + 1);
@@ -137,7 +140,7 @@ pub fn surfaces_from_bytes(
 /// As for [`surfaces`].
 pub fn grid(path: &Path, options: &ReadOptions) -> Result<CornerPointGrid, SubsurfaceError> {
     let positive = options.z_positive.unwrap_or(ZPositive::Down);
-    let bytes = contents(path)?;
+    let bytes = contents(path, options.max_memory)?;
     let grid = ReadBudget::new(options, bytes.len())
         .and_then(|mut budget| roff_grid::grid(&bytes, positive, &mut budget));
     grid.map_err(|problem| Format::Roff.error(path, problem))
@@ -148,7 +151,7 @@ pub fn grid(path: &Path, options: &ReadOptions) -> Result<CornerPointGrid, Subsu
 /// # Errors
 /// As for [`surfaces`].
 pub fn property(path: &Path) -> Result<CellProperty, SubsurfaceError> {
-    property_from_bytes(path, &contents(path)?)
+    property_from_bytes(path, &contents(path, None)?)
 }
 
 /// Reads a parameter from the contents of a ROFF file.
@@ -156,10 +159,10 @@ pub fn property(path: &Path) -> Result<CellProperty, SubsurfaceError> {
 /// # Errors
 /// As for [`surfaces`].
 pub fn property_from_bytes(path: &Path, bytes: &[u8]) -> Result<CellProperty, SubsurfaceError> {
-    let error = |problem| SubsurfaceError::Format {
+    let error = |problem: String| SubsurfaceError::Format {
         path: path.into(),
         format: "ROFF parameter",
-        problem: in_words(problem),
+        problem: words::short(&problem, MOST_LETTERS),
     };
     roff_grid::property(bytes).map_err(error)
 }
@@ -194,7 +197,7 @@ impl Format {
         SubsurfaceError::Format {
             path: path.into(),
             format: self.name(),
-            problem: in_words(problem),
+            problem: words::short(&problem, MOST_LETTERS),
         }
     }
 
@@ -248,19 +251,15 @@ fn unknown(path: &Path) -> SubsurfaceError {
     }
 }
 
-/// A problem for a message: what it quotes of the file is clean and not too long.
-fn in_words(problem: String) -> String {
-    words::clean(&words::shorten(&problem, 400))
-}
-
 fn stem(path: &Path) -> String {
     let stem = path.file_stem().map(|stem| stem.to_string_lossy());
     stem.map_or_else(|| "surface".into(), |stem| stem.into_owned())
 }
 
-/// The contents of a file, unless it is too large or not a regular file.
-fn contents(path: &Path) -> Result<Vec<u8>, SubsurfaceError> {
-    let contents = antumbra_files::read_whole_file(path, MAX_FILE_BYTES);
+/// The contents of a file, unless it is too large for the memory of its load, or not a regular file.
+fn contents(path: &Path, max_memory: Option<u64>) -> Result<Vec<u8>, SubsurfaceError> {
+    let memory = max_memory.unwrap_or_else(default_memory);
+    let contents = read_whole_file_within(path, MAX_FILE_BYTES, memory);
     contents.map_err(|source| SubsurfaceError::File {
         action: "read",
         path: path.into(),

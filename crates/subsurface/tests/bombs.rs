@@ -11,7 +11,7 @@ use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use antumbra_scene::{Geometry, Scene};
-use antumbra_subsurface::read::{ReadOptions, surfaces_from_bytes};
+use antumbra_subsurface::read::{ReadOptions, surfaces, surfaces_from_bytes};
 use antumbra_subsurface::{
     Axis, PrepareOptions, Slice, SliceOptions, Surface, SurfaceKind, VolumeLayout, prepare_surface,
 };
@@ -81,6 +81,40 @@ fn nodes_of_a_surface_are_paid_for_with_what_becomes_of_them() {
 }
 
 #[test]
+fn nodes_of_a_text_are_paid_for_before_they_are_read() {
+    let _turn = turn();
+    // Read, they would take more than twice the budget.
+    let (columns, rows) = (4000, 3000);
+    let mut text =
+        format!("-996 {rows} 1 1\n0 {columns} 0 {rows}\n{columns} 0 0 0\n0 0 0 0 0 0 0\n");
+    text += &"0\n".repeat(columns * rows);
+    refused("a.irap", text.as_bytes(), &["4000 x 3000 nodes", "GiB"]);
+}
+
+#[test]
+fn a_file_larger_than_the_budget_is_not_read() {
+    let _turn = turn();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.irap");
+    let file = std::fs::File::create(&path).unwrap();
+    // It has holes, and takes no disk.
+    file.set_len(1 << 30).unwrap();
+    let options = ReadOptions {
+        max_memory: Some(MEMORY as u64),
+        ..ReadOptions::default()
+    };
+    let before = ALLOCATOR.allocated();
+    ALLOCATOR.set_limit(before + MEMORY).unwrap();
+    let read = surfaces(&path, &options, &mut |_, _| ());
+    ALLOCATOR.set_limit(usize::MAX).unwrap();
+    let message = read.unwrap_err().to_string();
+    assert!(
+        message.contains("with the file it takes about 1.0 GiB"),
+        "{message}"
+    );
+}
+
+#[test]
 fn vertices_picks_and_faults_are_paid_for() {
     let _turn = turn();
     let mut gocad = "GOCAD TSurf 1\n".to_owned();
@@ -94,6 +128,13 @@ fn vertices_picks_and_faults_are_paid_for() {
     );
     let objects = "GOCAD TSurf 1\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 1 0\nTRGL 1 2 3\nEND\n";
     refused("a.ts", objects.repeat(20_000).as_bytes(), &["MiB"]);
+    let triangles = "GOCAD TSurf 1\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 1 0\n".to_owned();
+    let triangles = triangles + &"TRGL 1 2 3\n".repeat(300_000);
+    refused(
+        "a.ts",
+        triangles.as_bytes(),
+        &["the triangles up to line", "MiB"],
+    );
     let picks = "x,y,z\n".to_owned() + &"1,2,3\n".repeat(200_000);
     refused("a.csv", picks.as_bytes(), &["the picks", "MiB"]);
     let lists = vec!["[]"; 3_000_000].join(",");

@@ -43,6 +43,8 @@ pub fn run(args: GraphArgs) -> Result<(), Failure> {
         gpu.wait()?;
         watch.sign();
     }
+    // The adapter's work is done, and a reader of the graph may be slow.
+    drop(watch);
     let format = match args.format {
         Format::Dot => PlanFormat::Dot,
         Format::Mermaid => PlanFormat::Mermaid,

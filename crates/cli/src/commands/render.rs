@@ -62,8 +62,10 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
         ..StageOptions::default()
     };
     let mut stage = Stage::new(&scene, strategy, input.views(), options)?;
-    let mut oracle = Oracle::new(&scene, input.size).with_samples(input.samples);
-    let views = inputs(Some(&mut oracle), &scene, &cameras)?;
+    let needs_reference = stage.strategy().needs_reference();
+    let mut oracle =
+        needs_reference.then(|| Oracle::new(&scene, input.size).with_samples(input.samples));
+    let views = inputs(oracle.as_mut(), &scene, &cameras)?;
     // Culled entities are shown by pixel, not by sample.
     let mut by_pixel = Oracle::new(&scene, input.size);
     // Late results need frames to arrive.
@@ -90,6 +92,8 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
         }
         pictures.push(image);
     }
+    // The adapter's work is done.
+    drop(watch);
     let mut pictures = pictures.into_iter();
     let parts = match (pictures.next(), pictures.next()) {
         (Some(left), Some(right)) => combine_eyes(left, right, args.layout.unwrap_or_default())?,

@@ -1,21 +1,44 @@
 //! The program, run as on a command line.
 #![allow(dead_code, reason = "each test program uses some of it")]
 
-use std::process::Output;
+use std::ffi::OsStr;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
 
-use assert_cmd::Command;
+/// The program's path.
+pub const PROGRAM: &str = env!("CARGO_BIN_EXE_antumbra");
 
 /// Keeps Mesa's device selection from complaining on standard error where there is no desktop.
 pub const QUIET_MESA: (&str, &str) = ("NODEVICE_SELECT", "1");
 
-/// Runs the program.
-pub fn antumbra(arguments: &[&str]) -> Output {
-    Command::cargo_bin("antumbra")
-        .unwrap()
+/// The program, not yet started. What it prints is caught.
+pub fn program<T: AsRef<OsStr>>(arguments: &[T]) -> Command {
+    caught(Command::new(PROGRAM), arguments)
+}
+
+/// A command that starts the program, with the program's arguments. What is printed is caught.
+pub fn caught<T: AsRef<OsStr>>(mut command: Command, arguments: &[T]) -> Command {
+    command
         .args(arguments)
         .env(QUIET_MESA.0, QUIET_MESA.1)
-        .output()
-        .unwrap()
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
+    command
+}
+
+/// Runs the program.
+pub fn antumbra(arguments: &[&str]) -> Output {
+    program(arguments).output().unwrap()
+}
+
+/// The names of a folder's files, sorted. A folder that is missing has none.
+pub fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).into_iter().flatten();
+    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let mut names: Vec<String> = names.collect();
+    names.sort();
+    names
 }
 
 /// What it complained of.

@@ -242,6 +242,19 @@ impl SceneTable {
         self.epoch += 1;
     }
 
+    /// Makes room for more slots and meshes.
+    pub fn reserve(&mut self, slots: usize, meshes: usize) {
+        self.occupants.reserve(slots);
+        self.boxes.reserve(slots);
+        self.batch_of.reserve(slots);
+        self.untested.reserve(slots);
+        self.least_scales.reserve(slots);
+        self.deviations.reserve(slots);
+        self.oriented.reserve(slots);
+        self.changed.reserve(slots);
+        self.meshes.reserve(meshes);
+    }
+
     /// Adds a mesh and returns its index.
     pub fn add_mesh(&mut self, ranges: MeshRanges) -> u32 {
         let first = self.add_parts(&ranges.parts.boxes);

@@ -33,7 +33,12 @@ impl GpuScene {
         } = changes;
         let mut dirty = Vec::with_capacity(added.len() + moved.len());
         let mut kept_slots = self.remove(table, removed, added);
-        let deviations = deviations(scene, added, |mesh| self.mesh_index.contains_key(mesh));
+        let new = new_meshes(scene, added, |mesh| self.mesh_index.contains_key(mesh));
+        let meshes = new.iter().filter_map(|key| scene.mesh(*key));
+        self.arenas.reserve(&self.gpu, meshes)?;
+        self.host_instances.reserve(added.len());
+        table.reserve(added.len(), new.len());
+        let deviations = deviations(scene, new);
         for key in added {
             let Some(drawn) = self.drawn(table, scene, *key, &deviations)? else {
                 continue;
@@ -230,18 +235,24 @@ fn mirrors(world: &DAffine3) -> bool {
     world.matrix3.determinant() < 0.0
 }
 
-/// The proxy deviations of the meshes of added entities, without those that are `known` already.
-fn deviations(
+/// The meshes of added entities, without those that are `known` already.
+fn new_meshes(
     scene: &Scene,
     added: &[EntityKey],
     known: impl Fn(MeshKey) -> bool,
-) -> HashMap<MeshKey, f64> {
+) -> HashSet<MeshKey> {
     let meshes = added
         .iter()
         .filter_map(|key| Some(scene.drawable(*key)?.mesh));
-    let new: HashSet<MeshKey> = meshes.filter(|mesh| !known(*mesh)).collect();
-    new.into_par_iter()
+    meshes.filter(|mesh| !known(*mesh)).collect()
+}
+
+/// The proxy deviations of meshes; those without one are left out.
+fn deviations(scene: &Scene, meshes: HashSet<MeshKey>) -> HashMap<MeshKey, f64> {
+    meshes
+        .into_par_iter()
         .filter_map(|key| Some((key, scene.mesh(key)?.proxy_hausdorff_distance())))
+        .filter(|(_, deviation)| *deviation > 0.0)
         .collect()
 }
 

@@ -27,6 +27,7 @@ const PIXEL_IS_POINT: u16 = 2;
 pub(super) fn read(bytes: &[u8], memory: &mut MemoryBudget) -> Result<Raster, String> {
     // The crate quotes what it finds, however long it is.
     let text = |error: tiff::TiffError| shorten(&error.to_string(), 300);
+    super::tiff_directory::take(bytes, memory)?;
     let mut limits = Limits::default();
     let largest = usize::try_from(memory.left())
         .unwrap_or(usize::MAX)

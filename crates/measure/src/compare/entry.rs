@@ -253,7 +253,8 @@ pub fn is_report_file(name: &str) -> bool {
     picture.is_some_and(|(base, what)| {
         let number = base.split('-').next().unwrap_or_default();
         let numbered = !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit());
-        PICTURES.contains(&what) && numbered
+        let plain = base.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'-');
+        PICTURES.contains(&what) && numbered && plain
     })
 }
 

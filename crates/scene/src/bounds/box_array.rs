@@ -54,6 +54,13 @@ impl BoxArray {
         self.len == 0
     }
 
+    /// Makes room for more boxes.
+    pub fn reserve(&mut self, boxes: usize) {
+        let blocks = (self.len + boxes).div_ceil(LANES) - self.blocks.len();
+        self.blocks.reserve(blocks);
+        self.hulls.reserve(blocks);
+    }
+
     /// Removes every box.
     pub fn clear(&mut self) {
         self.blocks.clear();

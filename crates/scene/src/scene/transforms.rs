@@ -72,6 +72,18 @@ impl TransformTable {
         self.key.len()
     }
 
+    /// Makes room for new entities.
+    pub(super) fn reserve(&mut self, entities: usize) {
+        self.key.reserve(entities);
+        self.parent.reserve(entities);
+        self.local.reserve(entities);
+        self.world.reserve(entities);
+        self.mesh.reserve(entities);
+        self.bounds.reserve(entities);
+        self.subtree_bounds.reserve(entities);
+        self.flags.reserve(entities);
+    }
+
     /// Appends a slot for a new entity.
     pub(super) fn push(&mut self, key: EntityKey, parent: u32, local: DAffine3) -> u32 {
         let slot = self.begin(key, parent);

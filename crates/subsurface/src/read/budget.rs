@@ -10,6 +10,8 @@ use super::options::ReadOptions;
 const SURFACE: u64 = 4096;
 /// Bytes of a vertex with its two triangles: as it is read, in the simplifier, and in tiles and levels.
 const VERTEX: u64 = 512;
+/// Bytes of a triangle beyond two a vertex: as it is read, in the tables of its edges and neighbours, in the simplifier, in tiles and levels.
+const TRIANGLE: u64 = 256;
 /// Bytes of a node of a grid: its cell's eight corners, and the heights that they are read from.
 const NODE: u64 = 64;
 
@@ -53,6 +55,19 @@ impl ReadBudget {
     /// Takes memory for one more vertex of a surface.
     pub(super) fn vertex<P: Display>(&mut self, part: impl FnOnce() -> P) -> Result<(), String> {
         self.take(VERTEX, part)
+    }
+
+    /// Takes memory for one more triangle of a surface, besides the two of each vertex.
+    pub(super) fn triangle<P: Display>(&mut self, part: impl FnOnce() -> P) -> Result<(), String> {
+        self.take(TRIANGLE, part)
+    }
+
+    /// Takes memory for a horizon with a vertex at each node.
+    pub(super) fn horizon(&mut self, columns: u32, rows: u32) -> Result<(), String> {
+        let nodes = u64::from(columns) * u64::from(rows);
+        self.surfaces(1, nodes, || {
+            format!("the horizon of its {columns} x {rows} nodes")
+        })
     }
 
     /// Takes memory for the nodes of a grid.

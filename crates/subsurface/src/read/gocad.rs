@@ -39,10 +39,14 @@ pub(super) fn read(
             if words.eq_ignore_ascii_case("END") {
                 surfaces.extend(open.take().map(|it| it.finish(stem, kind)).transpose()?);
             } else {
-                let before = object.points.len();
+                let (vertices, triangles) = (object.points.len(), object.triangles.len());
                 object.line(words).map_err(at)?;
-                if object.points.len() > before {
+                if object.points.len() > vertices {
                     budget.vertex(|| format!("the vertices up to line {}", line + 1))?;
+                }
+                // Two triangles are paid for with each vertex.
+                if object.triangles.len() > triangles && triangles >= 2 * vertices {
+                    budget.triangle(|| format!("the triangles up to line {}", line + 1))?;
                 }
             }
         }

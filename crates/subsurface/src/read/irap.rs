@@ -7,6 +7,7 @@ use antumbra_formats::raster::text::node_count;
 use antumbra_scene::Raster;
 use glam::DVec2;
 
+use super::budget::ReadBudget;
 use super::byte_reader::ByteReader;
 use super::options::ZPositive;
 
@@ -16,7 +17,11 @@ pub(super) const MAGIC: [u8; 8] = [0, 0, 0, 32, 0xff, 0xff, 0xfc, 0x1c];
 /// Values from here on are undefined.
 pub(super) const UNDEFINED: f64 = 9_999_900.0;
 
-pub(super) fn read(bytes: &[u8], positive: ZPositive) -> Result<Raster, String> {
+pub(super) fn read(
+    bytes: &[u8],
+    positive: ZPositive,
+    budget: &mut ReadBudget,
+) -> Result<Raster, String> {
     if !bytes.starts_with(&MAGIC) {
         return Err("it does not begin with a record of 32 bytes and -996".into());
     }
@@ -31,6 +36,7 @@ pub(super) fn read(bytes: &[u8], positive: ZPositive) -> Result<Raster, String> 
     record(&mut file, Some(28), "the third record")?;
     let [columns, rows] = [columns, rows].map(|side| u32::try_from(side).unwrap_or_default());
     let nodes = node_count(columns, rows, bytes.len() / 4)?;
+    budget.horizon(columns, rows)?;
     let mut elevation = Vec::with_capacity(nodes);
     while !file.is_at_end() {
         let at = file.at();

@@ -1,14 +1,19 @@
 //! Irap ASCII surfaces: a header of 19 numbers (`-996 rows step step`, the box, `columns rotation centre`, seven
 //! integers), then the values.
 
-use antumbra_formats::raster::text::{Tokens, decode};
+use antumbra_formats::raster::text::{Tokens, decode, node_count};
 use antumbra_scene::Raster;
 use glam::DVec2;
 
+use super::budget::ReadBudget;
 use super::irap::{GridPlacement, height};
 use super::options::ZPositive;
 
-pub(super) fn read(bytes: &[u8], positive: ZPositive) -> Result<Raster, String> {
+pub(super) fn read(
+    bytes: &[u8],
+    positive: ZPositive,
+    budget: &mut ReadBudget,
+) -> Result<Raster, String> {
     let text = decode(bytes);
     let mut words = Tokens::new(&text);
     if words.number("the format's number")? != -996.0 {
@@ -24,6 +29,8 @@ pub(super) fn read(bytes: &[u8], positive: ZPositive) -> Result<Raster, String> 
     for _ in 0..7 {
         words.number("one of seven integers")?;
     }
+    node_count(columns, rows, text.len() / 2 + 1)?;
+    budget.horizon(columns, rows)?;
     let values = words.grid(columns, rows, text.len(), |_| false)?;
     let placement = GridPlacement {
         corner: DVec2::new(west, south),
