@@ -24,6 +24,27 @@ pub fn yardsticks(registry: &Registry) -> Vec<&str> {
     registry.names().filter(is_yardstick).collect()
 }
 
+/// Whether a strategy uses the horizons of a terrain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Horizons {
+    /// One does.
+    Used,
+    /// None does.
+    Unused,
+}
+
+impl Horizons {
+    /// Whether one of the strategies that are named uses them.
+    pub fn of<'a>(specs: impl IntoIterator<Item = &'a String>) -> Self {
+        let own = HorizonStrategy::default();
+        let mut names = specs.into_iter().map(|spec| name_of(spec));
+        match names.any(|name| name == own.name()) {
+            true => Self::Used,
+            false => Self::Unused,
+        }
+    }
+}
+
 /// The strategy's name in a specification, `NAME:key=value`.
 pub fn name_of(spec: &str) -> &str {
     spec.split(':').next().unwrap_or_default()

@@ -3,33 +3,43 @@
 //! | file | recognised by | becomes |
 //! |---|---|---|
 //! | Irap binary (`.gri`, `.irapbin`), Irap ASCII (`.irap`) | its first record, `-996` | a horizon |
+//! | ZMAP+ (`.zmap`, `.map`), CPS-3 (`.cps3`) | a line `@`..., GRID; `FSASCI` | a horizon |
 //! | ROFF grid (`.roff`), binary or ASCII | `roff-bin`, `roff-asc` | a horizon for the top of each layer and one for the last layer's base |
+//! | Eclipse grid (`.grdecl`; `.egrid`, binary `.grdecl`) | its extension; a record of 16 bytes | the same |
 //! | GOCAD TSurf (`.ts`) | `GOCAD TSurf` | a fault for each object |
 //! | faultroom (`.json`) | `{` | a fault for each `FaultID` |
-//! | Esri ASCII raster (`.asc`), GeoTIFF (`.tif`) | `ncols`, `II` or `MM` | a horizon |
+//! | Esri ASCII raster (`.asc`), GeoTIFF (`.tif`), Surfer grid (`.grd`), NumPy (`.npz`) | `ncols`, `II` or `MM`, `DS..`, its extension | a horizon |
 //! | picks (`.csv`, `.txt`, `.tsv`, `.dat`) | its extension | a horizon for each surface named |
+//! | points without a title (`.xyz`, `.poi` and those of picks) | its extension; lines of numbers | a horizon |
+//! | IJXYZ: inline, crossline, x, y, z (`.dat`, `.map`, `.ijxyz`) | its extension; lines of five numbers | a horizon on the grid of the lines |
 //!
-//! Lengths are metres in a projected coordinate system; x is east, y north. Files are treated as hostile: sizes that
-//! a file declares are checked against its length before memory is allocated, and no file above [`MAX_FILE_BYTES`] is
-//! read.
+//! x is east, y north. Units are those that [`ReadOptions::units`] names, else the file's; where it names none, metres, or degrees if its places
+//! can be nothing else. [`SurfaceFile::notes`] says what was assumed. Files are treated as hostile: sizes that a file declares are checked against
+//! its length before memory is allocated, and no file above [`MAX_FILE_BYTES`] is read.
 
 mod budget;
 mod byte_reader;
+mod cps3;
 mod delaunay;
+mod eclipse;
 mod faultroom;
+mod format;
+mod frame;
 mod gocad;
 mod irap;
 mod irap_ascii;
+mod numbered;
 mod options;
 mod picks;
 mod roff;
 mod roff_grid;
 mod triangles;
+mod zmap;
 
 use std::path::Path;
 
-use antumbra_files::words;
-use antumbra_formats::{RasterError, RasterFormat, load_raster_slice_within};
+use antumbra_formats::raster::RawRaster;
+use antumbra_formats::{RasterError, RasterOptions, Units, load_raster_slice_with};
 use antumbra_scene::Raster;
 
 use crate::corner_point::{CellProperty, CornerPointGrid};
@@ -37,6 +47,8 @@ use crate::error::SubsurfaceError;
 use crate::progress::ProgressFn;
 use crate::surface::{Surface, SurfaceKind};
 use budget::ReadBudget;
+use format::{Format, in_words, unknown};
+use numbered::Columns;
 
 pub use options::{ReadOptions, ZPositive};
 
@@ -61,7 +73,7 @@ pub fn surfaces(
     options: &ReadOptions,
     progress: ProgressFn<'_>,
 ) -> Result<Vec<Surface>, SubsurfaceError> {
-    surfaces_from_bytes(path, &contents(path)?, options, progress)
+    surface_file(path, options, progress).map(|file| file.surfaces)
 }
 
 /// Reads surfaces from the contents of a file. The path gives names, and the format where the contents do not.
@@ -74,73 +86,292 @@ pub fn surfaces_from_bytes(
     options: &ReadOptions,
     progress: ProgressFn<'_>,
 ) -> Result<Vec<Surface>, SubsurfaceError> {
-    let format = Format::of(path, bytes).ok_or_else(|| unknown(path))?;
-    let stem = stem(path);
-    let down = options.z_positive.unwrap_or(ZPositive::Down);
-    let up = options.z_positive.unwrap_or(ZPositive::Up);
-    let mut budget =
-        ReadBudget::new(options, bytes.len()).map_err(|problem| format.error(path, problem))?;
-    let left = budget.left();
-    let budget = &mut budget;
-    let horizon = |raster: Result<Raster, String>, budget: &mut ReadBudget| {
-        let raster = raster?;
-        let (columns, rows) = (raster.columns, raster.rows);
-        let nodes = u64::from(columns) * u64::from(rows);
-        budget.surfaces(1, nodes, || {
-            format!("the horizon of its {columns} x {rows} nodes")
-        })?;
-        let surface = Surface::from_raster(&raster, &stem).map_err(|error| error.to_string());
-        surface.map(|surface| vec![surface])
-    };
-    let raster = |format| {
-        let raster = load_raster_slice_within(format, bytes, left);
-        let mut raster = raster.map_err(|error| match error {
-            RasterError::Format { problem, .. } => problem,
-            other => other.to_string(),
-        })?;
-        if up == ZPositive::Down {
-            raster
-                .elevation
-                .iter_mut()
-                .for_each(|height| *height = -*height);
-        }
-        Ok(raster)
-    };
-    let kind = options.kind.unwrap_or(SurfaceKind::Fault);
-    let read = match format {
-        Format::IrapBinary => horizon(irap::read(bytes, down), budget),
-        Format::IrapAscii => horizon(irap_ascii::read(bytes, down), budget),
-        Format::Esri => horizon(raster(RasterFormat::Esri), budget),
-        Format::GeoTiff => horizon(raster(RasterFormat::GeoTiff), budget),
-        Format::Roff => roff_grid::grid(bytes, down, budget).and_then(|grid| {
-            let [nx, ny, nz] = grid.size();
-            let pillars = (u64::from(nx) + 1) * (u64::from(ny) + 1);
-            budget.surfaces(u64::from(nz) + 1, pillars, || {
-                format!("the horizons of its {nz} layers, of {pillars} nodes each")
-            })?;
-            let surfaces = grid.surfaces(&stem, progress);
-            surfaces.map_err(|error| error.to_string())
-        }),
-        Format::Gocad => gocad::read(bytes, &stem, options.z_positive, kind, budget),
-        Format::Faultroom => faultroom::read(bytes, down, kind, budget),
-        Format::Picks => picks::read(bytes, &stem, options, budget, progress),
-    };
-    let surfaces = read.map_err(|problem| format.error(path, problem))?;
-    let count = surfaces.len() as u64;
-    progress(count, count);
-    Ok(surfaces)
+    surface_file_from_bytes(path, bytes, options, progress).map(|file| file.surfaces)
 }
 
-/// Reads the corner-point grid of a ROFF file. [`property`] reads values for its cells.
+/// The surfaces of a file in metres, and what was assumed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SurfaceFile {
+    /// The surfaces, in the file's order.
+    pub surfaces: Vec<Surface>,
+    /// The latitude about which degrees were taken to metres; `None` for a file of lengths.
+    pub latitude: Option<f64>,
+    /// What was assumed or left out, a line each.
+    pub notes: Vec<String>,
+}
+
+/// Reads the surfaces of a file as [`surfaces`] does, with what was assumed.
+///
+/// # Errors
+/// As for [`surfaces`].
+pub fn surface_file(
+    path: &Path,
+    options: &ReadOptions,
+    progress: ProgressFn<'_>,
+) -> Result<SurfaceFile, SubsurfaceError> {
+    surface_file_from_bytes(path, &contents(path)?, options, progress)
+}
+
+/// Reads the surfaces of the contents of a file as [`surfaces_from_bytes`] does, with what was assumed.
+///
+/// # Errors
+/// As for [`surfaces`].
+pub fn surface_file_from_bytes(
+    path: &Path,
+    bytes: &[u8],
+    options: &ReadOptions,
+    progress: ProgressFn<'_>,
+) -> Result<SurfaceFile, SubsurfaceError> {
+    let format = Format::of(path, bytes).ok_or_else(|| unknown(path))?;
+    let mut budget =
+        ReadBudget::new(options, bytes.len()).map_err(|problem| format.error(path, problem))?;
+    let read = Reading {
+        stem: &stem(path),
+        bytes,
+        options,
+        budget: &mut budget,
+    }
+    .file(format, progress);
+    let file = read.map_err(|problem| format.error(path, problem))?;
+    let count = file.surfaces.len() as u64;
+    progress(count, count);
+    Ok(file)
+}
+
+/// A file while it is read.
+struct Reading<'a> {
+    stem: &'a str,
+    bytes: &'a [u8],
+    options: &'a ReadOptions,
+    budget: &'a mut ReadBudget,
+}
+
+impl Reading<'_> {
+    fn file(mut self, format: Format, progress: ProgressFn<'_>) -> Result<SurfaceFile, String> {
+        let Self { bytes, options, .. } = self;
+        let down = options.z_positive.unwrap_or(ZPositive::Down);
+        let up = options.z_positive.unwrap_or(ZPositive::Up);
+        let kind = options.kind.unwrap_or(SurfaceKind::Fault);
+        match format {
+            Format::IrapBinary => self.horizon(irap::read(bytes, down)?),
+            Format::IrapAscii => self.horizon(irap_ascii::read(bytes, down)?),
+            Format::Zmap => {
+                let raster = zmap::read(bytes, down, self.budget)?;
+                self.horizon(raster)
+            }
+            Format::Cps3 => {
+                let raster = cps3::read(bytes, down, self.budget)?;
+                self.horizon(raster)
+            }
+            Format::Numbered(Columns::Lines) => {
+                let raster = numbered::grid(bytes, down, self.budget)?;
+                self.horizon(raster)
+            }
+            Format::Raster(format) => {
+                let raster_options = RasterOptions {
+                    max_memory: self.budget.left(),
+                    units: options.units,
+                    latitude: options.latitude,
+                };
+                let loaded = load_raster_slice_with(format, bytes, &raster_options);
+                let mut loaded = loaded.map_err(|error| match error {
+                    RasterError::Format { problem, .. } => problem,
+                    other => other.to_string(),
+                })?;
+                if up == ZPositive::Down {
+                    let heights = loaded.raster.elevation.iter_mut();
+                    heights.for_each(|height| *height = -*height);
+                }
+                Ok(SurfaceFile {
+                    surfaces: self.surface(&loaded.raster)?,
+                    latitude: loaded.latitude,
+                    notes: loaded.notes,
+                })
+            }
+            Format::Numbered(Columns::Points) => {
+                let points = numbered::points(bytes, up, self.budget)?;
+                let surface = delaunay::surface(self.stem.into(), points, options.longest_edge)?;
+                let mut file = self.in_metres(vec![surface], Units::default())?;
+                if options.z_positive.is_none() {
+                    let said = "it has no title: its columns are taken as x, y and a z that grows upwards (--positive down)";
+                    file.notes.insert(0, said.to_owned());
+                }
+                Ok(file)
+            }
+            Format::Roff | Format::Eclipse(_) => {
+                let GridFile { grid, notes } = self.grid(format)?;
+                let [nx, ny, nz] = grid.size();
+                let pillars = (u64::from(nx) + 1) * (u64::from(ny) + 1);
+                self.budget.surfaces(u64::from(nz) + 1, pillars, || {
+                    format!("the horizons of its {nz} layers, of {pillars} nodes each")
+                })?;
+                let surfaces = grid.surfaces(self.stem, progress);
+                Ok(SurfaceFile {
+                    surfaces: surfaces.map_err(|error| error.to_string())?,
+                    latitude: None,
+                    notes,
+                })
+            }
+            Format::Gocad => {
+                let positive = options.z_positive;
+                let gocad::Objects { surfaces, said } =
+                    gocad::read(bytes, self.stem, positive, kind, self.budget)?;
+                self.in_metres(surfaces, said)
+            }
+            Format::Faultroom => {
+                let surfaces = faultroom::read(bytes, down, kind, self.budget)?;
+                self.in_metres(surfaces, Units::default())
+            }
+            Format::Picks => {
+                let surfaces = picks::read(bytes, self.stem, options, self.budget, progress)?;
+                self.in_metres(surfaces, Units::default())
+            }
+        }
+    }
+
+    /// The horizon over a raster in the file's units, of which the format says nothing.
+    fn horizon(self, raster: Raster) -> Result<SurfaceFile, String> {
+        let raw = RawRaster {
+            raster,
+            said: Units::default(),
+            is_placed: true,
+            notes: Vec::new(),
+        };
+        let (raster, frame) = raw.in_metres(self.options.units, self.options.latitude)?;
+        Ok(SurfaceFile {
+            surfaces: self.surface(&raster)?,
+            latitude: frame.latitude,
+            notes: frame.notes,
+        })
+    }
+
+    fn surface(self, raster: &Raster) -> Result<Vec<Surface>, String> {
+        let (columns, rows) = (raster.columns, raster.rows);
+        let nodes = u64::from(columns) * u64::from(rows);
+        self.budget.surfaces(1, nodes, || {
+            format!("the horizon of its {columns} x {rows} nodes")
+        })?;
+        let surface = Surface::from_raster(raster, self.stem).map_err(|error| error.to_string());
+        surface.map(|surface| vec![surface])
+    }
+
+    fn in_metres(self, mut surfaces: Vec<Surface>, said: Units) -> Result<SurfaceFile, String> {
+        let frame = frame::in_metres(&mut surfaces, said, self.options)?;
+        Ok(SurfaceFile {
+            surfaces,
+            latitude: frame.latitude,
+            notes: frame.notes,
+        })
+    }
+
+    fn grid(&mut self, format: Format) -> Result<GridFile, String> {
+        let positive = self.options.z_positive.unwrap_or(ZPositive::Down);
+        match format {
+            Format::Roff => {
+                let grid = roff_grid::grid(self.bytes, positive, self.budget)?;
+                frame::grid_in_metres(grid, self.options)
+            }
+            Format::Eclipse(encoding) => {
+                let read = eclipse::grid(self.bytes, encoding, self.options, self.budget)?;
+                Ok(GridFile {
+                    grid: read.grid,
+                    notes: read.notes,
+                })
+            }
+            other => Err(format!(
+                "a {} is no grid of cells; give a ROFF grid (.roff) or an Eclipse grid (.grdecl, .egrid)",
+                other.name()
+            )),
+        }
+    }
+}
+
+/// A corner-point grid in metres, and what was assumed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GridFile {
+    /// The grid.
+    pub grid: CornerPointGrid,
+    /// What was assumed or left out, a line each.
+    pub notes: Vec<String>,
+}
+
+/// Reads the corner-point grid of a ROFF or an Eclipse file. [`property`] and [`property_of`] read values for its cells.
+///
+/// # Errors
+/// As for [`surfaces`].
+pub fn grid_file(path: &Path, options: &ReadOptions) -> Result<GridFile, SubsurfaceError> {
+    grid_file_from_bytes(path, &contents(path)?, options)
+}
+
+/// Reads a corner-point grid from the contents of a file, as [`grid_file`] does.
+///
+/// # Errors
+/// As for [`surfaces`].
+pub fn grid_file_from_bytes(
+    path: &Path,
+    bytes: &[u8],
+    options: &ReadOptions,
+) -> Result<GridFile, SubsurfaceError> {
+    let format = Format::of(path, bytes).ok_or_else(|| unknown(path))?;
+    let read = ReadBudget::new(options, bytes.len()).and_then(|mut budget| {
+        let mut reading = Reading {
+            stem: "",
+            bytes,
+            options,
+            budget: &mut budget,
+        };
+        reading.grid(format)
+    });
+    read.map_err(|problem| format.error(path, problem))
+}
+
+/// Reads the corner-point grid of a ROFF or an Eclipse file, as [`grid_file`] does.
 ///
 /// # Errors
 /// As for [`surfaces`].
 pub fn grid(path: &Path, options: &ReadOptions) -> Result<CornerPointGrid, SubsurfaceError> {
-    let positive = options.z_positive.unwrap_or(ZPositive::Down);
-    let bytes = contents(path)?;
-    let grid = ReadBudget::new(options, bytes.len())
-        .and_then(|mut budget| roff_grid::grid(&bytes, positive, &mut budget));
-    grid.map_err(|problem| Format::Roff.error(path, problem))
+    grid_file(path, options).map(|file| file.grid)
+}
+
+/// Reads a property of the cells of `grid`: of a ROFF file, or of an Eclipse text, `.init` or restart file. `name` chooses among several; in a
+/// restart file the last step counts.
+///
+/// # Errors
+/// As for [`surfaces`], and for a file without such a property.
+pub fn property_of(
+    grid: &CornerPointGrid,
+    path: &Path,
+    name: Option<&str>,
+    options: &ReadOptions,
+) -> Result<CellProperty, SubsurfaceError> {
+    property_of_from_bytes(grid, path, &contents(path)?, name, options)
+}
+
+/// Reads a property from the contents of a file, as [`property_of`] does.
+///
+/// # Errors
+/// As for [`property_of`].
+pub fn property_of_from_bytes(
+    grid: &CornerPointGrid,
+    path: &Path,
+    bytes: &[u8],
+    name: Option<&str>,
+    options: &ReadOptions,
+) -> Result<CellProperty, SubsurfaceError> {
+    let error = |problem| SubsurfaceError::Format {
+        path: path.into(),
+        format: "file of cell properties",
+        problem: in_words(problem),
+    };
+    let encoding = match Format::of(path, bytes) {
+        Some(Format::Roff) => return roff_grid::property(bytes, name).map_err(error),
+        Some(Format::Eclipse(encoding)) => encoding,
+        // A part of a grid's text may have any name.
+        _ => eclipse::Encoding::Text,
+    };
+    let read = ReadBudget::new(options, bytes.len())
+        .and_then(|mut budget| eclipse::property(bytes, encoding, name, grid, &mut budget));
+    read.map_err(error)
 }
 
 /// Reads the first parameter of a ROFF file: one value per cell. Codes, such as facies, are read as numbers.
@@ -161,96 +392,7 @@ pub fn property_from_bytes(path: &Path, bytes: &[u8]) -> Result<CellProperty, Su
         format: "ROFF parameter",
         problem: in_words(problem),
     };
-    roff_grid::property(bytes).map_err(error)
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Format {
-    IrapBinary,
-    IrapAscii,
-    Roff,
-    Gocad,
-    Faultroom,
-    Esri,
-    GeoTiff,
-    Picks,
-}
-
-impl Format {
-    fn name(self) -> &'static str {
-        match self {
-            Self::IrapBinary => "Irap binary surface",
-            Self::IrapAscii => "Irap ASCII surface",
-            Self::Roff => "ROFF grid",
-            Self::Gocad => "GOCAD TSurf",
-            Self::Faultroom => "faultroom file",
-            Self::Esri => "Esri ASCII raster",
-            Self::GeoTiff => "GeoTIFF",
-            Self::Picks => "table of picks",
-        }
-    }
-
-    fn error(self, path: &Path, problem: String) -> SubsurfaceError {
-        SubsurfaceError::Format {
-            path: path.into(),
-            format: self.name(),
-            problem: in_words(problem),
-        }
-    }
-
-    /// Recognises the format by the contents, or else by the extension, so that the reader can report what is wrong.
-    fn of(path: &Path, bytes: &[u8]) -> Option<Self> {
-        let begin = bytes.trim_ascii_start();
-        let begins = |with: &[u8]| {
-            let start = begin.get(..with.len());
-            start.is_some_and(|start| start.eq_ignore_ascii_case(with))
-        };
-        let magic: [(&[u8], Self); 10] = [
-            (b"roff-bin", Self::Roff),
-            (b"roff-asc", Self::Roff),
-            (b"gocad tsurf", Self::Gocad),
-            (b"{", Self::Faultroom),
-            (b"-996", Self::IrapAscii),
-            (b"ncols", Self::Esri),
-            (b"II*\0", Self::GeoTiff),
-            (b"II+\0", Self::GeoTiff),
-            (b"MM\0*", Self::GeoTiff),
-            (b"MM\0+", Self::GeoTiff),
-        ];
-        if bytes.starts_with(&irap::MAGIC) {
-            return Some(Self::IrapBinary);
-        }
-        if let Some((_, format)) = magic.iter().find(|(with, _)| begins(with)) {
-            return Some(*format);
-        }
-        let ending = path.extension()?.to_string_lossy().to_lowercase();
-        Some(match ending.as_str() {
-            "gri" | "irapbin" => Self::IrapBinary,
-            "irap" => Self::IrapAscii,
-            "roff" => Self::Roff,
-            "ts" => Self::Gocad,
-            "json" => Self::Faultroom,
-            "asc" => Self::Esri,
-            "tif" | "tiff" => Self::GeoTiff,
-            "csv" | "tsv" | "txt" | "dat" => Self::Picks,
-            _ => return None,
-        })
-    }
-}
-
-fn unknown(path: &Path) -> SubsurfaceError {
-    let problem = "it is none of Irap (.gri, .irapbin, .irap), ROFF grid (.roff), GOCAD TSurf (.ts), faultroom (.json), raster (.asc, \
-                   .tif) and picks (.csv, .tsv, .txt, .dat)";
-    SubsurfaceError::Format {
-        path: path.into(),
-        format: "surface file",
-        problem: problem.into(),
-    }
-}
-
-/// A problem for a message: what it quotes of the file is clean and not too long.
-fn in_words(problem: String) -> String {
-    words::clean(&words::shorten(&problem, 400))
+    roff_grid::property(bytes, None).map_err(error)
 }
 
 fn stem(path: &Path) -> String {
