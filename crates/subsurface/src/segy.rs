@@ -9,8 +9,12 @@
 //! every count is compared with the file's length, and every allocation is taken from a budget.
 
 mod amplitude;
+mod gather;
 mod header;
+mod lines;
+mod numbering;
 mod options;
+mod placement;
 mod samples;
 mod scan;
 mod trace;
@@ -26,12 +30,10 @@ use crate::error::SubsurfaceError;
 use crate::progress::ProgressFn;
 use crate::volume::{BrickSource, VolumeLayout};
 use header::FileHeader;
+use placement::BRICK;
 use scan::Survey;
 
 pub use options::{SegyOptions, TraceBytes};
-
-/// Samples along an edge of a brick.
-const BRICK: u32 = 32;
 
 /// A SEG-Y file as a volume.
 #[derive(Debug)]

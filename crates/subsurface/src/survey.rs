@@ -71,16 +71,6 @@ pub(crate) struct PlanGrid {
 }
 
 impl PlanGrid {
-    /// A grid of squares along the axes.
-    pub fn plain(step: f64) -> Self {
-        Self {
-            origin: DVec2::ZERO,
-            inline: DVec2::new(0.0, step),
-            crossline: DVec2::new(step, 0.0),
-            off: 0.0,
-        }
-    }
-
     /// The place of these line numbers.
     pub fn place(&self, inline: f64, crossline: f64) -> DVec2 {
         self.origin + self.inline * inline + self.crossline * crossline

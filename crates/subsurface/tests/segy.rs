@@ -112,6 +112,42 @@ fn a_volume_lies_where_its_traces_do() {
 }
 
 #[test]
+fn degrees_on_no_globe_are_lengths() {
+    let made = Segy {
+        unit: 3,
+        ..Segy::new(5)
+    };
+    let bytes = made.write();
+    let file = opened(&bytes);
+    assert!((file.layout().steps[0].z + 25.0).abs() < 1e-6);
+    let said = file.notes().iter().any(|note| note.contains("on no globe"));
+    assert!(said, "{:?}", file.notes());
+    // A caller who names degrees means it.
+    let options = SegyOptions {
+        units: "degrees".parse().unwrap(),
+        ..SegyOptions::default()
+    };
+    refused(&bytes, &options, "--units m");
+    // Arc seconds on the globe: 10 to a unit of the file.
+    let seconds = Segy {
+        unit: 2,
+        ..Segy::new(5)
+    };
+    let mut bytes = seconds.write();
+    for trace in 0..12 {
+        let at = 3600 + trace * 260 + 184;
+        let y = i32::from_be_bytes(bytes[at..at + 4].try_into().unwrap()) / 40;
+        bytes[at..at + 4].copy_from_slice(&y.to_be_bytes());
+    }
+    let file = opened(&bytes);
+    assert!(
+        file.notes()
+            .iter()
+            .any(|note| note.contains("latitude 41.66"))
+    );
+}
+
+#[test]
 fn missing_and_dead_traces_have_no_value() {
     let made = Segy {
         code: |inline, crossline| match (inline, crossline) {
@@ -184,10 +220,10 @@ fn line_numbers_are_found_where_they_are() {
 #[test]
 fn line_numbers_elsewhere_are_refused_with_what_to_do() {
     let options = SegyOptions {
-        // The x and y of positions, which are no lines.
+        // The number of the trace in the file, which is no line.
         trace_bytes: Some(TraceBytes {
-            inline: 181,
-            crossline: 182,
+            inline: 1,
+            crossline: 189,
             ..TraceBytes::STANDARD
         }),
         ..SegyOptions::default()

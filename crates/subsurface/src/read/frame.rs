@@ -4,7 +4,6 @@ use antumbra_formats::Units;
 use antumbra_formats::raster::{Extent, Frame, Known};
 use glam::{DVec2, DVec3, Vec3};
 
-use super::GridFile;
 use super::options::ReadOptions;
 use crate::corner_point::CornerPointGrid;
 use crate::surface::Surface;
@@ -14,16 +13,13 @@ const WIDEST: f64 = 5.0;
 /// Nor are those less steep than this: a small model of metres is.
 const STEEPEST: f64 = 20.0;
 
-/// Takes a grid to metres.
+/// Takes a grid to metres, with what was assumed.
 pub(super) fn grid_in_metres(
     grid: CornerPointGrid,
     options: &ReadOptions,
-) -> Result<GridFile, String> {
+) -> Result<(CornerPointGrid, Vec<String>), String> {
     let frame = frame(grid.pillar_box(), Units::default(), options)?;
-    Ok(GridFile {
-        grid: grid.scaled(scale(&frame)),
-        notes: frame.notes,
-    })
+    Ok((grid.scaled(scale(&frame)), frame.notes))
 }
 
 /// Metres of the file's units along the world's axes.

@@ -9,7 +9,8 @@ use std::path::Path;
 use antumbra_files::{WholeFile, size};
 use rayon::prelude::*;
 
-use super::{BRICK, Places, SegyFile, samples_in, shown};
+use super::placement::BRICK;
+use super::{Places, SegyFile, samples_in, shown};
 use crate::error::SubsurfaceError;
 use crate::progress::ProgressFn;
 use crate::volume::{BrickSource, brick_offset, encode_header};

@@ -17,6 +17,8 @@ pub struct Segy {
     /// Identification code of a trace: 1 live, 2 dead; `None` leaves it out.
     pub code: fn(i32, i32) -> Option<i16>,
     pub value: fn(i32, i32, usize) -> f32,
+    /// Code of the unit of positions: 1 lengths, 3 degrees.
+    pub unit: i16,
     /// Further text headers.
     pub texts: i16,
 }
@@ -36,6 +38,7 @@ impl Segy {
             value: |inline, crossline, sample| {
                 ((inline - 1100) * 20 + (crossline - 1200) * 4 + sample as i32 - 40) as f32
             },
+            unit: 1,
             texts: 0,
         }
     }
@@ -79,6 +82,7 @@ impl Segy {
         }
         file.extend(binary);
         file.resize(file.len() + 3200 * self.texts.max(0) as usize, 0x40);
+        let mut number = 0_i32;
         for i in 0..self.inlines[1] {
             for c in 0..self.crosslines[1] {
                 let inline = self.inlines[0] + i * self.inlines[2];
@@ -87,8 +91,11 @@ impl Segy {
                     continue;
                 };
                 let mut header = vec![0; 240];
+                number += 1;
+                self.put(&mut header, 0, &number.to_be_bytes());
                 self.put(&mut header, 28, &code.to_be_bytes());
                 self.put(&mut header, 70, &(-10_i16).to_be_bytes());
+                self.put(&mut header, 88, &self.unit.to_be_bytes());
                 self.put(&mut header, 108, &1000_i16.to_be_bytes());
                 self.put(&mut header, 114, &self.samples.to_be_bytes());
                 let [at_inline, at_crossline] = self.numbers;
