@@ -69,3 +69,20 @@ pub fn listed(what: &str) -> String {
         names.join(", ")
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn horizons_are_used_by_the_strategy_of_that_name_alone() {
+        let of = |specs: &[&str]| {
+            let specs: Vec<String> = specs.iter().map(|spec| (*spec).to_owned()).collect();
+            Horizons::of(&specs)
+        };
+        assert_eq!(of(&["frustum", "horizon:clearance=2"]), Horizons::Used);
+        assert_eq!(of(&["horizon"]), Horizons::Used);
+        assert_eq!(of(&["frustum", "three-pass:threshold=5"]), Horizons::Unused);
+        assert_eq!(of(&[]), Horizons::Unused);
+    }
+}
