@@ -81,11 +81,11 @@ fn rasters() -> std::io::Result<()> {
         (0, npz("|u1", "(2, 2)", &[1, 2, 3, 4])),
         (1, files::esri().into_bytes()),
         (2, files::geotiff(&[])),
-        (2, files::geotiff(&[1, 1, 0, 2, 1024, 0, 1, 1, 3076, 0, 1, 9003])),
         (
-            3,
-            b"DSAA\n2 2\n0 1\n0 1\n1 4\n1 2\n3 1.70141e38\n".to_vec(),
+            2,
+            files::geotiff(&[1, 1, 0, 2, 1024, 0, 1, 1, 3076, 0, 1, 9003]),
         ),
+        (3, b"DSAA\n2 2\n0 1\n0 1\n1 4\n1 2\n3 1.70141e38\n".to_vec()),
         (3, surfer_6()),
         (3, surfer_7()),
     ];
@@ -93,13 +93,17 @@ fn rasters() -> std::io::Result<()> {
 }
 
 fn surfer_6() -> Vec<u8> {
-    let numbers = [0.0, 1.0, 0.0, 1.0, 1.0, 4.0_f64].map(f64::to_le_bytes).concat();
+    let numbers = [0.0, 1.0, 0.0, 1.0, 1.0, 4.0_f64]
+        .map(f64::to_le_bytes)
+        .concat();
     let values = [1.0, 2.0, 3.0, 4.0_f32].map(f32::to_le_bytes).concat();
     [b"DSBB\x02\0\x02\0".to_vec(), numbers, values].concat()
 }
 
 fn surfer_7() -> Vec<u8> {
-    let numbers = [0.0, 0.0, 1.0, 1.0, 1.0, 4.0, 0.0, 1e38_f64].map(f64::to_le_bytes).concat();
+    let numbers = [0.0, 0.0, 1.0, 1.0, 1.0, 4.0, 0.0, 1e38_f64]
+        .map(f64::to_le_bytes)
+        .concat();
     let values = [1.0, 2.0, 3.0, 4.0_f64].map(f64::to_le_bytes).concat();
     let head = b"DSRB\x04\0\0\0\x01\0\0\0GRID\x48\0\0\0\x02\0\0\0\x02\0\0\0".to_vec();
     [head, numbers, b"DATA\x20\0\0\0".to_vec(), values].concat()
@@ -108,7 +112,10 @@ fn surfer_7() -> Vec<u8> {
 fn grids() -> std::io::Result<()> {
     let seeds = [
         (0, eclipse::text("FEET").into_bytes()),
-        (0, b"SPECGRID\n1 1 1/\nCOORD\n24*1/\nZCORN\n8*2/\nPORO\n.1/\n".to_vec()),
+        (
+            0,
+            b"SPECGRID\n1 1 1/\nCOORD\n24*1/\nZCORN\n8*2/\nPORO\n.1/\n".to_vec(),
+        ),
         (1, eclipse::binary()),
         (1, [eclipse::binary(), eclipse::results()].concat()),
     ];
@@ -273,7 +280,10 @@ fn surfaces() -> std::io::Result<()> {
             9,
             b"FSASCI 0 1 C 0 1E30\nFSLIMI 0 1 0 1 0 9\nFSNROW 2 2\n->a\n1 2 3 4\n".to_vec(),
         ),
-        (10, b"@x\n1 1 0 0 5\n1 2 0 9 6\n2 1 9 0 7\n2 2 9 9 7\nEOB".to_vec()),
+        (
+            10,
+            b"@x\n1 1 0 0 5\n1 2 0 9 6\n2 1 9 0 7\n2 2 9 9 7\nEOB".to_vec(),
+        ),
         (11, b"0 0 1\n1 0 2\n0 1 3\n1,1;4\n".to_vec()),
         (12, b"DSAA\n2 2\n0 1\n0 1\n1 4\n1 2\n3 4\n".to_vec()),
     ];
