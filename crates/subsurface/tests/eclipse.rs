@@ -126,13 +126,13 @@ fn properties_go_with_their_cells() {
     let of_text = property(&grid, "a.grdecl", text("METRES").as_bytes(), Some("poro")).unwrap();
     assert_eq!(of_text.name, "PORO");
     let of_results = property(&grid, "a.INIT", &results(), Some("PORO")).unwrap();
-    for cell in 0..12 {
+    for (cell, &value) in expected.iter().enumerate() {
         let (i, j, layer) = (cell % 2, cell / 2 % 3, cell / 6);
         let place = [i, j, 1 - layer];
-        assert_eq!(at(&of_text.values, place), expected[cell]);
+        assert_eq!(at(&of_text.values, place), value);
         match cell == INACTIVE {
             true => assert!(at(&of_results.values, place).is_nan()),
-            false => assert_eq!(at(&of_results.values, place), expected[cell]),
+            false => assert_eq!(at(&of_results.values, place), value),
         }
     }
     let whole = property(&grid, "a.INIT", &results(), Some("PORV")).unwrap();

@@ -56,7 +56,7 @@ pub(super) fn gather(
     let more = i64::try_from(header.before_samples() - TRACE_HEADER as u64);
     let more = more.map_err(|_| "its traces have too many headers".to_owned())?;
     for trace in 0..count {
-        if trace % 4096 == 0 {
+        if trace.is_multiple_of(4096) {
             progress(trace * header.trace_bytes(), total);
         }
         reader.read_exact(&mut bytes).map_err(at)?;
