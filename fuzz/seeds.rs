@@ -2,12 +2,18 @@
 
 #[path = "../crates/formats/tests/common/mod.rs"]
 mod common;
+#[path = "../crates/subsurface/tests/read_support/eclipse.rs"]
+#[allow(dead_code)]
+mod eclipse;
 #[path = "../crates/subsurface/tests/read_support/files.rs"]
 #[allow(dead_code)]
 mod files;
 #[path = "../crates/subsurface/tests/read_support/roff.rs"]
 #[allow(dead_code)]
 mod roff;
+#[path = "../crates/subsurface/tests/read_support/segy.rs"]
+#[allow(dead_code)]
+mod segy;
 
 use std::path::{Path, PathBuf};
 
@@ -23,6 +29,8 @@ fn main() -> std::io::Result<()> {
     loaders()?;
     surfaces()?;
     rasters()?;
+    grids()?;
+    segys()?;
     volumes()?;
     horizons()?;
     words()
@@ -76,8 +84,66 @@ fn rasters() -> std::io::Result<()> {
         (0, npz("|u1", "(2, 2)", &[1, 2, 3, 4])),
         (1, files::esri().into_bytes()),
         (2, files::geotiff(&[])),
+        (
+            2,
+            files::geotiff(&[1, 1, 0, 2, 1024, 0, 1, 1, 3076, 0, 1, 9003]),
+        ),
+        (3, b"DSAA\n2 2\n0 1\n0 1\n1 4\n1 2\n3 1.70141e38\n".to_vec()),
+        (3, surfer_6()),
+        (3, surfer_7()),
     ];
     write(&folder("rasters")?, seeds.into_iter())
+}
+
+fn surfer_6() -> Vec<u8> {
+    let numbers = [0.0, 1.0, 0.0, 1.0, 1.0, 4.0_f64]
+        .map(f64::to_le_bytes)
+        .concat();
+    let values = [1.0, 2.0, 3.0, 4.0_f32].map(f32::to_le_bytes).concat();
+    [b"DSBB\x02\0\x02\0".to_vec(), numbers, values].concat()
+}
+
+fn surfer_7() -> Vec<u8> {
+    let numbers = [0.0, 0.0, 1.0, 1.0, 1.0, 4.0, 0.0, 1e38_f64]
+        .map(f64::to_le_bytes)
+        .concat();
+    let values = [1.0, 2.0, 3.0, 4.0_f64].map(f64::to_le_bytes).concat();
+    let head = b"DSRB\x04\0\0\0\x01\0\0\0GRID\x48\0\0\0\x02\0\0\0\x02\0\0\0".to_vec();
+    [head, numbers, b"DATA\x20\0\0\0".to_vec(), values].concat()
+}
+
+fn grids() -> std::io::Result<()> {
+    let seeds = [
+        (0, eclipse::text("FEET").into_bytes()),
+        (
+            0,
+            b"SPECGRID\n1 1 1/\nCOORD\n24*1/\nZCORN\n8*2/\nPORO\n.1/\n".to_vec(),
+        ),
+        (1, eclipse::binary()),
+        (1, [eclipse::binary(), eclipse::results()].concat()),
+    ];
+    write(&folder("grids")?, seeds.into_iter())
+}
+
+fn segys() -> std::io::Result<()> {
+    let made = |format, revision, is_little| {
+        let made = segy::Segy {
+            revision,
+            is_little,
+            samples: 2,
+            inlines: [1, 2, 1],
+            crosslines: [1, 2, 1],
+            ..segy::Segy::new(format)
+        };
+        made.write()
+    };
+    let seeds = [
+        (0, made(1, 0, false)),
+        (1, made(5, 1, false)),
+        (0, made(3, 2, true)),
+        (1, made(8, 2, false)),
+    ];
+    write(&folder("segy")?, seeds.into_iter())
 }
 
 /// A volume of one value.
@@ -209,6 +275,20 @@ fn surfaces() -> std::io::Result<()> {
         (5, picks.as_bytes().to_vec()),
         (6, files::esri().into_bytes()),
         (7, files::geotiff(&[])),
+        (
+            8,
+            b"@a, GRID, 2\n9, -999, , 1, 1\n2, 2, 0, 1, 0, 1\n0, 0, 0\n@\n1 2\n3 -999\n".to_vec(),
+        ),
+        (
+            9,
+            b"FSASCI 0 1 C 0 1E30\nFSLIMI 0 1 0 1 0 9\nFSNROW 2 2\n->a\n1 2 3 4\n".to_vec(),
+        ),
+        (
+            10,
+            b"@x\n1 1 0 0 5\n1 2 0 9 6\n2 1 9 0 7\n2 2 9 9 7\nEOB".to_vec(),
+        ),
+        (11, b"0 0 1\n1 0 2\n0 1 3\n1,1;4\n".to_vec()),
+        (12, b"DSAA\n2 2\n0 1\n0 1\n1 4\n1 2\n3 4\n".to_vec()),
     ];
     write(&folder, seeds.into_iter())
 }

@@ -10,7 +10,9 @@ use antumbra_subsurface::{PrepareOptions, prepare_surface};
 use libfuzzer_sys::fuzz_target;
 use std::path::Path;
 
-const ENDINGS: [&str; 8] = ["gri", "irap", "roff", "ts", "json", "csv", "asc", "tif"];
+const ENDINGS: [&str; 13] = [
+    "gri", "irap", "roff", "ts", "json", "csv", "asc", "tif", "zmap", "cps3", "dat", "xyz", "grd",
+];
 
 fuzz_target!(|data: &[u8]| {
     let Some((pick, bytes)) = data.split_first() else {

@@ -1,6 +1,7 @@
 //! What the command line takes.
 
 mod prepare;
+mod segy;
 mod value;
 mod view;
 
@@ -13,7 +14,7 @@ use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 
 pub use prepare::{Kind, Made, PrepareArgs, TerrainArgs, Way};
 pub use value::{PathArg, SceneSetting};
-pub use view::{ViewArgs, VolumeArgs};
+pub use view::ViewArgs;
 
 use crate::strategies::listed;
 

@@ -16,6 +16,7 @@ use antumbra::terrain::HorizonStrategy;
 use crate::args::ViewArgs;
 use crate::failure::Failure;
 use crate::outputs::Outputs;
+use crate::strategies::Horizons;
 use found::Found;
 
 /// A scene with its name, and what fits it where the command line names nothing.
@@ -62,11 +63,16 @@ const FULL: Defaults = Defaults {
 };
 
 impl Input {
-    /// Loads or builds what the arguments name. The outputs are checked against the files that a scene file refers to.
+    /// Loads or builds what the arguments name. A raster's horizons are found where `horizons` are used. The outputs are checked against the files that a scene file refers to.
     ///
     /// # Errors
     /// [`Failure::Usage`] for a name of nothing and for an output that would overwrite an input; what is wrong with a file otherwise.
-    pub fn open(args: &ViewArgs, gpu: &Gpu, outputs: &mut Outputs) -> Result<Self, Failure> {
+    pub fn open(
+        args: &ViewArgs,
+        horizons: Horizons,
+        gpu: &Gpu,
+        outputs: &mut Outputs,
+    ) -> Result<Self, Failure> {
         let defaults = match args.scene.is_none() && gpu.is_cpu() {
             true => SMALL,
             false => FULL,
@@ -74,12 +80,12 @@ impl Input {
         let named = args.scene.as_deref().unwrap_or(defaults.scene);
         let size = args.size.map_or(defaults.size, |size| size.0);
         let frames = args.frames.unwrap_or(defaults.frames) as usize;
-        let mut found = Found::named(named, args)?;
+        let mut found = Found::named(named, args, horizons)?;
         for file in &found.files {
             outputs.reads("a file of the scene", file);
         }
         outputs.check()?;
-        found.add_sections(&args.volume)?;
+        found.add_sections(args)?;
         found.scene.ensure_proxies(&Default::default());
         found.scene.update();
         let horizon = found.horizon(args.quiet);

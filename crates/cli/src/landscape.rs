@@ -3,14 +3,16 @@
 use std::path::{Path, PathBuf};
 
 use antumbra::demo_scenes::terrain::TerrainSceneOptions;
-use antumbra::formats::load_raster_within;
-use antumbra::formats::{LoadOptions, RasterFormat, SceneFormat, load_with_attachments};
+use antumbra::formats::{
+    LoadOptions, RasterFormat, RasterOptions, SceneFormat, Units, load_raster_with,
+    load_with_attachments,
+};
 use antumbra::terrain::{
     Field, PreparedScene, RasterDetail, Terrain, TerrainError, TerrainOptions,
 };
 
 use crate::failure::Failure;
-use crate::progress;
+use crate::{notes, progress};
 
 /// The default number of vertices of a field over a raster; a smaller raster has a vertex for every post.
 pub const VERTICES: usize = 100_000;
@@ -39,16 +41,26 @@ pub struct FieldOfFile {
     pub files: Vec<PathBuf>,
 }
 
-/// A field out of a file. A mesh is taken whole, and has no detail to choose.
+/// How a field is read.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct FieldReading {
+    /// The detail of a raster's field; by default a number of vertices.
+    pub detail: Option<RasterDetail>,
+    /// The memory that the file may take.
+    pub memory: Option<u64>,
+    /// The units of a raster.
+    pub units: Option<Units>,
+    /// Whether nothing is said.
+    pub quiet: bool,
+}
+
+/// A field out of a file. A mesh is taken whole, and has no detail to choose. What was assumed is said.
 ///
 /// # Errors
 /// What is wrong with the file; [`Failure::Usage`] for a detail of a mesh.
-pub fn field(
-    file: &Path,
-    detail: Option<RasterDetail>,
-    memory: Option<u64>,
-) -> Result<FieldOfFile, Failure> {
-    let options = load_options(memory);
+pub fn field(file: &Path, reading: &FieldReading) -> Result<FieldOfFile, Failure> {
+    let FieldReading { detail, quiet, .. } = *reading;
+    let options = load_options(reading.memory);
     let named = |error| match error {
         TerrainError::Setting { .. } => Failure::Terrain(error),
         _ => Failure::Field {
@@ -58,9 +70,19 @@ pub fn field(
     };
     if is_raster(file) {
         let detail = detail.unwrap_or(RasterDetail::Vertices(VERTICES));
+        let bar = progress::spin("reading", quiet);
+        let raster_options = RasterOptions {
+            max_memory: options.max_memory,
+            units: reading.units.unwrap_or_default(),
+            latitude: None,
+        };
+        let loaded = load_raster_with(file, &raster_options)?;
+        notes::say(file, &loaded.notes, quiet);
+        bar.set_message("making triangles");
+        let field = Field::from_raster(&loaded.raster, detail);
+        bar.finish_and_clear();
         return Ok(FieldOfFile {
-            field: Field::from_raster(&load_raster_within(file, options.max_memory)?, detail)
-                .map_err(named)?,
+            field: field.map_err(named)?,
             files: vec![file.to_owned()],
         });
     }

@@ -16,11 +16,13 @@ mod input;
 mod interrupt;
 mod landscape;
 mod measuring;
+mod notes;
 mod outputs;
 mod print;
 mod progress;
 mod strategies;
 mod vary;
+mod volume_source;
 mod watch;
 
 use std::process::ExitCode;

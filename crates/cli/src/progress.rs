@@ -1,5 +1,7 @@
 //! Progress bars on standard error. They are hidden where it is not a terminal.
 
+use std::time::Duration;
+
 use antumbra::measure::compare::CompareProgress;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -39,6 +41,14 @@ impl Bars {
 pub fn work(what: &'static str, quiet: bool) -> ProgressBar {
     let bar = bar("{msg:>14} {bar:40} {percent}%, {eta} left", quiet);
     bar.set_message(what);
+    bar
+}
+
+/// A sign of life for work whose end is not known: what it does and for how long; a hidden one if `quiet`.
+pub fn spin(what: &'static str, quiet: bool) -> ProgressBar {
+    let bar = bar("{msg:>14} {spinner} {elapsed}", quiet);
+    bar.set_message(what);
+    bar.enable_steady_tick(Duration::from_millis(200));
     bar
 }
 

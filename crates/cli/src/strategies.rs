@@ -24,6 +24,27 @@ pub fn yardsticks(registry: &Registry) -> Vec<&str> {
     registry.names().filter(is_yardstick).collect()
 }
 
+/// Whether a strategy uses the horizons of a terrain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Horizons {
+    /// One does.
+    Used,
+    /// None does.
+    Unused,
+}
+
+impl Horizons {
+    /// Whether one of the strategies that are named uses them.
+    pub fn of<'a>(specs: impl IntoIterator<Item = &'a String>) -> Self {
+        let own = HorizonStrategy::default();
+        let mut names = specs.into_iter().map(|spec| name_of(spec));
+        match names.any(|name| name == own.name()) {
+            true => Self::Used,
+            false => Self::Unused,
+        }
+    }
+}
+
 /// The strategy's name in a specification, `NAME:key=value`.
 pub fn name_of(spec: &str) -> &str {
     spec.split(':').next().unwrap_or_default()
@@ -47,4 +68,21 @@ pub fn listed(what: &str) -> String {
         "{what}. Names: {}; `antumbra strategies` describes them",
         names.join(", ")
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn horizons_are_used_by_the_strategy_of_that_name_alone() {
+        let of = |specs: &[&str]| {
+            let specs: Vec<String> = specs.iter().map(|spec| (*spec).to_owned()).collect();
+            Horizons::of(&specs)
+        };
+        assert_eq!(of(&["frustum", "horizon:clearance=2"]), Horizons::Used);
+        assert_eq!(of(&["horizon"]), Horizons::Used);
+        assert_eq!(of(&["frustum", "three-pass:threshold=5"]), Horizons::Unused);
+        assert_eq!(of(&[]), Horizons::Unused);
+    }
 }

@@ -136,11 +136,22 @@ fn what_is_to_be_made_is_told_or_asked_for() {
     let head = "ncols 3\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 10\n";
     std::fs::write(&grid, format!("{head}{posts}")).unwrap();
     let prepare = ["prepare", grid.as_str(), "-o", out.as_str()];
-    let said = succeeds(&[&prepare[..], &["--tiles", "2"]].concat());
+    let horizon = [&prepare[..], &["--tiles", "2", "--as", "subsurface"]].concat();
+    let said = succeeds(&horizon);
     assert!(said.contains("1 horizons"), "{said}");
-    let said = succeeds(&[&prepare[..], &["--as", "terrain"]].concat());
-    assert!(said.contains("9 vertices and 8 triangles"), "{said}");
-    let asked = [&prepare[..], &["--vertices", "5"]].concat();
+    for asked in [&[][..], &["--as", "terrain"]] {
+        let said = succeeds(&[&prepare[..], asked].concat());
+        assert!(said.contains("9 vertices and 8 triangles"), "{said}");
+    }
+    // Which of the two it was is said where it was not asked for.
+    let noted = |arguments: &[&str]| stderr(&antumbra(arguments));
+    assert!(noted(&prepare).contains("--as subsurface"));
+    assert!(!noted(&horizon).contains("--as"));
+    let two = ["prepare", &grid, &grid, "-o", &out];
+    assert!(noted(&two).contains("is made a horizon"));
+    let quiet = [&two[..], &["--quiet"]].concat();
+    assert_eq!(noted(&quiet), "");
+    let asked = [&two[..], &["--vertices", "5"]].concat();
     refuses(&asked, 2, &["--as terrain"]);
     let both = [
         &prepare[..],

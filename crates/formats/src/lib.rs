@@ -35,6 +35,7 @@ mod ply;
 pub mod raster;
 mod read_scene;
 mod stl;
+pub mod units;
 
 pub use error::{LoadError, LoadProblem};
 pub use gltf::{Attachment, SaveError, SaveProblem, save_glb, save_glb_with_attachments};
@@ -44,6 +45,7 @@ pub use load::{
 };
 pub use options::LoadOptions;
 pub use raster::{
-    RasterError, RasterFormat, load_raster, load_raster_slice, load_raster_slice_within,
-    load_raster_within,
+    LoadedRaster, RasterError, RasterFormat, RasterOptions, load_raster, load_raster_slice,
+    load_raster_slice_with, load_raster_with,
 };
+pub use units::{LengthUnit, PlanUnit, Units};

@@ -10,7 +10,7 @@ use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use antumbra_formats::{
-    LoadOptions, RasterFormat, SceneFormat, load, load_raster_slice_within, load_slice,
+    LoadOptions, RasterFormat, RasterOptions, SceneFormat, load, load_raster_slice_with, load_slice,
 };
 use cap::Cap;
 use common::{floats, glb};
@@ -56,7 +56,13 @@ fn scene(format: SceneFormat, bytes: &[u8], words: &[&str]) {
 }
 
 fn raster(format: RasterFormat, bytes: &[u8], words: &[&str]) {
-    let load = || load_raster_slice_within(format, bytes, MEMORY as u64);
+    let load = || {
+        let options = RasterOptions {
+            max_memory: MEMORY as u64,
+            ..RasterOptions::default()
+        };
+        load_raster_slice_with(format, bytes, &options)
+    };
     refused(|| load().map_err(|error| error.to_string()), words);
 }
 

@@ -57,6 +57,33 @@ impl CornerPointGrid {
         }
     }
 
+    /// The grid with all coordinates multiplied: those of the world's axes.
+    #[cfg(feature = "read")]
+    pub(crate) fn scaled(mut self, scale: DVec3) -> Self {
+        if scale != DVec3::ONE {
+            for pillar in &mut self.pillars {
+                pillar.bottom *= scale;
+                pillar.top *= scale;
+            }
+            for height in self.corners.as_flattened_mut() {
+                *height = (f64::from(*height) * scale.y) as f32;
+            }
+        }
+        self
+    }
+
+    /// The box around the ends of the pillars.
+    #[cfg(feature = "read")]
+    pub(crate) fn pillar_box(&self) -> [DVec3; 2] {
+        let ends = self
+            .pillars
+            .iter()
+            .flat_map(|pillar| [pillar.bottom, pillar.top]);
+        let ends = ends.filter(|end| end.is_finite());
+        let empty = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+        ends.fold(empty, |[low, high], end| [low.min(end), high.max(end)])
+    }
+
     /// The number of cells along each axis.
     #[must_use]
     pub fn size(&self) -> [u32; 3] {

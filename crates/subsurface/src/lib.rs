@@ -5,6 +5,7 @@
 //!
 //! - `read` (feature `read`, on by default) reads surfaces and cell properties from files. A [`Surface`] is a horizon
 //!   or a fault at full resolution, from any source.
+//! - `segy` (feature `read`) reads seismic volumes from SEG-Y files.
 //! - [`prepare_surface`] cuts horizons into tiles with levels of detail and a proxy for visibility tests.
 //!   [`PreparedSurface::spawn`] adds them to a scene.
 //! - [`VolumeFile`] and [`BrickCache`] read seismic volumes of any size within a memory budget. [`Slice`] and
@@ -51,9 +52,13 @@ mod progress;
 #[cfg(feature = "read")]
 pub mod read;
 mod sections;
+#[cfg(feature = "read")]
+pub mod segy;
 mod slice;
 mod surface;
 mod surface_entities;
+#[cfg(feature = "read")]
+mod survey;
 mod volume;
 
 pub use error::SubsurfaceError;

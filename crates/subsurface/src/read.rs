@@ -3,45 +3,54 @@
 //! | file | recognised by | becomes |
 //! |---|---|---|
 //! | Irap binary (`.gri`, `.irapbin`), Irap ASCII (`.irap`) | its first record, `-996` | a horizon |
+//! | ZMAP+ (`.zmap`, `.map`), CPS-3 (`.cps3`) | a line `@`..., GRID; `FSASCI` | a horizon |
 //! | ROFF grid (`.roff`), binary or ASCII | `roff-bin`, `roff-asc` | a horizon for the top of each layer and one for the last layer's base |
+//! | Eclipse grid (`.grdecl`; `.egrid`, binary `.grdecl`) | its extension; a record of 16 bytes | the same |
 //! | GOCAD TSurf (`.ts`) | `GOCAD TSurf` | a fault for each object |
 //! | faultroom (`.json`) | `{` | a fault for each `FaultID` |
-//! | Esri ASCII raster (`.asc`), GeoTIFF (`.tif`) | `ncols`, `II` or `MM` | a horizon |
+//! | Esri ASCII raster (`.asc`), GeoTIFF (`.tif`), Surfer grid (`.grd`), NumPy (`.npz`) | `ncols`, `II` or `MM`, `DS..`, its extension | a horizon |
 //! | picks (`.csv`, `.txt`, `.tsv`, `.dat`) | its extension | a horizon for each surface named |
+//! | points without a title (`.xyz`, `.poi` and those of picks) | its extension; lines of numbers | a horizon |
+//! | IJXYZ: inline, crossline, x, y, z (`.dat`, `.map`, `.ijxyz`) | its extension; lines of five numbers | a horizon on the grid of the lines |
 //!
-//! Lengths are metres in a projected coordinate system; x is east, y north. Files are treated as hostile: sizes that
-//! a file declares are checked against its length before memory is allocated, and no file above [`MAX_FILE_BYTES`] is
-//! read.
+//! x is east, y north. Units are those that [`ReadOptions::units`] names, else the file's; where it names none, metres, or degrees if its places
+//! can be nothing else. [`SurfaceFile::notes`] says what was assumed. Files are treated as hostile: sizes that a file declares are checked against
+//! its length before memory is allocated, and no file above [`MAX_FILE_BYTES`] is read.
 
 mod budget;
 mod byte_reader;
+mod cps3;
 mod delaunay;
+mod eclipse;
 mod faultroom;
+mod format;
+mod frame;
 mod gocad;
 mod irap;
 mod irap_ascii;
+mod numbered;
 mod options;
 mod picks;
+mod reading;
 mod roff;
 mod roff_grid;
 mod triangles;
+mod zmap;
 
 use std::path::Path;
 
-use antumbra_files::{default_memory, read_whole_file_within, words};
-use antumbra_formats::{RasterError, RasterFormat, load_raster_slice_within};
-use antumbra_scene::Raster;
+use antumbra_files::{default_memory, read_whole_file_within};
 
 use crate::corner_point::{CellProperty, CornerPointGrid};
 use crate::error::SubsurfaceError;
 use crate::progress::ProgressFn;
-use crate::surface::{Surface, SurfaceKind};
+use crate::surface::Surface;
 use budget::ReadBudget;
+use format::{Format, in_words, unknown};
+use reading::Reading;
 
 pub use options::{ReadOptions, ZPositive};
-
-/// Letters of a problem in a message, since it may quote the file.
-const MOST_LETTERS: usize = 400;
+pub use reading::{GridFile, SurfaceFile};
 
 /// The greatest size of a file in bytes.
 pub const MAX_FILE_BYTES: u64 = 4 << 30;
@@ -64,12 +73,7 @@ pub fn surfaces(
     options: &ReadOptions,
     progress: ProgressFn<'_>,
 ) -> Result<Vec<Surface>, SubsurfaceError> {
-    surfaces_from_bytes(
-        path,
-        &contents(path, options.max_memory)?,
-        options,
-        progress,
-    )
+    surface_file(path, options, progress).map(|file| file.surfaces)
 }
 
 /// Reads surfaces from the contents of a file. The path gives names, and the format where the contents do not.
@@ -82,68 +86,135 @@ pub fn surfaces_from_bytes(
     options: &ReadOptions,
     progress: ProgressFn<'_>,
 ) -> Result<Vec<Surface>, SubsurfaceError> {
-    let format = Format::of(path, bytes).ok_or_else(|| unknown(path))?;
-    let stem = stem(path);
-    let down = options.z_positive.unwrap_or(ZPositive::Down);
-    let up = options.z_positive.unwrap_or(ZPositive::Up);
-    let mut budget =
-        ReadBudget::new(options, bytes.len()).map_err(|problem| format.error(path, problem))?;
-    let budget = &mut budget;
-    let horizon = |raster: Raster| {
-        let surface = Surface::from_raster(&raster, &stem).map_err(|error| error.to_string());
-        surface.map(|surface| vec![surface])
-    };
-    // Its posts are paid for within what is left, and given back.
-    let raster = |format, budget: &mut ReadBudget| {
-        let raster = load_raster_slice_within(format, bytes, budget.left());
-        let mut raster = raster.map_err(|error| match error {
-            RasterError::Format { problem, .. } => problem,
-            other => other.to_string(),
-        })?;
-        budget.horizon(raster.columns, raster.rows)?;
-        if up == ZPositive::Down {
-            raster
-                .elevation
-                .iter_mut()
-                .for_each(|height| *height = -*height);
-        }
-        Ok(raster)
-    };
-    let kind = options.kind.unwrap_or(SurfaceKind::Fault);
-    let read = match format {
-        Format::IrapBinary => irap::read(bytes, down, budget).and_then(horizon),
-        Format::IrapAscii => irap_ascii::read(bytes, down, budget).and_then(horizon),
-        Format::Esri => raster(RasterFormat::Esri, budget).and_then(horizon),
-        Format::GeoTiff => raster(RasterFormat::GeoTiff, budget).and_then(horizon),
-        Format::Roff => roff_grid::grid(bytes, down, budget).and_then(|grid| {
-            let [nx, ny, nz] = grid.size();
-            let pillars = (u64::from(nx) + 1) * (u64::from(ny) + 1);
-            budget.surfaces(u64::from(nz) + 1, pillars, || {
-                format!("the horizons of its {nz} layers, of {pillars} nodes each")
-            })?;
-            let surfaces = grid.surfaces(&stem, progress);
-            surfaces.map_err(|error| error.to_string())
-        }),
-        Format::Gocad => gocad::read(bytes, &stem, options.z_positive, kind, budget),
-        Format::Faultroom => faultroom::read(bytes, down, kind, budget),
-        Format::Picks => picks::read(bytes, &stem, options, budget, progress),
-    };
-    let surfaces = read.map_err(|problem| format.error(path, problem))?;
-    let count = surfaces.len() as u64;
-    progress(count, count);
-    Ok(surfaces)
+    surface_file_from_bytes(path, bytes, options, progress).map(|file| file.surfaces)
 }
 
-/// Reads the corner-point grid of a ROFF file. [`property`] reads values for its cells.
+/// Reads the surfaces of a file as [`surfaces`] does, with what was assumed.
+///
+/// # Errors
+/// As for [`surfaces`].
+pub fn surface_file(
+    path: &Path,
+    options: &ReadOptions,
+    progress: ProgressFn<'_>,
+) -> Result<SurfaceFile, SubsurfaceError> {
+    surface_file_from_bytes(
+        path,
+        &contents(path, options.max_memory)?,
+        options,
+        progress,
+    )
+}
+
+/// Reads the surfaces of the contents of a file as [`surfaces_from_bytes`] does, with what was assumed.
+///
+/// # Errors
+/// As for [`surfaces`].
+pub fn surface_file_from_bytes(
+    path: &Path,
+    bytes: &[u8],
+    options: &ReadOptions,
+    progress: ProgressFn<'_>,
+) -> Result<SurfaceFile, SubsurfaceError> {
+    let format = Format::of(path, bytes).ok_or_else(|| unknown(path))?;
+    let mut budget =
+        ReadBudget::new(options, bytes.len()).map_err(|problem| format.error(path, problem))?;
+    let read = Reading {
+        stem: &stem(path),
+        bytes,
+        options,
+        budget: &mut budget,
+    }
+    .file(format, progress);
+    let file = read.map_err(|problem| format.error(path, problem))?;
+    let count = file.surfaces.len() as u64;
+    progress(count, count);
+    Ok(file)
+}
+
+/// Reads the corner-point grid of a ROFF or an Eclipse file. [`property`] and [`property_of`] read values for its cells.
+///
+/// # Errors
+/// As for [`surfaces`].
+pub fn grid_file(path: &Path, options: &ReadOptions) -> Result<GridFile, SubsurfaceError> {
+    grid_file_from_bytes(path, &contents(path, options.max_memory)?, options)
+}
+
+/// Reads a corner-point grid from the contents of a file, as [`grid_file`] does.
+///
+/// # Errors
+/// As for [`surfaces`].
+pub fn grid_file_from_bytes(
+    path: &Path,
+    bytes: &[u8],
+    options: &ReadOptions,
+) -> Result<GridFile, SubsurfaceError> {
+    let format = Format::of(path, bytes).ok_or_else(|| unknown(path))?;
+    let read = ReadBudget::new(options, bytes.len()).and_then(|mut budget| {
+        let mut reading = Reading {
+            stem: "",
+            bytes,
+            options,
+            budget: &mut budget,
+        };
+        reading.grid(format)
+    });
+    read.map_err(|problem| format.error(path, problem))
+}
+
+/// Reads the corner-point grid of a ROFF or an Eclipse file, as [`grid_file`] does.
 ///
 /// # Errors
 /// As for [`surfaces`].
 pub fn grid(path: &Path, options: &ReadOptions) -> Result<CornerPointGrid, SubsurfaceError> {
-    let positive = options.z_positive.unwrap_or(ZPositive::Down);
-    let bytes = contents(path, options.max_memory)?;
-    let grid = ReadBudget::new(options, bytes.len())
-        .and_then(|mut budget| roff_grid::grid(&bytes, positive, &mut budget));
-    grid.map_err(|problem| Format::Roff.error(path, problem))
+    grid_file(path, options).map(|file| file.grid)
+}
+
+/// Reads a property of the cells of `grid`: of a ROFF file, or of an Eclipse text, `.init` or restart file. `name` chooses among several; in a
+/// restart file the last step counts.
+///
+/// # Errors
+/// As for [`surfaces`], and for a file without such a property.
+pub fn property_of(
+    grid: &CornerPointGrid,
+    path: &Path,
+    name: Option<&str>,
+    options: &ReadOptions,
+) -> Result<CellProperty, SubsurfaceError> {
+    property_of_from_bytes(
+        grid,
+        path,
+        &contents(path, options.max_memory)?,
+        name,
+        options,
+    )
+}
+
+/// Reads a property from the contents of a file, as [`property_of`] does.
+///
+/// # Errors
+/// As for [`property_of`].
+pub fn property_of_from_bytes(
+    grid: &CornerPointGrid,
+    path: &Path,
+    bytes: &[u8],
+    name: Option<&str>,
+    options: &ReadOptions,
+) -> Result<CellProperty, SubsurfaceError> {
+    let error = |problem| SubsurfaceError::Format {
+        path: path.into(),
+        format: "file of cell properties",
+        problem: in_words(problem),
+    };
+    let encoding = match Format::of(path, bytes) {
+        Some(Format::Roff) => return roff_grid::property(bytes, name).map_err(error),
+        Some(Format::Eclipse(encoding)) => encoding,
+        // A part of a grid's text may have any name.
+        _ => eclipse::Encoding::Text,
+    };
+    let read = ReadBudget::new(options, bytes.len())
+        .and_then(|mut budget| eclipse::property(bytes, encoding, name, grid, &mut budget));
+    read.map_err(error)
 }
 
 /// Reads the first parameter of a ROFF file: one value per cell. Codes, such as facies, are read as numbers.
@@ -159,96 +230,12 @@ pub fn property(path: &Path) -> Result<CellProperty, SubsurfaceError> {
 /// # Errors
 /// As for [`surfaces`].
 pub fn property_from_bytes(path: &Path, bytes: &[u8]) -> Result<CellProperty, SubsurfaceError> {
-    let error = |problem: String| SubsurfaceError::Format {
+    let error = |problem| SubsurfaceError::Format {
         path: path.into(),
         format: "ROFF parameter",
-        problem: words::short(&problem, MOST_LETTERS),
+        problem: in_words(problem),
     };
-    roff_grid::property(bytes).map_err(error)
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Format {
-    IrapBinary,
-    IrapAscii,
-    Roff,
-    Gocad,
-    Faultroom,
-    Esri,
-    GeoTiff,
-    Picks,
-}
-
-impl Format {
-    fn name(self) -> &'static str {
-        match self {
-            Self::IrapBinary => "Irap binary surface",
-            Self::IrapAscii => "Irap ASCII surface",
-            Self::Roff => "ROFF grid",
-            Self::Gocad => "GOCAD TSurf",
-            Self::Faultroom => "faultroom file",
-            Self::Esri => "Esri ASCII raster",
-            Self::GeoTiff => "GeoTIFF",
-            Self::Picks => "table of picks",
-        }
-    }
-
-    fn error(self, path: &Path, problem: String) -> SubsurfaceError {
-        SubsurfaceError::Format {
-            path: path.into(),
-            format: self.name(),
-            problem: words::short(&problem, MOST_LETTERS),
-        }
-    }
-
-    /// Recognises the format by the contents, or else by the extension, so that the reader can report what is wrong.
-    fn of(path: &Path, bytes: &[u8]) -> Option<Self> {
-        let begin = bytes.trim_ascii_start();
-        let begins = |with: &[u8]| {
-            let start = begin.get(..with.len());
-            start.is_some_and(|start| start.eq_ignore_ascii_case(with))
-        };
-        let magic: [(&[u8], Self); 10] = [
-            (b"roff-bin", Self::Roff),
-            (b"roff-asc", Self::Roff),
-            (b"gocad tsurf", Self::Gocad),
-            (b"{", Self::Faultroom),
-            (b"-996", Self::IrapAscii),
-            (b"ncols", Self::Esri),
-            (b"II*\0", Self::GeoTiff),
-            (b"II+\0", Self::GeoTiff),
-            (b"MM\0*", Self::GeoTiff),
-            (b"MM\0+", Self::GeoTiff),
-        ];
-        if bytes.starts_with(&irap::MAGIC) {
-            return Some(Self::IrapBinary);
-        }
-        if let Some((_, format)) = magic.iter().find(|(with, _)| begins(with)) {
-            return Some(*format);
-        }
-        let ending = path.extension()?.to_string_lossy().to_lowercase();
-        Some(match ending.as_str() {
-            "gri" | "irapbin" => Self::IrapBinary,
-            "irap" => Self::IrapAscii,
-            "roff" => Self::Roff,
-            "ts" => Self::Gocad,
-            "json" => Self::Faultroom,
-            "asc" => Self::Esri,
-            "tif" | "tiff" => Self::GeoTiff,
-            "csv" | "tsv" | "txt" | "dat" => Self::Picks,
-            _ => return None,
-        })
-    }
-}
-
-fn unknown(path: &Path) -> SubsurfaceError {
-    let problem = "it is none of Irap (.gri, .irapbin, .irap), ROFF grid (.roff), GOCAD TSurf (.ts), faultroom (.json), raster (.asc, \
-                   .tif) and picks (.csv, .tsv, .txt, .dat)";
-    SubsurfaceError::Format {
-        path: path.into(),
-        format: "surface file",
-        problem: problem.into(),
-    }
+    roff_grid::property(bytes, None).map_err(error)
 }
 
 fn stem(path: &Path) -> String {
@@ -256,7 +243,7 @@ fn stem(path: &Path) -> String {
     stem.map_or_else(|| "surface".into(), |stem| stem.into_owned())
 }
 
-/// The contents of a file, unless it is too large for the memory of its load, or not a regular file.
+/// The contents of a file, unless it is too large or not a regular file.
 fn contents(path: &Path, max_memory: Option<u64>) -> Result<Vec<u8>, SubsurfaceError> {
     let memory = max_memory.unwrap_or_else(default_memory);
     let contents = read_whole_file_within(path, MAX_FILE_BYTES, memory);

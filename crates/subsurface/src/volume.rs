@@ -14,6 +14,8 @@ pub use axis::Axis;
 pub use brick_cache::{BrickCache, BrickCacheStats};
 pub use colour_map::ColourMap;
 pub(crate) use colour_map::{UNKNOWN, amplitudes};
+#[cfg(feature = "read")]
+pub(crate) use file_format::{brick_offset, encode as encode_header};
 pub use layout::VolumeLayout;
 pub use sample_box::SampleBox;
 pub use source::BrickSource;

@@ -5,6 +5,7 @@
 //!
 //! - [`Field`] is a triangle mesh that is single-valued over the plan. A mesh that is not single-valued is refused, with the position of
 //!   every fault.
+//! - [`Landscape`] is a field that is shown as it is, without horizons.
 //! - [`horizon`] computes, for every vertex and every sector of directions, a slope and a distance: a viewpoint below that slope and beyond
 //!   that distance does not see the vertex.
 //! - [`GroupHierarchy`] holds groups of triangles that are hidden together, and the regions of viewpoints that they are hidden from.
@@ -31,6 +32,7 @@ mod ground;
 mod group_builder;
 mod groups;
 pub mod horizon;
+mod landscape;
 mod line_of_sight;
 mod observer;
 mod packed_tree;
@@ -66,6 +68,7 @@ pub use flight::FlightStation;
 pub use ground::{Ground, SurfacePoint};
 pub use groups::{Group, GroupHierarchy};
 pub use horizon::{Horizon, Horizons, Method, Scope, Sectors};
+pub use landscape::Landscape;
 pub use line_of_sight::LineOfSight;
 pub use observer::Observer;
 pub use region::{Region, VertexHorizon};

@@ -87,7 +87,7 @@ impl Terrain {
         let transform = DAffine3::from_translation(to_world(field.origin()));
         let root = scene.spawn(None, transform)?;
         scene.set_entity_name(root, "terrain")?;
-        let normals = normals(self);
+        let normals = normals(field, self.margin());
         let mut add = |name: String, triangles: &[u32]| {
             let entity = scene.spawn(Some(root), DAffine3::IDENTITY)?;
             scene.set_entity_name(entity, name.as_str())?;
@@ -121,29 +121,39 @@ impl Terrain {
     /// # Errors
     /// As [`Terrain::show`].
     pub fn show_lit(&self, scene: &mut Scene) -> Result<ShownTerrain, TerrainError> {
-        let material = scene.add_material(Material {
-            name: "ground".to_owned(),
-            base_colour: [0.36, 0.42, 0.24, 1.0],
-            double_sided: true,
-            ..Material::default()
-        });
+        let material = ground_material(scene);
         let shown = self.show(scene, material)?;
-        let slanting = DQuat::from_euler(EulerRot::YXZ, -0.7, -0.6, 0.0);
-        let sun = scene.spawn(None, DAffine3::from_quat(slanting))?;
-        scene.set_entity_name(sun, "sun")?;
-        let light = Light::Directional {
-            colour: [1.0, 0.97, 0.9],
-            illuminance: 3.2,
-        };
-        scene.set_light(sun, light)?;
+        add_sun(scene)?;
         Ok(shown)
     }
 }
 
+/// The colour of grass.
+pub(crate) fn ground_material(scene: &mut Scene) -> MaterialKey {
+    scene.add_material(Material {
+        name: "ground".to_owned(),
+        base_colour: [0.36, 0.42, 0.24, 1.0],
+        double_sided: true,
+        ..Material::default()
+    })
+}
+
+/// Adds a sun in the south-west.
+pub(crate) fn add_sun(scene: &mut Scene) -> Result<(), TerrainError> {
+    let slanting = DQuat::from_euler(EulerRot::YXZ, -0.7, -0.6, 0.0);
+    let sun = scene.spawn(None, DAffine3::from_quat(slanting))?;
+    scene.set_entity_name(sun, "sun")?;
+    let light = Light::Directional {
+        colour: [1.0, 0.97, 0.9],
+        illuminance: 3.2,
+    };
+    scene.set_light(sun, light)?;
+    Ok(())
+}
+
 /// The unit normals of all vertices, weighted by the areas of the triangles. The margin's triangles count too, so that the shading has no
 /// seam between tiles.
-fn normals(terrain: &Terrain) -> Vec<[f32; 3]> {
-    let field = terrain.field();
+pub(crate) fn normals(field: &Field, margin: &[[DVec3; 3]]) -> Vec<[f32; 3]> {
     let mut sums = vec![DVec3::ZERO; field.points().len()];
     for (triangle, corners) in field.triangles().iter().enumerate() {
         let [a, b, c] = field.corners(triangle as u32);
@@ -156,7 +166,7 @@ fn normals(terrain: &Terrain) -> Vec<[f32; 3]> {
         .map(|&half_edge| field.start(half_edge))
         .map(|vertex| (position_key(field.point(vertex)), vertex))
         .collect();
-    for &[a, b, c] in terrain.margin() {
+    for &[a, b, c] in margin {
         for corner in [a, b, c] {
             if let Some(&vertex) = border.get(&position_key(corner)) {
                 sums[vertex as usize] += (b - a).cross(c - a);
@@ -168,7 +178,7 @@ fn normals(terrain: &Terrain) -> Vec<[f32; 3]> {
 }
 
 /// A mesh of some triangles.
-fn geometry(field: &Field, normals: &[[f32; 3]], triangles: &[u32]) -> Geometry {
+pub(crate) fn geometry(field: &Field, normals: &[[f32; 3]], triangles: &[u32]) -> Geometry {
     let IndexedTriangles { vertices, indices } = indexed(field, triangles);
     Geometry {
         positions: vertices

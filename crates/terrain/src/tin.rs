@@ -25,6 +25,14 @@ pub enum RasterDetail {
 const TRIES: usize = 24;
 /// The relative error that is close enough to a number of vertices.
 const CLOSE: f64 = 0.005;
+/// The error that a search begins with, as a share of the relief: few vertices, and so a fast run.
+const COARSE: f64 = 0.02;
+/// How fast the number of vertices falls with the error, as powers of each other: what natural terrains have.
+const FALL: f64 = 1.4;
+/// The greatest step of an error, as a logarithm.
+const FARTHEST: f64 = 1.6;
+/// The posts that a search begins with, about.
+const PILOT: usize = 600_000;
 
 impl Field {
     /// Makes a field from a raster. Where nodes are unknown the field has holes, whose rims keep every post.
@@ -203,28 +211,98 @@ impl<'a> Greedy<'a> {
         field_of_known(made.points, made.triangles)
     }
 
-    /// Finds the error that leaves about `wanted` vertices, by bisection of its logarithm.
+    /// Finds the error that leaves about `wanted` vertices. A run takes the longer the more vertices it leaves, and the more posts there are: of many
+    /// posts some are tried first.
     fn search(&self, wanted: usize) -> Result<Field, TerrainError> {
-        let (mut low, mut high) = (self.relief * 1e-9, self.relief * 2.0);
-        let mut best: Option<(usize, GreedyMesh)> = None;
-        for _ in 0..TRIES {
-            let error = (low * high).sqrt();
-            let made = self.run(error)?;
-            let count = made.points.iter().filter(|point| point.is_finite()).count();
-            if count > wanted {
-                low = error;
-            } else {
-                high = error;
+        let begin = match self.pilot(wanted) {
+            Some(raster) => {
+                Greedy::new(&raster)
+                    .close(wanted, self.relief * COARSE)?
+                    .error
+            }
+            None => self.relief * COARSE,
+        };
+        let GreedyMesh { points, triangles } = self.close(wanted, begin)?.mesh;
+        field_of_known(points, triangles)
+    }
+
+    /// Every n-th post along each side, where those are few enough to be fast and many enough to tell.
+    fn pilot(&self, wanted: usize) -> Option<Raster> {
+        let Raster { columns, rows, .. } = *self.raster;
+        let posts = self.raster.elevation.len();
+        let stride = ((posts / PILOT) as f64).sqrt().ceil() as u32;
+        let [across, down] = [columns, rows].map(|count| count.div_ceil(stride.max(1)));
+        let kept = u64::from(across) * u64::from(down);
+        if stride < 2 || kept < 4 * wanted as u64 || across.min(down) < 2 {
+            return None;
+        }
+        let places = (0..down).flat_map(|row| (0..across).map(move |column| (column, row)));
+        let height = |(column, row): (u32, u32)| {
+            let height = self.raster.elevation_at(column * stride, row * stride);
+            height.unwrap_or(f32::NAN)
+        };
+        Some(Raster {
+            columns: across,
+            rows: down,
+            step_u: self.raster.step_u * f64::from(stride),
+            step_v: self.raster.step_v * f64::from(stride),
+            elevation: places.map(height).collect(),
+            ..*self.raster
+        })
+    }
+
+    /// Runs with one error after the other, from `error` on, until about `wanted` vertices are left: between two errors on both sides of it the
+    /// logarithm of the number falls about evenly with that of the error.
+    fn close(&self, wanted: usize, error: f64) -> Result<Run, TerrainError> {
+        let target = (wanted as f64).ln();
+        let bounds = [self.relief * 1e-9, self.relief * 2.0];
+        // The nearest runs with too many and with too few vertices: the logarithms of their errors and numbers.
+        let (mut many, mut few): (Option<DVec2>, Option<DVec2>) = (None, None);
+        let mut best: Option<Run> = None;
+        let mut error = error;
+        for tried in 0..TRIES {
+            let mesh = self.run(error)?;
+            let count = mesh.points.iter().filter(|point| point.is_finite()).count();
+            let at = DVec2::new(error.ln(), (count.max(1) as f64).ln());
+            match count > wanted {
+                true => many = Some(at),
+                false => few = Some(at),
             }
             let missed = count.abs_diff(wanted);
-            if best.as_ref().is_none_or(|(least, _)| missed < *least) {
-                best = Some((missed, made));
+            if best.as_ref().is_none_or(|best| missed < best.missed) {
+                best = Some(Run {
+                    error,
+                    missed,
+                    mesh,
+                });
             }
             if missed as f64 <= wanted as f64 * CLOSE {
                 break;
             }
+            let next = match (many, few) {
+                (Some(many), Some(few)) => {
+                    let share = (many.y - target) / (many.y - few.y);
+                    // Half-way now and then, where the numbers do not fall evenly.
+                    let share = if tried % 3 == 2 { 0.5 } else { share };
+                    many.x + (few.x - many.x) * share.clamp(0.05, 0.95)
+                }
+                _ => at.x + ((at.y - target) / FALL).clamp(-FARTHEST, FARTHEST),
+            };
+            let next = next.exp().clamp(bounds[0], bounds[1]);
+            if next == error {
+                break;
+            }
+            error = next;
         }
-        let (_, made) = best.unwrap_or_default();
-        field_of_known(made.points, made.triangles)
+        Ok(best.unwrap_or_default())
     }
+}
+
+/// A run of greedy insertion.
+#[derive(Default)]
+struct Run {
+    error: f64,
+    /// How many vertices more or fewer than wanted are left.
+    missed: usize,
+    mesh: GreedyMesh,
 }

@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use antumbra_demo_scenes::terrain::FractalOptions;
-use antumbra_scene::Raster;
-use antumbra_terrain::{Field, Ground, RasterDetail};
+use antumbra_scene::{Raster, Scene};
+use antumbra_terrain::{Field, Ground, Landscape, RasterDetail};
 use glam::DVec2;
 
 fn landscape(order: u32, seed: u64) -> Raster {
@@ -162,4 +162,44 @@ fn rasters_without_a_surface_are_refused() {
             .len(),
         128
     );
+}
+
+#[test]
+fn many_posts_are_tried_few_at_a_time_first() {
+    // More posts than a search begins with: hills of several sizes, with a hole.
+    let (columns, rows) = (1300, 1200);
+    let height = |at: u32| {
+        let (x, y) = (f64::from(at % columns), f64::from(at / columns));
+        let hills = (x * 0.011).sin() * (y * 0.013).cos() * 300.0;
+        let stones = (x * 0.21).sin() * (y * 0.17).sin() * 6.0 + (x * y * 0.003).sin();
+        let in_hole = (400.0..420.0).contains(&x) && (300.0..330.0).contains(&y);
+        if in_hole {
+            f32::NAN
+        } else {
+            (hills + stones) as f32
+        }
+    };
+    let raster = Raster {
+        columns,
+        rows,
+        origin: DVec2::new(500_000.0, 4_000_000.0),
+        step_u: DVec2::new(10.0, 0.0),
+        step_v: DVec2::new(0.0, -10.0),
+        elevation: (0..columns * rows).map(height).collect(),
+    };
+    let field = Field::from_raster(&raster, RasterDetail::Vertices(8_000)).unwrap();
+    let vertices = field.points().len();
+    assert!(vertices.abs_diff(8_000) <= 40, "{vertices}");
+    // What is shown without horizons is the same surface.
+    let landscape = Landscape::new(field);
+    let mut scene = Scene::new();
+    landscape.show_lit(&mut scene).unwrap();
+    scene.update();
+    assert_eq!(
+        scene.triangle_count() as usize,
+        landscape.field().triangles().len()
+    );
+    let stations = landscape.flight(30.0, 12);
+    assert_eq!(stations.len(), 12);
+    assert!(stations.iter().all(|station| station.eye.is_finite()));
 }

@@ -3,29 +3,36 @@
 use std::path::PathBuf;
 
 use antumbra::files::parse_size;
+use antumbra::formats::Units;
 use antumbra::terrain::Method;
 use clap::{Args as ClapArgs, ValueEnum};
 
+use super::segy::SegyArgs;
 use super::value::{Samples, method};
 
 /// Arguments of `prepare`.
 #[derive(Debug, ClapArgs)]
 pub struct PrepareArgs {
-    /// Horizons and faults: Irap surfaces (.gri, .irap), ROFF grids, GOCAD TSurfs (.ts), faultroom JSON, picks (.csv), rasters (.asc,
-    /// .tif). For a volume a ROFF property. For a terrain one raster (.npz, .asc, .tif) or mesh (.glb, .gltf, .obj, .ply, .stl). Or a
-    /// built-in model: subsurface, subsurface:200, terrain, terrain:20000:seed=3
+    /// Horizons and faults: Irap surfaces (.gri, .irap), ZMAP+ (.zmap), CPS-3 (.cps3), ROFF and Eclipse grids (.roff, .grdecl, .egrid), GOCAD
+    /// TSurfs (.ts), faultroom JSON, picks and points (.csv, .dat, .xyz), rasters (.asc, .grd, .npz, .tif). For a volume a SEG-Y file (.segy,
+    /// .sgy), or a property of a grid's cells (.roff, .grdecl, .init, .unrst). For a terrain one raster or mesh (.glb, .gltf, .obj, .ply,
+    /// .stl). Or a built-in model: subsurface, subsurface:200, terrain, terrain:20000:seed=3
     #[arg(required = true)]
     pub input: Vec<PathBuf>,
     /// The file to write: a scene (.glb) or a volume (.vol)
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
-    /// What the input becomes: a terrain with its horizons, or horizons and faults below the ground. By default .npz, meshes and the
-    /// built-in terrain become a terrain; all else, .asc and .tif included, becomes sub-surface
+    /// What the input becomes: a terrain with its horizons, or horizons and faults below the ground. By default one raster alone, meshes and
+    /// the built-in terrain become a terrain; several rasters and all else become sub-surface
     #[arg(long = "as", value_enum, value_name = "WHAT")]
     pub made: Option<Made>,
     /// The memory that a file may take, with everything that is made of it: 4GiB, 512MiB. By default half of what the machine has free
     #[arg(long, value_name = "SIZE", value_parser = parse_size)]
     pub memory: Option<u64>,
+    /// The unit of places and heights in the files: m, ft, us-ft, degrees, or one for places and one for heights, as degrees,ft. By default what
+    /// each file says; a line says what was assumed
+    #[arg(long, value_name = "PLACES[,HEIGHTS]")]
+    pub units: Option<Units>,
     /// Print nothing but errors
     #[arg(long)]
     pub quiet: bool,
@@ -33,6 +40,8 @@ pub struct PrepareArgs {
     pub terrain: TerrainArgs,
     #[command(flatten, next_help_heading = "Sub-surface models")]
     pub subsurface: SubsurfaceArgs,
+    #[command(flatten, next_help_heading = "SEG-Y files")]
+    pub segy: SegyArgs,
 }
 
 /// What is made of rasters and meshes.
@@ -100,9 +109,12 @@ pub struct SubsurfaceArgs {
     /// The column with the name of a pick's surface
     #[arg(long, value_name = "NAME")]
     pub surface_column: Option<String>,
-    /// The ROFF grid whose cells a property belongs to
+    /// The grid whose cells a property belongs to: .roff, .grdecl or .egrid
     #[arg(long, value_name = "FILE")]
     pub grid: Option<PathBuf>,
+    /// The property to take of a file that has several, such as PORO
+    #[arg(long, value_name = "NAME")]
+    pub property: Option<String>,
     /// Samples of a property's volume; by default two for each cell
     #[arg(long, value_name = "IxCxT")]
     pub samples: Option<Samples>,

@@ -76,6 +76,22 @@ impl FromStr for LensAt {
     }
 }
 
+/// The values that a range of colours begins and ends with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Amplitudes(pub [f32; 2]);
+
+impl FromStr for Amplitudes {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let ends = text.split_once("..");
+        let ends = ends.and_then(|(low, high)| Some([low.parse().ok()?, high.parse().ok()?]));
+        ends.filter(|[low, high]: &[f32; 2]| low < high && (high - low).is_finite())
+            .map(Self)
+            .ok_or_else(|| "write it as -2500..2500".to_owned())
+    }
+}
+
 /// An image's width and height in pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Size(pub [u32; 2]);

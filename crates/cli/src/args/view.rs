@@ -5,15 +5,17 @@ use std::time::Duration;
 
 use antumbra::cull::AdapterChoice;
 use antumbra::files::parse_size;
+use antumbra::formats::Units;
 use clap::Args as ClapArgs;
 
+use super::segy::SegyArgs;
 use super::value::{LensAt, PathArg, Size, SliceAt};
 use crate::eyes::StereoArgs;
 
 /// What decides a scene and its views.
 #[derive(Debug, Clone, ClapArgs)]
 pub struct ViewArgs {
-    /// A scene file (.glb, .gltf, .obj, .ply, .stl; CityJSON as .json or .jsonl), a raster that becomes a terrain (.npz, .tif, .asc), or a
+    /// A scene file (.glb, .gltf, .obj, .ply, .stl; CityJSON as .json or .jsonl), a raster that becomes a terrain (.npz, .tif, .asc, .grd), or a
     /// built-in scene (subsurface, terrain, grid, layer, turbine, city), which may have a size and settings: grid:12,
     /// subsurface:200:tiles=5
     pub scene: Option<String>,
@@ -42,6 +44,10 @@ pub struct ViewArgs {
     /// The memory that a file may take, with everything that is made of it: 4GiB, 512MiB. By default half of what the machine has free
     #[arg(long, value_name = "SIZE", value_parser = parse_size)]
     pub memory: Option<u64>,
+    /// The unit of places and heights in rasters, and of SEG-Y files: m, ft, us-ft, degrees, or one for places and one for heights, as degrees,ft. By
+    /// default what the file says; a line says what was assumed
+    #[arg(long, value_name = "PLACES[,HEIGHTS]")]
+    pub units: Option<Units>,
     /// The seconds that the adapter may take for a frame, before the run ends with an error
     #[arg(long, default_value = "600", value_name = "SECONDS", value_parser = seconds)]
     pub patience: Duration,
@@ -54,7 +60,7 @@ pub struct ViewArgs {
 /// Which sections of a seismic volume are shown.
 #[derive(Debug, Clone, ClapArgs)]
 pub struct VolumeArgs {
-    /// A seismic volume, as `prepare` writes it
+    /// A seismic volume: as `prepare` writes it (.vol), or SEG-Y (.segy, .sgy)
     #[arg(id = "volume", long = "volume", value_name = "FILE")]
     pub file: Option<PathBuf>,
     /// A slice of the volume; AXIS is inline, crossline or time. Without --slice and --lens, one in the middle of each axis
@@ -63,6 +69,8 @@ pub struct VolumeArgs {
     /// A semi-transparent box of the volume: the first and last sample along the inline, crossline and time axis
     #[arg(long, value_name = "I..I,C..C,T..T")]
     pub lens: Vec<LensAt>,
+    #[command(flatten)]
+    pub segy: SegyArgs,
 }
 
 fn seconds(text: &str) -> Result<Duration, String> {

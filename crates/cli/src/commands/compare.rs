@@ -13,6 +13,7 @@ use crate::input::Input;
 use crate::measuring::measure;
 use crate::outputs::{Outputs, open_folder};
 use crate::print::{print, print_styled};
+use crate::strategies::Horizons;
 
 /// Compares, writes the report, prints the table and the report's file.
 ///
@@ -26,7 +27,12 @@ pub fn run(args: CompareArgs) -> Result<(), Failure> {
     outputs.check()?;
     let gpu = Gpu::open(&args.view.adapter)?;
     let folder = open_folder(&args.out)?;
-    let input = Input::open(&args.view, &gpu, &mut outputs)?;
+    // The standard selection has the strategy that uses them.
+    let horizons = match args.strategies.is_empty() {
+        true => Horizons::Used,
+        false => Horizons::of(&args.strategies),
+    };
+    let input = Input::open(&args.view, horizons, &gpu, &mut outputs)?;
     let conditions = Conditions {
         // Each eye has its own queries.
         occludees: input.scene.drawable_count() * input.views().len(),

@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::input::Input;
 use crate::outputs::Outputs;
 use crate::print::print;
-use crate::strategies::registry;
+use crate::strategies::{Horizons, registry};
 use crate::watch::Watch;
 
 /// Prints the graph.
@@ -22,7 +22,12 @@ pub fn run(args: GraphArgs) -> Result<(), Failure> {
     // Wrong usage is found before anything is loaded.
     registry(None).parse(&args.strategy)?;
     let gpu = Gpu::open(&args.view.adapter)?;
-    let mut input = Input::open(&args.view, &gpu, &mut Outputs::default())?;
+    let mut input = Input::open(
+        &args.view,
+        Horizons::of([&args.strategy]),
+        &gpu,
+        &mut Outputs::default(),
+    )?;
     let strategy = registry(input.horizon.as_ref()).parse(&args.strategy)?;
     let cameras = input.look(0)?;
     let watch = Watch::start(args.view.patience);

@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 
 use crate::args::{Made, PrepareArgs, TerrainArgs};
 use crate::failure::Failure;
-use crate::landscape::is_mesh;
+use crate::landscape::{is_mesh, is_raster};
+use crate::notes;
 use crate::outputs::Outputs;
 
 /// Reads, prepares and writes; prints a summary.
@@ -35,7 +36,9 @@ pub fn run(args: PrepareArgs) -> Result<(), Failure> {
     };
     if made == Made::Terrain {
         outputs.probe()?;
-        return terrain::scene(&args, &mut outputs);
+        terrain::scene(&args, &mut outputs)?;
+        say_what(&args, made);
+        return Ok(());
     }
     if args.terrain != TerrainArgs::default() {
         return Err(Failure::Usage(
@@ -44,19 +47,38 @@ pub fn run(args: PrepareArgs) -> Result<(), Failure> {
         ));
     }
     outputs.probe()?;
-    match ending.as_deref() {
-        Some("vol") => subsurface::volume(&args),
-        _ => subsurface::scene(&args),
+    if ending.as_deref() == Some("vol") {
+        return subsurface::volume(&args);
+    }
+    subsurface::scene(&args)?;
+    say_what(&args, made);
+    Ok(())
+}
+
+/// Says what rasters were made, where that was not asked for: they could be either.
+fn say_what(args: &PrepareArgs, made: Made) {
+    let raster = args.input.iter().find(|input| is_raster(input));
+    let note = match made {
+        Made::Terrain => "one raster alone is made a terrain (--as subsurface makes a horizon)",
+        Made::Subsurface => "with other inputs a raster is made a horizon (--as overrides)",
+    };
+    if let (Some(raster), None) = (raster, args.made) {
+        notes::say(raster, &[note.to_owned()], args.quiet);
     }
 }
 
-/// What such inputs become by default. Formats of both kinds become sub-surface.
+/// What such inputs become by default. One raster alone becomes a terrain, as the commands that draw take it; with others it is a horizon.
 fn guess(inputs: &[PathBuf]) -> Made {
+    match inputs {
+        [raster] if is_raster(raster) => return Made::Terrain,
+        _ if inputs.iter().any(|input| is_raster(input)) => return Made::Subsurface,
+        _ => {}
+    }
     let own = |input: &Path| {
         let ending = input.extension().and_then(|ending| ending.to_str());
         let ending = ending.unwrap_or_default().to_lowercase();
         let either = matches!(ending.as_str(), "json" | "jsonl");
-        ending == "npz" || (is_mesh(input) && !either) || terrain::is_built_in(input)
+        (is_mesh(input) && !either) || terrain::is_built_in(input)
     };
     match inputs.iter().any(|input| own(input)) {
         true => Made::Terrain,

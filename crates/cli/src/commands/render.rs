@@ -20,7 +20,7 @@ use crate::failure::Failure;
 use crate::input::Input;
 use crate::outputs::Outputs;
 use crate::print::print;
-use crate::strategies::registry;
+use crate::strategies::{Horizons, registry};
 use crate::watch::Watch;
 
 /// What the names of two views' files end with.
@@ -52,7 +52,12 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
     chosen(&args, None)?;
     outputs.probe()?;
     let gpu = Gpu::open(&args.view.adapter)?;
-    let mut input = Input::open(&args.view, &gpu, &mut outputs)?;
+    let mut input = Input::open(
+        &args.view,
+        Horizons::of([&args.strategy]),
+        &gpu,
+        &mut outputs,
+    )?;
     let strategy = chosen(&args, input.horizon.as_ref())?;
     let cameras = input.look(args.pose as usize)?;
     let watch = Watch::start(args.view.patience);

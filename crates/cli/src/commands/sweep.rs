@@ -12,6 +12,7 @@ use crate::input::Input;
 use crate::measuring::measure;
 use crate::outputs::{Outputs, open_folder};
 use crate::print::{print, print_styled};
+use crate::strategies::Horizons;
 use crate::vary::settings;
 
 /// Compares all settings at once, writes the report, prints the trade and what the limits choose.
@@ -26,7 +27,7 @@ pub fn run(args: SweepArgs) -> Result<(), Failure> {
     outputs.check()?;
     let gpu = Gpu::open(&args.view.adapter)?;
     let folder = open_folder(&args.out)?;
-    let input = Input::open(&args.view, &gpu, &mut outputs)?;
+    let input = Input::open(&args.view, Horizons::of(&args.strategy), &gpu, &mut outputs)?;
     let settings = settings(&args, input.horizon.as_ref())?;
     let mut comparison = measure(&gpu, input, &settings.list, &args.view)?;
     let report = &mut comparison.report;

@@ -7,18 +7,18 @@ use antumbra::demo_scenes::subsurface::{Model, SubsurfaceScene, SubsurfaceSceneO
 use antumbra::demo_scenes::{self, DemoSceneError};
 use antumbra::formats::{RasterFormat, SceneFormat, load_with_attachments};
 use antumbra::scene::{Aabb, Scene};
-use antumbra::subsurface::{
-    BrickSource, SectionPositions, SlicePosition, VolumeFile, VolumeSections,
-};
+use antumbra::subsurface::{BrickSource, SectionPositions, SlicePosition, VolumeSections};
 use antumbra::terrain::{
-    self, HorizonStrategy, PreparedScene, Terrain, TerrainInScene, TerrainOptions,
+    self, HorizonStrategy, Landscape, PreparedScene, Terrain, TerrainInScene, TerrainOptions,
 };
 use glam::DVec3;
 
-use crate::args::{SceneSetting, ViewArgs, VolumeArgs};
+use crate::args::{SceneSetting, ViewArgs};
 use crate::failure::Failure;
+use crate::landscape::FieldReading;
 use crate::print::warn;
-use crate::{landscape, progress};
+use crate::strategies::Horizons;
+use crate::{landscape, progress, volume_source};
 
 /// Bytes of a volume that are kept in memory.
 const BUDGET: usize = 64 << 20;
@@ -35,6 +35,8 @@ pub struct Found {
     pub sections: Option<VolumeSections>,
     /// The terrain that was prepared, and its entities.
     pub terrain: Option<TerrainInScene>,
+    /// A field that is shown without horizons, since nothing asks for them.
+    pub landscape: Option<Landscape>,
     /// Whether it is the whole built-in grid, which has an orbit of its own.
     pub whole_grid: bool,
     /// The files that were read.
@@ -61,6 +63,7 @@ impl Found {
             model: None,
             sections: None,
             terrain: None,
+            landscape: None,
             whole_grid: false,
             files: Vec::new(),
         }
@@ -70,13 +73,10 @@ impl Found {
     ///
     /// # Errors
     /// [`Failure::Usage`] for a name of nothing; what is wrong with a file otherwise.
-    pub fn named(named: &str, args: &ViewArgs) -> Result<Self, Failure> {
+    pub fn named(named: &str, args: &ViewArgs, horizons: Horizons) -> Result<Self, Failure> {
         let file = Path::new(named);
         if landscape::is_raster(file) {
-            let field = landscape::field(file, None, args.memory)?.field;
-            let terrain = landscape::prepare(field, &TerrainOptions::default(), args.quiet)?;
-            let stem = file.file_stem().unwrap_or_default();
-            return Ok(PreparedScene::from_terrain(terrain, &stem.to_string_lossy())?.into());
+            return Self::raster(file, args, horizons);
         }
         if file.is_file() || landscape::is_mesh(file) {
             return Self::file(file, args);
@@ -97,6 +97,30 @@ impl Found {
             "terrain" => Self::terrain(&settings, args.quiet),
             _ => Self::built_in(name, &settings),
         }
+    }
+
+    /// A raster as a terrain. Its horizons take most of the time, and are found only where a strategy uses them.
+    fn raster(file: &Path, args: &ViewArgs, horizons: Horizons) -> Result<Self, Failure> {
+        let reading = FieldReading {
+            detail: None,
+            memory: args.memory,
+            units: args.units,
+            quiet: args.quiet,
+        };
+        let field = landscape::field(file, &reading)?.field;
+        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+        if horizons == Horizons::Used {
+            let terrain = landscape::prepare(field, &TerrainOptions::default(), args.quiet)?;
+            return Ok(PreparedScene::from_terrain(terrain, &stem)?.into());
+        }
+        let landscape = Landscape::new(field);
+        let mut scene = Scene::new();
+        scene.set_name(stem);
+        landscape.show_lit(&mut scene)?;
+        Ok(Self {
+            landscape: Some(landscape),
+            ..Self::of(scene)
+        })
     }
 
     fn terrain(settings: &[SceneSetting<'_>], quiet: bool) -> Result<Self, Failure> {
@@ -208,9 +232,13 @@ impl Found {
     }
 
     /// Adds the sections that the arguments name: of their volume, or of the model's.
-    pub fn add_sections(&mut self, args: &VolumeArgs) -> Result<(), Failure> {
+    pub fn add_sections(&mut self, view: &ViewArgs) -> Result<(), Failure> {
+        let args = &view.volume;
         let source: Arc<dyn BrickSource> = match (&args.file, &self.model) {
-            (Some(file), _) => Arc::new(VolumeFile::open(file)?),
+            (Some(file), _) => {
+                let options = args.segy.options(view.units, view.memory);
+                volume_source::open(file, &options, view.quiet)?
+            }
             _ if !args.are_named() => return Ok(()),
             (None, Some(model)) => Arc::new(model.volume()),
             (None, None) => {

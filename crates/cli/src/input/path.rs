@@ -3,7 +3,7 @@
 use antumbra::demo_scenes::subsurface::Model;
 use antumbra::measure::path::{CameraPath, Orbit, Pose, Waypoint};
 use antumbra::scene::{Aabb, Camera, Projection, Scene};
-use antumbra::terrain::{FlightStation, Terrain, TerrainInScene};
+use antumbra::terrain::{Field, FlightStation};
 
 use super::found::Found;
 use crate::args::{PathArg, ViewArgs};
@@ -45,10 +45,14 @@ pub fn path(
     {
         return Ok(path);
     }
-    if let Some(TerrainInScene { terrain, .. }) = &found.terrain
-        && matches!(named, None | Some(PathArg::Flight))
-    {
-        return over(terrain, frames);
+    if matches!(named, None | Some(PathArg::Flight)) {
+        if let Some(shown) = &found.terrain {
+            let terrain = &shown.terrain;
+            return over(terrain.field(), |height| terrain.flight(height, frames));
+        }
+        if let Some(landscape) = &found.landscape {
+            return over(landscape.field(), |height| landscape.flight(height, frames));
+        }
     }
     match named {
         // The grid's own orbit, whole grid or a part of it.
@@ -107,16 +111,19 @@ fn still(scene: &Scene, name: Option<&str>, frames: usize) -> Result<CameraPath,
     )?)
 }
 
-/// A flight over a terrain.
-fn over(terrain: &Terrain, frames: usize) -> Result<CameraPath, Failure> {
-    let [low, high] = terrain.field().plan_bounds();
+/// A flight over a terrain, whose stations are those at a height above it.
+fn over(
+    field: &Field,
+    stations: impl Fn(f64) -> Vec<FlightStation>,
+) -> Result<CameraPath, Failure> {
+    let [low, high] = field.plan_bounds();
     let height = FLYING.metres.min((high - low).max_element() * FLYING.share);
     let projection = Projection::Perspective {
         fov_y: 0.9,
         near: height / FLYING.metres,
     };
     let look = |station: FlightStation| Pose::look_at(station.eye, station.target, None);
-    let poses = terrain.flight(height, frames).into_iter().map(look);
+    let poses = stations(height).into_iter().map(look);
     let poses = poses.collect::<Result<Vec<_>, _>>();
     let poses = poses.map_err(|error| Failure::Usage(format!("the flight: {error}")))?;
     Ok(CameraPath::new("flight", projection, poses)?)

@@ -2,12 +2,14 @@
 
 use glam::DVec2;
 
+use super::frame::RawRaster;
 use super::text::{Tokens, decode, parse_number};
+use crate::units::Units;
 use antumbra_files::MemoryBudget;
 use antumbra_files::words::name;
 use antumbra_scene::Raster;
 
-pub(super) fn read(bytes: &[u8], memory: &mut MemoryBudget) -> Result<Raster, String> {
+pub(super) fn read(bytes: &[u8], memory: &mut MemoryBudget) -> Result<RawRaster, String> {
     let text = decode(bytes);
     let header = header(&text)?;
     let rest = header.rest;
@@ -35,13 +37,19 @@ pub(super) fn read(bytes: &[u8], memory: &mut MemoryBudget) -> Result<Raster, St
     let values = Tokens::new(rest)
         .grid(columns, rows, rest.len(), |value| value as f32 == nodata)
         .map_err(|problem| format!("after the header of {} lines: {problem}", header.lines))?;
-    Ok(Raster {
-        columns,
-        rows,
-        origin: south_west + DVec2::new(0.0, step.y * f64::from(rows - 1)),
-        step_u: DVec2::new(step.x, 0.0),
-        step_v: DVec2::new(0.0, -step.y),
-        elevation: values.into_iter().map(|z| z as f32).collect(),
+    Ok(RawRaster {
+        raster: Raster {
+            columns,
+            rows,
+            origin: south_west + DVec2::new(0.0, step.y * f64::from(rows - 1)),
+            step_u: DVec2::new(step.x, 0.0),
+            step_v: DVec2::new(0.0, -step.y),
+            elevation: values.into_iter().map(|z| z as f32).collect(),
+        },
+        // The format has no word for units.
+        said: Units::default(),
+        is_placed: true,
+        notes: Vec::new(),
     })
 }
 

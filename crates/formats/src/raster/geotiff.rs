@@ -6,7 +6,9 @@ use glam::DVec2;
 use tiff::decoder::{Decoder, DecodingResult, Limits};
 use tiff::tags::Tag;
 
+use super::frame::RawRaster;
 use super::text::{node_count, parse_number};
+use crate::units::{LengthUnit, PlanUnit, Units};
 use antumbra_files::MemoryBudget;
 use antumbra_files::words::shorten;
 use antumbra_scene::Raster;
@@ -18,13 +20,23 @@ const MAX_PACKED: usize = 4096;
 /// Bytes of a decoded post, at most.
 const DECODED: u64 = 8;
 
-/// Keys in GeoTIFF's own directory, and their values.
+/// Keys in GeoTIFF's own directory (OGC 19-008), and their values.
 const MODEL_TYPE: u16 = 1024;
 const GEOGRAPHIC: u16 = 2;
+const GEOCENTRIC: u16 = 3;
 const RASTER_TYPE: u16 = 1025;
 const PIXEL_IS_POINT: u16 = 2;
+const ANGULAR_UNITS: u16 = 2054;
+const PROJECTED_SYSTEM: u16 = 3072;
+const LINEAR_UNITS: u16 = 3076;
+const LINEAR_UNIT_SIZE: u16 = 3077;
+const VERTICAL_SYSTEM: u16 = 4096;
+const VERTICAL_UNITS: u16 = 4099;
 
-pub(super) fn read(bytes: &[u8], memory: &mut MemoryBudget) -> Result<Raster, String> {
+/// GDAL's own tag of metadata: XML with an item for the scale, the offset and the unit of the band.
+const GDAL_METADATA: Tag = Tag::Unknown(42112);
+
+pub(super) fn read(bytes: &[u8], memory: &mut MemoryBudget) -> Result<RawRaster, String> {
     // The crate quotes what it finds, however long it is.
     let text = |error: tiff::TiffError| shorten(&error.to_string(), 300);
     super::tiff_directory::take(bytes, memory)?;
@@ -48,14 +60,16 @@ pub(super) fn read(bytes: &[u8], memory: &mut MemoryBudget) -> Result<Raster, St
     }
     // Each post is decoded to at most eight bytes.
     super::take_posts(memory, columns, rows, DECODED)?;
-    let placed = Placed::of(&mut file)?;
+    let keys = GeoKeys::of(&mut file);
+    let placed = Placed::of(&mut file, &keys)?;
+    let band = Band::of(&mut file);
     let nodata = file.get_tag_ascii_string(Tag::GdalNodata).ok();
     let nodata = nodata.and_then(|text| parse_number(text.trim_matches(['\0', ' '])));
     // Compared as f32, since the tag is text with any number of digits.
     let nodata = nodata.map(|value| value as f32);
     let height = |value: f64| match nodata == Some(value as f32) {
         true => f32::NAN,
-        false => value as f32,
+        false => (value * band.scale + band.offset) as f32,
     };
     let elevation = heights(file.read_image().map_err(text)?, height);
     if elevation.len() != nodes {
@@ -64,14 +78,125 @@ pub(super) fn read(bytes: &[u8], memory: &mut MemoryBudget) -> Result<Raster, St
             elevation.len()
         ));
     }
-    Ok(Raster {
-        columns,
-        rows,
-        origin: placed.origin,
-        step_u: placed.step_u,
-        step_v: placed.step_v,
-        elevation,
+    let mut notes = Vec::new();
+    if (band.scale, band.offset) != (1.0, 0.0) {
+        notes.push(format!(
+            "its values are taken times {} plus {}, as it says",
+            band.scale, band.offset
+        ));
+    }
+    let said = keys.units();
+    if let (None, Some(code)) = (said.plan, keys.short(PROJECTED_SYSTEM)) {
+        notes.push(format!(
+            "it names the projection EPSG:{code} and not its unit, which may be feet"
+        ));
+    }
+    Ok(RawRaster {
+        raster: Raster {
+            columns,
+            rows,
+            origin: placed.origin,
+            step_u: placed.step_u,
+            step_v: placed.step_v,
+            elevation,
+        },
+        said: Units {
+            height: said.height.or(band.unit),
+            ..said
+        },
+        is_placed: true,
+        notes,
     })
+}
+
+/// GeoTIFF's directory of keys: shorts, and indices of doubles.
+struct GeoKeys {
+    entries: Vec<[u16; 4]>,
+    doubles: Vec<f64>,
+}
+
+impl GeoKeys {
+    fn of(file: &mut Decoder<Cursor<&[u8]>>) -> Self {
+        let entries = file.get_tag_u16_vec(Tag::GeoKeyDirectoryTag);
+        let entries = entries.unwrap_or_default();
+        Self {
+            entries: entries.as_chunks::<4>().0.iter().skip(1).copied().collect(),
+            doubles: file
+                .get_tag_f64_vec(Tag::GeoDoubleParamsTag)
+                .unwrap_or_default(),
+        }
+    }
+
+    /// The value of a key that is a short.
+    fn short(&self, wanted: u16) -> Option<u16> {
+        let mut entries = self.entries.iter();
+        let found = entries.find(|[id, location, ..]| *id == wanted && *location == 0);
+        found.map(|[.., value]| *value)
+    }
+
+    /// The value of a key that is a double.
+    fn double(&self, wanted: u16) -> Option<f64> {
+        let mut entries = self.entries.iter();
+        let [.., index] = entries.find(|[id, location, ..]| *id == wanted && *location != 0)?;
+        self.doubles.get(usize::from(*index)).copied()
+    }
+
+    fn units(&self) -> Units {
+        let length = |key| self.short(key).and_then(LengthUnit::from_code);
+        let plan = if self.short(MODEL_TYPE) == Some(GEOGRAPHIC) {
+            Some(PlanUnit::Angle(match self.short(ANGULAR_UNITS) {
+                Some(9101) => 1_f64.to_degrees(),
+                Some(9103) => 1.0 / 60.0,
+                Some(9104) => 1.0 / 3600.0,
+                Some(9105 | 9106) => 0.9,
+                _ => 1.0,
+            }))
+        } else {
+            let own = || LengthUnit::from_metres(self.double(LINEAR_UNIT_SIZE)?);
+            length(LINEAR_UNITS).or_else(own).map(PlanUnit::Length)
+        };
+        // Heights over NAVD 88 in US survey feet and in feet are systems of their own.
+        let of_system = || match self.short(VERTICAL_SYSTEM)? {
+            6360 => LengthUnit::from_code(9003),
+            8228 => Some(LengthUnit::FOOT),
+            _ => None,
+        };
+        Units {
+            plan,
+            height: length(VERTICAL_UNITS).or_else(of_system),
+        }
+    }
+}
+
+/// What GDAL's metadata say about the values: `value * scale + offset`, and the unit.
+struct Band {
+    scale: f64,
+    offset: f64,
+    unit: Option<LengthUnit>,
+}
+
+impl Band {
+    fn of(file: &mut Decoder<Cursor<&[u8]>>) -> Self {
+        let text = file.get_tag_ascii_string(GDAL_METADATA).unwrap_or_default();
+        let item = |role: &str| {
+            let role = format!("role=\"{role}\"");
+            let mut items = text.split("<Item").skip(1);
+            let item = items.find_map(|item| {
+                let (attributes, rest) = item.split_once('>')?;
+                attributes.contains(&role).then_some(rest)
+            })?;
+            item.split('<').next().map(str::trim)
+        };
+        let number = |role: &str| {
+            let number = item(role).and_then(parse_number);
+            number.filter(|number| number.is_finite())
+        };
+        Self {
+            scale: number("scale").filter(|scale| *scale != 0.0).unwrap_or(1.0),
+            offset: number("offset").unwrap_or_default(),
+            unit: item("unittype").and_then(LengthUnit::from_name),
+        }
+    }
 }
 
 /// The position of the first pixel's node, and the steps to the next nodes.
@@ -82,16 +207,9 @@ struct Placed {
 }
 
 impl Placed {
-    fn of(file: &mut Decoder<Cursor<&[u8]>>) -> Result<Self, String> {
-        let keys = file.get_tag_u16_vec(Tag::GeoKeyDirectoryTag);
-        let keys = keys.unwrap_or_default();
-        let key = |wanted: u16| {
-            let entries = keys.as_chunks::<4>().0.iter().skip(1);
-            let mut found = entries.filter(|[id, location, ..]| *id == wanted && *location == 0);
-            found.next().map(|[.., value]| *value)
-        };
-        if key(MODEL_TYPE) == Some(GEOGRAPHIC) {
-            return Err("its places are degrees; project it to metres".into());
+    fn of(file: &mut Decoder<Cursor<&[u8]>>, keys: &GeoKeys) -> Result<Self, String> {
+        if keys.short(MODEL_TYPE) == Some(GEOCENTRIC) {
+            return Err("its places are geocentric; project it to a plane".into());
         }
         let mut numbers = |tag: Tag| file.get_tag_f64_vec(tag).unwrap_or_default();
         let (transform, scale, tie) = (
@@ -115,7 +233,7 @@ impl Placed {
             );
             };
         // A pixel is an area with its height at the centre, unless the file declares it a point.
-        let inset = if key(RASTER_TYPE) == Some(PIXEL_IS_POINT) {
+        let inset = if keys.short(RASTER_TYPE) == Some(PIXEL_IS_POINT) {
             0.0
         } else {
             0.5

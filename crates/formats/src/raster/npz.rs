@@ -2,15 +2,17 @@
 //!
 //! The array with two dimensions is the elevation, its first row the northernmost. Its position is given by other
 //! arrays with customary names: `dx` and `dy`, the cells' size, with `xmin` and `ymin` (or `ymax`), or `longitude`
-//! (`x`) and `latitude` (`y`), one number per column and row. Positions that only fit on a globe are degrees. They
-//! become metres at the middle latitude, on a sphere of 6,371,008.8 m. Without any of these a cell is a metre wide.
+//! (`x`) and `latitude` (`y`), one number per column and row. Longitude and latitude are degrees. Without any of these
+//! a cell is a metre wide.
 
 use std::io::{Cursor, Read};
 
 use glam::DVec2;
 use zip::ZipArchive;
 
+use super::frame::RawRaster;
 use super::text::node_count;
+use crate::units::{PlanUnit, Units};
 use antumbra_files::words::name;
 use antumbra_files::{MemoryBudget, OverBudget};
 use antumbra_scene::Raster;
@@ -23,8 +25,6 @@ const MAX_NUMBERS: usize = 1 << 27;
 /// The greatest number of arrays that are looked at, and of dimensions of an array: those of NumPy.
 const MAX_ARRAYS: usize = 64;
 const MAX_DIMENSIONS: usize = 64;
-/// The length of a degree on a great circle, in metres.
-const DEGREE: f64 = 6_371_008.8 * std::f64::consts::PI / 180.0;
 
 /// An array.
 struct Array {
@@ -32,7 +32,7 @@ struct Array {
     values: Vec<f64>,
 }
 
-pub(super) fn read(bytes: &[u8], memory: &mut MemoryBudget) -> Result<Raster, String> {
+pub(super) fn read(bytes: &[u8], memory: &mut MemoryBudget) -> Result<RawRaster, String> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;
     let mut arrays = Vec::new();
     // Entries that share bytes would each be decoded.
@@ -189,7 +189,7 @@ fn number_type(kind: &str) -> Result<NumberType, String> {
     )
 }
 
-fn raster(arrays: &[(String, Array)]) -> Result<Raster, String> {
+fn raster(arrays: &[(String, Array)]) -> Result<RawRaster, String> {
     let mut flat = arrays.iter().filter(|(_, array)| array.shape.len() == 2);
     let (Some((_, heights)), None) = (flat.next(), flat.next()) else {
         return Err("not one of its arrays has two dimensions, or several have".to_owned());
@@ -210,7 +210,6 @@ fn raster(arrays: &[(String, Array)]) -> Result<Raster, String> {
         let array = named(names).filter(|array| array.values.len() == count as usize);
         array.map(|array| [array.values[0], array.values[count as usize - 1]])
     };
-    let steps = |count: u32| f64::from(count - 1);
     let (x, dx) = Axis {
         ends: ends(&["longitude", "lon", "x"], columns),
         step: single("dx"),
@@ -229,25 +228,23 @@ fn raster(arrays: &[(String, Array)]) -> Result<Raster, String> {
         direction: Direction::Descending,
     }
     .first_and_step();
-    let (far, last) = ([x, x + dx * steps(columns)], [y, y + dy * steps(rows)]);
-    let told = named(&["dx", "longitude", "lon", "x"]).is_some();
-    let on_globe = told
-        && far.iter().all(|x| x.abs() <= 360.0)
-        && last.iter().all(|y| y.abs() <= 90.0)
-        && dx.abs().max(dy.abs()) < 5.0;
-    let scale = if on_globe {
-        let middle = f64::midpoint(last[0], last[1]).to_radians();
-        DVec2::new(DEGREE * middle.cos(), DEGREE)
-    } else {
-        DVec2::ONE
-    };
-    Ok(Raster {
-        columns,
-        rows,
-        origin: DVec2::new(x, y) * scale,
-        step_u: DVec2::new(dx, 0.0) * scale,
-        step_v: DVec2::new(0.0, dy) * scale,
-        elevation: heights.values.iter().map(|&height| height as f32).collect(),
+    let geographic = [&["longitude", "lon"], &["latitude", "lat"]];
+    let is_geographic = geographic.iter().any(|names| named(*names).is_some());
+    Ok(RawRaster {
+        raster: Raster {
+            columns,
+            rows,
+            origin: DVec2::new(x, y),
+            step_u: DVec2::new(dx, 0.0),
+            step_v: DVec2::new(0.0, dy),
+            elevation: heights.values.iter().map(|&height| height as f32).collect(),
+        },
+        said: Units {
+            plan: is_geographic.then_some(PlanUnit::DEGREES),
+            height: None,
+        },
+        is_placed: named(&["dx", "x"]).is_some(),
+        notes: Vec::new(),
     })
 }
 

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use antumbra_formats::raster::text::{decode, parse_number};
+use antumbra_formats::{LengthUnit, PlanUnit, Units};
 use glam::DVec3;
 
 use super::budget::ReadBudget;
@@ -10,17 +11,34 @@ use super::options::ZPositive;
 use super::triangles;
 use crate::surface::{Surface, SurfaceKind};
 
+/// The objects of a file.
+pub(super) struct Objects {
+    pub(super) surfaces: Vec<Surface>,
+    /// What the file says of its units.
+    pub(super) said: Units,
+}
+
 pub(super) fn read(
     bytes: &[u8],
     stem: &str,
     positive: Option<ZPositive>,
     kind: SurfaceKind,
     budget: &mut ReadBudget,
-) -> Result<Vec<Surface>, String> {
+) -> Result<Objects, String> {
     let text = decode(bytes);
+    let mut said = None;
     let mut surfaces = Vec::new();
     let mut open: Option<Object> = None;
     for (line, words) in text.lines().enumerate() {
+        if let Some(units) = units_in(words) {
+            if said.is_some_and(|said| said != units) {
+                return Err(format!(
+                    "line {}: its objects have different units; write each to a file of its own",
+                    line + 1
+                ));
+            }
+            said = Some(units);
+        }
         let at = |problem: String| format!("line {}: {problem}", line + 1);
         let words = words.trim();
         let mut begin = words.split_whitespace();
@@ -55,7 +73,35 @@ pub(super) fn read(
     if surfaces.is_empty() {
         return Err("no line `GOCAD TSurf 1` begins an object".into());
     }
-    Ok(surfaces)
+    Ok(Objects {
+        surfaces,
+        said: said.unwrap_or_default(),
+    })
+}
+
+/// The units in a line `AXIS_UNIT "m" "m" "ft"`. A unit that is no length, such as a time, says nothing.
+fn units_in(line: &str) -> Option<Units> {
+    let line = line.trim();
+    let (keyword, rest) = line.split_once(char::is_whitespace)?;
+    if !keyword.eq_ignore_ascii_case("AXIS_UNIT") {
+        return None;
+    }
+    let quoted: Vec<&str> = rest.split('"').skip(1).step_by(2).collect();
+    let words = match quoted.is_empty() {
+        true => rest.split_whitespace().collect(),
+        false => quoted,
+    };
+    let unit = |at: usize| words.get(at).and_then(|word| LengthUnit::from_name(word));
+    let is_degrees = words
+        .first()
+        .is_some_and(|word| word.trim().to_ascii_lowercase().starts_with("deg"));
+    Some(Units {
+        plan: match is_degrees {
+            true => Some(PlanUnit::DEGREES),
+            false => unit(0).map(PlanUnit::Length),
+        },
+        height: unit(2),
+    })
 }
 
 struct Object {

@@ -123,6 +123,30 @@ impl<'a> Roff<'a> {
         Err("it begins neither with `roff-bin` nor with `roff-asc`".into())
     }
 
+    /// The value of a key in the tag of this kind whose key `name` is `name`.
+    pub(super) fn named(&self, tag: &str, name: &str, key: &str) -> Option<&Value<'a>> {
+        let value = |tag: &'_ Tag<'a>, key: &str| tag.keys.iter().position(|(of, _)| of == key);
+        let mut tags = self.tags.iter().filter(|found| found.name == tag);
+        let tag = tags.find(|tag| {
+            let at = value(tag, "name").and_then(|at| tag.keys.get(at));
+            matches!(at, Some((_, Value::Text(text))) if text.eq_ignore_ascii_case(name))
+        })?;
+        tag.keys.get(value(tag, key)?).map(|(_, value)| value)
+    }
+
+    /// The texts of a key in all tags of this name.
+    pub(super) fn texts(&self, tag: &str, key: &str) -> Vec<&str> {
+        let tags = self.tags.iter().filter(|found| found.name == tag);
+        let keys = tags
+            .flat_map(|tag| &tag.keys)
+            .filter(|(name, _)| name == key);
+        let texts = keys.filter_map(|(_, value)| match value {
+            Value::Text(text) => Some(text.as_str()),
+            _ => None,
+        });
+        texts.collect()
+    }
+
     /// The value of a key in the first tag of this name that has the key.
     pub(super) fn find(&self, tag: &str, key: &str) -> Option<&Value<'a>> {
         let tags = self.tags.iter().filter(|found| found.name == tag);

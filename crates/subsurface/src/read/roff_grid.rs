@@ -25,7 +25,10 @@ pub(super) fn grid(
 ) -> Result<CornerPointGrid, String> {
     let roff = Roff::parse(bytes)?;
     if roff.text("filedata", "filetype").as_deref() == Some("parameter") {
-        return Err("it holds a parameter of a grid's cells; give the grid".into());
+        return Err(
+            "it holds a parameter of a grid's cells and no grid: `antumbra prepare PARAMETER.roff --grid GRID.roff -o NAME.vol` makes a volume of both, and --volume NAME.vol shows it"
+                .into(),
+        );
     }
     let size = size(&roff)?;
     let [nx, ny, nz] = size.map(|cells| cells as usize);
@@ -78,10 +81,24 @@ pub(super) fn grid(
     Ok(CornerPointGrid::new(size, pillars, corners, active))
 }
 
-pub(super) fn property(bytes: &[u8]) -> Result<CellProperty, String> {
+/// The parameter of this name, or the first one.
+pub(super) fn property(bytes: &[u8], wanted: Option<&str>) -> Result<CellProperty, String> {
     let roff = Roff::parse(bytes)?;
     let size = size(&roff)?;
-    let data = roff.get("parameter", "data")?;
+    let (found, data) = match wanted {
+        None => {
+            let data = roff.get("parameter", "data")?;
+            (roff.text("parameter", "name").unwrap_or_default(), data)
+        }
+        Some(wanted) => {
+            let data = roff.named("parameter", wanted, "data");
+            let data = data.ok_or_else(|| {
+                let names = roff.texts("parameter", "name").join(", ");
+                format!("there is no parameter `{wanted}`: it has {names}")
+            })?;
+            (wanted.to_owned(), data)
+        }
+    };
     let cells = size
         .iter()
         .fold(1_usize, |all, &side| all.saturating_mul(side as usize));
@@ -99,7 +116,7 @@ pub(super) fn property(bytes: &[u8]) -> Result<CellProperty, String> {
         return Err("every cell's value is undefined; there is nothing to show".into());
     }
     Ok(CellProperty {
-        name: roff.text("parameter", "name").unwrap_or_default(),
+        name: found,
         size,
         values,
     })

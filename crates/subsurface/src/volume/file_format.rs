@@ -21,6 +21,8 @@
 use glam::DVec3;
 
 use super::layout::VolumeLayout;
+#[cfg(feature = "read")]
+use crate::error::SubsurfaceError;
 
 /// The offset of the bricks, a multiple of the size of a memory page.
 pub(super) const HEADER_BYTES: usize = 4096;
@@ -34,7 +36,7 @@ const VERSION: u32 = 1;
 const NAME_OFFSET: usize = 136;
 
 /// The header of a volume, or the reason why there is none.
-pub(super) fn encode(layout: &VolumeLayout, name: &str) -> Result<Vec<u8>, String> {
+pub(crate) fn encode(layout: &VolumeLayout, name: &str) -> Result<Vec<u8>, String> {
     if name.len() > MAX_NAME_BYTES {
         let length = name.len();
         return Err(format!(
@@ -58,6 +60,13 @@ pub(super) fn encode(layout: &VolumeLayout, name: &str) -> Result<Vec<u8>, Strin
     header.extend_from_slice(name.as_bytes());
     header.resize(HEADER_BYTES, 0);
     Ok(header)
+}
+
+/// The offset of a brick in the file.
+#[cfg(feature = "read")]
+pub(crate) fn brick_offset(layout: &VolumeLayout, brick: [u32; 3]) -> Result<u64, SubsurfaceError> {
+    let rank = layout.rank(brick)?;
+    Ok(HEADER_BYTES as u64 + rank * layout.brick_bytes() as u64)
 }
 
 /// The contents of a header.

@@ -5,16 +5,18 @@ use std::path::Path as FilePath;
 use antumbra::demo_scenes::subsurface::{Model, SubsurfaceSceneOptions};
 use antumbra::formats::save_glb;
 use antumbra::scene::Scene;
-use antumbra::subsurface::read::{self, ReadOptions, ZPositive};
+use antumbra::subsurface::read::{self, GridFile, ReadOptions, SurfaceFile, ZPositive};
+use antumbra::subsurface::segy::SegyFile;
 use antumbra::subsurface::{
-    BrickSource, PrepareOptions, PreparedSurface, Surface, SurfaceKind, add_default_lights,
-    prepare_surfaces, surface_material, write_volume,
+    BrickSource, PrepareOptions, PreparedSurface, Surface, SurfaceKind, VolumeLayout,
+    add_default_lights, prepare_surfaces, surface_material, write_volume,
 };
 
 use crate::args::{Kind, PrepareArgs, SceneSetting, Way};
 use crate::failure::Failure;
+use crate::notes::{self, Notes};
 use crate::print::print;
-use crate::progress;
+use crate::{progress, volume_source};
 
 /// Horizons and faults into a scene.
 ///
@@ -30,9 +32,16 @@ pub fn scene(args: &PrepareArgs) -> Result<(), Failure> {
     // Wrong usage is found before anything is read.
     options.check()?;
     let mut surfaces = Vec::new();
+    let mut options_of_file = read_options(args);
+    let mut notes = Notes::default();
     for input in &args.input {
-        surfaces.extend(read_surfaces(args, input)?);
+        let file = read_surfaces(args, input, &options_of_file)?;
+        notes.add(input, &file.notes);
+        // All that is in degrees is taken to metres alike.
+        options_of_file.latitude = options_of_file.latitude.or(file.latitude);
+        surfaces.extend(file.surfaces);
     }
+    notes.say(args.quiet);
     let bar = progress::work("preparing", args.quiet);
     bar.set_length(surfaces.len() as u64);
     let prepared = prepare_surfaces(&surfaces, &options, &|_| bar.inc(1));
@@ -72,7 +81,11 @@ pub fn scene(args: &PrepareArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-fn read_surfaces(args: &PrepareArgs, input: &FilePath) -> Result<Vec<Surface>, Failure> {
+fn read_surfaces(
+    args: &PrepareArgs,
+    input: &FilePath,
+    options: &ReadOptions,
+) -> Result<SurfaceFile, Failure> {
     if let Some(model) = model(input)? {
         let bar = progress::work("making", args.quiet);
         let horizons = model.options().horizons as usize;
@@ -85,17 +98,21 @@ fn read_surfaces(args: &PrepareArgs, input: &FilePath) -> Result<Vec<Surface>, F
                 Some(fault) => model.fault(fault),
             }
         });
-        let surfaces = surfaces.collect::<Result<Vec<_>, _>>();
+        let surfaces = surfaces.collect::<Result<Vec<Surface>, _>>();
         bar.finish_and_clear();
-        return Ok(surfaces?);
+        return Ok(SurfaceFile {
+            surfaces: surfaces?,
+            latitude: None,
+            notes: Vec::new(),
+        });
     }
     let bar = progress::work("reading", args.quiet);
-    let surfaces = read::surfaces(input, &read_options(args), &mut |done, total| {
+    let file = read::surface_file(input, options, &mut |done, total| {
         bar.set_length(total);
         bar.set_position(done);
     });
     bar.finish_and_clear();
-    Ok(surfaces?)
+    Ok(file?)
 }
 
 fn read_options(args: &PrepareArgs) -> ReadOptions {
@@ -111,6 +128,8 @@ fn read_options(args: &PrepareArgs) -> ReadOptions {
         longest_edge: args.subsurface.longest_edge,
         max_memory: args.memory,
         surface_column: args.subsurface.surface_column.clone(),
+        units: args.units.unwrap_or_default(),
+        latitude: None,
     }
 }
 
@@ -139,14 +158,20 @@ pub fn volume(args: &PrepareArgs) -> Result<(), Failure> {
     if let Some(model) = model(input)? {
         return write(args, "subsurface", &model.volume());
     }
-    let Some(grid) = &args.subsurface.grid else {
+    if SegyFile::is_named(input) {
+        return segy(args, input);
+    }
+    let Some(grid_file) = &args.subsurface.grid else {
         return Err(Failure::Usage(format!(
-            "'{}' has values of cells: name the grid they belong to with --grid",
+            "'{}' has values of cells: name the grid they belong to with --grid GRID, a .roff, .grdecl or .egrid file",
             input.display()
         )));
     };
-    let property = read::property(input)?;
-    let grid = read::grid(grid, &read_options(args))?;
+    let options = read_options(args);
+    let GridFile { grid, notes } = read::grid_file(grid_file, &options)?;
+    notes::say(grid_file, &notes, args.quiet);
+    let wanted = args.subsurface.property.as_deref();
+    let property = read::property_of(&grid, input, wanted, &options)?;
     let [i, j, k] = grid.size();
     let wide = 2 * i.max(j);
     let samples = args
@@ -163,6 +188,21 @@ pub fn volume(args: &PrepareArgs) -> Result<(), Failure> {
     write(args, volume.name(), &volume)
 }
 
+/// A SEG-Y file into a volume.
+fn segy(args: &PrepareArgs, input: &FilePath) -> Result<(), Failure> {
+    let options = args.segy.options(args.units, args.memory);
+    let volume = volume_source::segy(input, &options, args.quiet)?;
+    let name = input.file_stem().unwrap_or_default().to_string_lossy();
+    let bar = progress::work("writing", args.quiet);
+    let written = volume.write(&args.output, &name, &mut |done, total| {
+        bar.set_length(total);
+        bar.set_position(done);
+    });
+    bar.finish_and_clear();
+    written?;
+    summarise(args, volume.layout())
+}
+
 fn write(args: &PrepareArgs, name: &str, source: &dyn BrickSource) -> Result<(), Failure> {
     let bar = progress::work("writing", args.quiet);
     let written = write_volume(&args.output, name, source, &mut |done, total| {
@@ -171,8 +211,11 @@ fn write(args: &PrepareArgs, name: &str, source: &dyn BrickSource) -> Result<(),
     });
     bar.finish_and_clear();
     written?;
+    summarise(args, source.layout())
+}
+
+fn summarise(args: &PrepareArgs, layout: &VolumeLayout) -> Result<(), Failure> {
     if !args.quiet {
-        let layout = source.layout();
         let [i, c, t] = layout.size;
         let [low, high] = layout.range;
         print(format_args!(

@@ -34,7 +34,7 @@ pub fn scene(args: &PrepareArgs, outputs: &mut Outputs) -> Result<(), Failure> {
         PreparedScene::from_terrain(out_of(input, args, outputs)?, "terrain")?
     } else {
         return Err(Failure::Usage(format!(
-            "'{}' is neither a raster (.npz, .asc, .tif) nor a mesh (.glb, .gltf, .obj, .ply, .stl) by its ending",
+            "'{}' is neither a raster (.npz, .asc, .grd, .tif) nor a mesh (.glb, .gltf, .obj, .ply, .stl) by its ending",
             input.display()
         )));
     };
@@ -77,7 +77,13 @@ fn out_of(input: &Path, args: &PrepareArgs, outputs: &mut Outputs) -> Result<Ter
     let vertices = vertices.map(RasterDetail::Vertices);
     let detail = vertices.or(error.map(RasterDetail::Error));
     let sectors = sectors(&args.terrain, Sectors::default())?;
-    let landscape::FieldOfFile { field, files } = landscape::field(input, detail, args.memory)?;
+    let reading = landscape::FieldReading {
+        detail,
+        memory: args.memory,
+        units: args.units,
+        quiet: args.quiet,
+    };
+    let landscape::FieldOfFile { field, files } = landscape::field(input, &reading)?;
     files
         .iter()
         .for_each(|file| outputs.reads("a file of the input", file));
