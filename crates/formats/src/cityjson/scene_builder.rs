@@ -5,11 +5,14 @@ use super::boundary::{self, GeometryKind, Surface};
 use super::document::{CityObject, Document, Geometry as Source, Transform};
 use super::error::syntax_error;
 use super::materials::{self, Materials};
-use super::surface::{MAX_CORNERS, Triangulator};
+use super::templates::{self, TemplateTable};
 use super::tree::Tree;
 use crate::budget::Budget;
 use crate::error::{LoadProblem, shorten};
-use antumbra_scene::{Drawable, EntityKey, Geometry, Mesh, Scene};
+use crate::left_out::LostPart;
+use crate::local_origin::localise;
+use crate::polygon::{MAX_CORNERS, Triangulator};
+use antumbra_scene::{Drawable, EntityKey, Geometry, Mesh, Scene, Topology};
 use glam::{DAffine3, DVec3};
 
 /// Builds a scene from documents.
@@ -18,10 +21,7 @@ pub(super) struct SceneBuilder<'a> {
     scene: Scene,
     materials: Materials,
     triangulator: Triangulator,
-    /// The number of geometries without surfaces.
-    unread: u64,
-    /// The number of surfaces without an area.
-    flat: u64,
+    templates: TemplateTable,
 }
 
 /// The document that is being added.
@@ -61,24 +61,12 @@ impl<'a> SceneBuilder<'a> {
             scene: Scene::new(),
             materials: Materials::default(),
             triangulator: Triangulator::new(),
-            unread: 0,
-            flat: 0,
+            templates: TemplateTable::default(),
         }
     }
 
-    /// The scene. What was left out is logged.
+    /// The scene.
     pub(super) fn finish(self) -> Scene {
-        if self.unread > 0 {
-            let count = self.unread;
-            tracing::warn!(
-                count,
-                "CityJSON geometries of points, lines or templates; left out"
-            );
-        }
-        if self.flat > 0 {
-            let count = self.flat;
-            tracing::warn!(count, "CityJSON surfaces without an area; left out");
-        }
         self.scene
     }
 
@@ -96,6 +84,20 @@ impl<'a> SceneBuilder<'a> {
             // The entity's, and its mesh's.
             self.budget.name(id)?;
             self.budget.mesh(id)?;
+        }
+        if let Some(appearance) = &document.appearance {
+            let textures = appearance.textures.len() as u64;
+            let place = format!("line {line}");
+            let reason = "textures of CityJSON";
+            (self.budget.left_out).add_many(LostPart::Image, reason, textures, &place);
+        }
+        if let Some(templates) = &document.templates {
+            self.templates = TemplateTable::read(
+                templates,
+                &mut self.scene,
+                &mut self.triangulator,
+                self.budget,
+            )?;
         }
         let context = DocumentContext {
             line,
@@ -121,7 +123,12 @@ impl<'a> SceneBuilder<'a> {
                 self.scene.set_entity_name(entity, &**id)?;
                 shapes.sort_by(|a, b| b.lod.total_cmp(&a.lod));
                 let target = Target { entity, id, object };
-                self.set_mesh(&context, &target, &shapes, origin)?;
+                let finest = shapes.first().map_or(f64::NEG_INFINITY, |shape| shape.lod);
+                let placed = self.add_instances(&context, &target, finest, origin)?;
+                if placed.is_none_or(|lod| lod <= finest) {
+                    self.set_mesh(&context, &target, &shapes, origin)?;
+                }
+                self.add_lines(&context, &target, origin)?;
                 if let Some(known) = entities.get_mut(member) {
                     *known = Some(entity);
                 }
@@ -151,7 +158,7 @@ impl<'a> SceneBuilder<'a> {
             let mut shapes = Vec::new();
             for geometry in geometries(member) {
                 let Some(kind) = boundary::kind(geometry) else {
-                    self.unread += 1;
+                    self.note_unread(geometry, context);
                     continue;
                 };
                 if has_more && geometry.lod() < 1.0 {
@@ -203,6 +210,135 @@ impl<'a> SceneBuilder<'a> {
         Ok(())
     }
 
+    /// Notes a geometry of a kind that does not exist.
+    fn note_unread(&mut self, geometry: &Source<'_>, context: &DocumentContext<'_>) {
+        let kind = &*geometry.kind;
+        if !["MultiPoint", "MultiLineString", "GeometryInstance"].contains(&kind) {
+            let example = format!("line {}", context.line);
+            let reason = format!("of the type \"{}\"", shorten(kind));
+            let left_out = &mut self.budget.left_out;
+            left_out.add(LostPart::Geometry, &reason, &example);
+        }
+    }
+
+    /// Places the instances of templates of an object's finest level. Returns that level, if the object has any that are placed. Coarser ones
+    /// than `finest`, the finest of its own shapes, are not.
+    fn add_instances(
+        &mut self,
+        context: &DocumentContext<'_>,
+        target: &Target<'_>,
+        finest: f64,
+        origin: DVec3,
+    ) -> Result<Option<f64>, LoadProblem> {
+        let instances = target.object.geometry.iter();
+        let instances = instances.filter(|geometry| geometry.kind == "GeometryInstance");
+        let templates = &self.templates;
+        let lods = instances
+            .clone()
+            .filter_map(|instance| templates.of(instance));
+        let best = lods.map(|template| template.lod).max_by(f64::total_cmp);
+        let wanted = best.filter(|best| *best >= finest);
+        for instance in instances {
+            let anchor = boundary::anchor(instance).and_then(|vertex| context.point(vertex));
+            let placing = anchor.and_then(|anchor| templates::placing(instance, anchor - origin));
+            let template = self.templates.of(instance);
+            let mesh = template.and_then(|template| template.mesh);
+            let (Some(template), Some(mesh), Some(placing)) = (template, mesh, placing) else {
+                let reason = "an instance without a template or a place";
+                let left_out = &mut self.budget.left_out;
+                left_out.add(LostPart::Geometry, reason, &context.name(target.id));
+                continue;
+            };
+            if Some(template.lod) != wanted {
+                continue;
+            }
+            let kind = GeometryKind::Surfaces;
+            let material = (self.materials).material(&mut self.scene, &target.object.kind, kind);
+            let what = format!("template {}", instance.template.unwrap_or_default());
+            self.add_below(target, &what, placing, Drawable { mesh, material })?;
+        }
+        Ok(wanted)
+    }
+
+    /// Adds an object's lines and points, as entities below it.
+    fn add_lines(
+        &mut self,
+        context: &DocumentContext<'_>,
+        target: &Target<'_>,
+        origin: DVec3,
+    ) -> Result<(), LoadProblem> {
+        for geometry in &target.object.geometry {
+            let lines = boundary::lines(geometry)
+                .map_err(|problem| syntax_error(context.name(target.id), problem))?;
+            let Some(lines) = lines else {
+                continue;
+            };
+            let vertices = lines.iter().flatten();
+            let count = context.document.vertices.len();
+            if let Some(vertex) = vertices.clone().find(|vertex| **vertex as usize >= count) {
+                return Err(context.missing_vertex(*vertex, target.id));
+            }
+            let topology = match &*geometry.kind {
+                "MultiPoint" => Topology::Points,
+                _ => Topology::Lines,
+            };
+            let total = vertices.clone().count() as u64;
+            self.budget
+                .enter(format!("the lines of \"{}\"", shorten(target.id)));
+            self.budget.vertices(total)?;
+            self.budget.triangles(total)?;
+            let mut indices = Vec::new();
+            let mut first = 0;
+            for line in &lines {
+                let each = first..first + line.len() as u32;
+                match topology {
+                    Topology::Points => indices.extend(each),
+                    _ => indices.extend(each.skip(1).flat_map(|end| [end - 1, end])),
+                }
+                first += line.len() as u32;
+            }
+            if indices.is_empty() {
+                continue;
+            }
+            let points = vertices.filter_map(|vertex| context.point(*vertex));
+            let local = localise(points.map(|point| point - origin));
+            let placing = local.transform();
+            let shown = Geometry {
+                topology,
+                positions: local.positions,
+                indices,
+                ..Geometry::default()
+            };
+            self.budget.mesh(target.id)?;
+            let kind = GeometryKind::Surfaces;
+            let material = (self.materials).material(&mut self.scene, &target.object.kind, kind);
+            let mesh = self.scene.add_mesh(Mesh::new(target.id, shown))?;
+            let what = match topology {
+                Topology::Points => "points",
+                _ => "lines",
+            };
+            self.add_below(target, what, placing, Drawable { mesh, material })?;
+        }
+        Ok(())
+    }
+
+    /// Adds an entity below an object's, named after it.
+    fn add_below(
+        &mut self,
+        target: &Target<'_>,
+        what: &str,
+        placing: DAffine3,
+        drawable: Drawable,
+    ) -> Result<(), LoadProblem> {
+        self.budget.entities(1)?;
+        let name = format!("{}, {what}", target.id);
+        self.budget.name(&name)?;
+        let entity = self.scene.spawn(Some(target.entity), placing)?;
+        self.scene.set_entity_name(entity, name)?;
+        self.scene.set_drawable(entity, drawable)?;
+        Ok(())
+    }
+
     fn level(
         &mut self,
         context: &DocumentContext<'_>,
@@ -233,7 +369,10 @@ impl<'a> SceneBuilder<'a> {
                     .ring(corners.map(|corner| corner - origin));
             }
             let triangles = self.triangulator.finish(&mut level);
-            self.flat += u64::from(triangles == 0);
+            if triangles == 0 {
+                let left_out = &mut self.budget.left_out;
+                left_out.add(LostPart::Face, "without an area", &context.name(id));
+            }
             self.budget.triangles(triangles)?;
             if is_tinted {
                 level.colours.resize(level.positions.len(), *tint);
@@ -246,6 +385,15 @@ impl<'a> SceneBuilder<'a> {
 impl DocumentContext<'_> {
     fn name(&self, id: &str) -> String {
         format!("line {}, object \"{}\"", self.line, shorten(id))
+    }
+
+    fn missing_vertex(&self, vertex: u32, id: &str) -> LoadProblem {
+        LoadProblem::MissingReference {
+            place: self.name(id),
+            what: "vertex",
+            index: u64::from(vertex),
+            count: self.document.vertices.len(),
+        }
     }
 
     /// The position of a vertex in the world (east, up, south); `None` if there is no such vertex.
@@ -283,12 +431,7 @@ impl DocumentContext<'_> {
                 .flatten()
                 .find(|vertex| **vertex as usize >= count);
             if let Some(vertex) = beyond {
-                return Err(LoadProblem::MissingReference {
-                    place: self.name(id),
-                    what: "vertex",
-                    index: u64::from(*vertex),
-                    count,
-                });
+                return Err(self.missing_vertex(*vertex, id));
             }
             let tint = semantics.and_then(|entry| tints.get(entry)).copied();
             let tint = tint.unwrap_or(materials::UNTINTED);

@@ -10,10 +10,11 @@ use super::tree::Tree;
 use crate::budget::Budget;
 use crate::error::LoadProblem;
 use crate::file_resolver::FileResolver;
+use crate::left_out::LostPart;
 use antumbra_scene::{
     Camera, Drawable, EntityKey, Geometry, Light, Mesh, Projection, Scene, Topology,
 };
-use glam::{DAffine3, DQuat, DVec3, Vec3};
+use glam::{DAffine3, DMat3, DQuat, DVec3, Vec3};
 use gltf::json::extensions::scene::khr_lights_punctual::Type as LightType;
 use gltf::json::scene::Node;
 use gltf::json::validation::Checked;
@@ -34,11 +35,7 @@ pub(super) fn build(
         materials: Materials::default(),
         parts: HashMap::new(),
         locals: &tree.locals,
-        worlds: if document.root.skins.is_empty() {
-            Vec::new()
-        } else {
-            tree.worlds()
-        },
+        worlds: tree.worlds(),
     };
     let mut entities = Entities::new();
     let mut queue: VecDeque<(usize, Option<EntityKey>)> = VecDeque::new();
@@ -94,7 +91,7 @@ struct SceneBuilder<'a, 'b> {
     materials: Materials,
     parts: HashMap<PartKey, Option<Drawable>>,
     locals: &'a [DAffine3],
-    /// The world transforms of nodes; empty if no skin needs them.
+    /// The world transforms of nodes.
     worlds: Vec<DAffine3>,
 }
 
@@ -133,6 +130,12 @@ impl SceneBuilder<'_, '_> {
         // This also applies to an entity without a mesh, which may get one later.
         self.set_tested(entity, tested)?;
         if let Some(mesh) = at(node.mesh.as_ref()) {
+            let world = self.worlds.get(index);
+            if world.is_some_and(|world| world.matrix3 == DMat3::ZERO) {
+                let place = self.document.node_label(index);
+                let reason = "scaled to nothing";
+                (self.budget.left_out).add(LostPart::Entity, reason, &place);
+            }
             let parts = self.parts(index, node, mesh)?;
             match extras::instances(self.document, index, node, self.budget)? {
                 None => self.set_parts(entity, &parts, tested)?,
@@ -243,7 +246,12 @@ impl SceneBuilder<'_, '_> {
         lods: &[Lod],
     ) -> Result<Option<Drawable>, LoadProblem> {
         let pose = match node.skin {
-            Some(_) => Pose::of(self.document, index, &self.worlds)?,
+            Some(_) => Pose::of(
+                self.document,
+                index,
+                &self.worlds,
+                &mut self.budget.left_out,
+            )?,
             None => None,
         };
         let weights = node.weights.as_deref();
@@ -315,7 +323,7 @@ impl SceneBuilder<'_, '_> {
     }
 
     /// The coarser levels of a node's mesh. A level whose primitives do not correspond is ignored.
-    fn lods(&self, index: usize, node: &Node, primitives: usize) -> Vec<Lod> {
+    fn lods(&mut self, index: usize, node: &Node, primitives: usize) -> Vec<Lod> {
         let mut lods = Vec::new();
         for id in extras::lods(node) {
             let nodes = &self.document.root.nodes;
@@ -334,12 +342,9 @@ impl SceneBuilder<'_, '_> {
             if source.primitives.len() == primitives && undone {
                 lods.push(Lod { mesh, relative });
             } else {
-                let node = self.document.node_label(index);
-                tracing::warn!(
-                    node,
-                    lod = id,
-                    "this level of detail does not correspond to its node; left out"
-                );
+                let place = format!("node {id} of {}", self.document.node_label(index));
+                let reason = "it does not correspond to its node";
+                (self.budget.left_out).add(LostPart::Level, reason, &place);
             }
         }
         lods
