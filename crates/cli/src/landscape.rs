@@ -4,13 +4,14 @@ use std::path::{Path, PathBuf};
 
 use antumbra::demo_scenes::terrain::TerrainSceneOptions;
 use antumbra::formats::load_raster_within;
-use antumbra::formats::{LoadOptions, RasterFormat, SceneFormat, load_with_attachments};
+use antumbra::formats::{RasterFormat, SceneFormat};
 use antumbra::terrain::{
     Field, PreparedScene, RasterDetail, Terrain, TerrainError, TerrainOptions,
 };
 
+use crate::args::LoadArgs;
 use crate::failure::Failure;
-use crate::progress;
+use crate::{progress, scene_file};
 
 /// The default number of vertices of a field over a raster; a smaller raster has a vertex for every post.
 pub const VERTICES: usize = 100_000;
@@ -46,9 +47,9 @@ pub struct FieldOfFile {
 pub fn field(
     file: &Path,
     detail: Option<RasterDetail>,
-    memory: Option<u64>,
+    args: &LoadArgs,
+    quiet: bool,
 ) -> Result<FieldOfFile, Failure> {
-    let options = load_options(memory);
     let named = |error| match error {
         TerrainError::Setting { .. } => Failure::Terrain(error),
         _ => Failure::Field {
@@ -59,8 +60,11 @@ pub fn field(
     if is_raster(file) {
         let detail = detail.unwrap_or(RasterDetail::Vertices(VERTICES));
         return Ok(FieldOfFile {
-            field: Field::from_raster(&load_raster_within(file, options.max_memory)?, detail)
-                .map_err(named)?,
+            field: Field::from_raster(
+                &load_raster_within(file, scene_file::options(args).max_memory)?,
+                detail,
+            )
+            .map_err(named)?,
             files: vec![file.to_owned()],
         });
     }
@@ -70,20 +74,11 @@ pub fn field(
             file.display()
         )));
     }
-    let loaded = load_with_attachments(file, &options, &[])?;
+    let loaded = scene_file::load(file, &[], args, quiet)?;
     Ok(FieldOfFile {
         field: Field::from_scene(&loaded.scene).map_err(named)?,
         files: loaded.files,
     })
-}
-
-/// The limits of a load, with the memory that the command line allows.
-pub fn load_options(memory: Option<u64>) -> LoadOptions {
-    let usual = LoadOptions::default();
-    LoadOptions {
-        max_memory: memory.unwrap_or(usual.max_memory),
-        ..usual
-    }
 }
 
 /// Prepares a field.

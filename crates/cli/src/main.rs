@@ -19,6 +19,7 @@ mod measuring;
 mod outputs;
 mod print;
 mod progress;
+mod scene_file;
 mod strategies;
 mod vary;
 mod watch;

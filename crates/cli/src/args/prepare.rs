@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use antumbra::files::parse_size;
 use antumbra::terrain::Method;
 use clap::{Args as ClapArgs, ValueEnum};
 
+use super::load::LoadArgs;
 use super::value::{Samples, method};
 
 /// Arguments of `prepare`.
@@ -23,12 +23,11 @@ pub struct PrepareArgs {
     /// built-in terrain become a terrain; all else, .asc and .tif included, becomes sub-surface
     #[arg(long = "as", value_enum, value_name = "WHAT")]
     pub made: Option<Made>,
-    /// The memory that a file may take, with everything that is made of it: 4GiB, 512MiB. By default half of what the machine has free
-    #[arg(long, value_name = "SIZE", value_parser = parse_size)]
-    pub memory: Option<u64>,
     /// Print nothing but errors
     #[arg(long)]
     pub quiet: bool,
+    #[command(flatten, next_help_heading = "Scene files")]
+    pub load: LoadArgs,
     #[command(flatten, next_help_heading = "Terrains")]
     pub terrain: TerrainArgs,
     #[command(flatten, next_help_heading = "Sub-surface models")]

@@ -4,9 +4,9 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use antumbra::cull::AdapterChoice;
-use antumbra::files::parse_size;
 use clap::Args as ClapArgs;
 
+use super::load::LoadArgs;
 use super::value::{LensAt, PathArg, Size, SliceAt};
 use crate::eyes::StereoArgs;
 
@@ -39,12 +39,11 @@ pub struct ViewArgs {
     /// Print nothing but errors and, where it is a graph, the result itself
     #[arg(long)]
     pub quiet: bool,
-    /// The memory that a file may take, with everything that is made of it: 4GiB, 512MiB. By default half of what the machine has free
-    #[arg(long, value_name = "SIZE", value_parser = parse_size)]
-    pub memory: Option<u64>,
     /// The seconds that the adapter may take for a frame, before the run ends with an error
     #[arg(long, default_value = "600", value_name = "SECONDS", value_parser = seconds)]
     pub patience: Duration,
+    #[command(flatten, next_help_heading = "Scene files")]
+    pub load: LoadArgs,
     #[command(flatten, next_help_heading = "Stereo")]
     pub eyes: StereoArgs,
     #[command(flatten, next_help_heading = "Seismic volumes")]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use antumbra::demo_scenes::subsurface::{Model, SubsurfaceScene, SubsurfaceSceneOptions};
 use antumbra::demo_scenes::{self, DemoSceneError};
-use antumbra::formats::{RasterFormat, SceneFormat, load_with_attachments};
+use antumbra::formats::{LeftOut, RasterFormat, SceneFormat};
 use antumbra::scene::{Aabb, Scene};
 use antumbra::subsurface::{
     BrickSource, SectionPositions, SlicePosition, VolumeFile, VolumeSections,
@@ -18,7 +18,7 @@ use glam::DVec3;
 use crate::args::{SceneSetting, ViewArgs, VolumeArgs};
 use crate::failure::Failure;
 use crate::print::warn;
-use crate::{landscape, progress};
+use crate::{landscape, progress, scene_file};
 
 /// Bytes of a volume that are kept in memory.
 const BUDGET: usize = 64 << 20;
@@ -39,6 +39,8 @@ pub struct Found {
     pub whole_grid: bool,
     /// The files that were read.
     pub files: Vec<PathBuf>,
+    /// What was left out of them.
+    pub left_out: LeftOut,
 }
 
 impl From<PreparedScene> for Found {
@@ -63,6 +65,7 @@ impl Found {
             terrain: None,
             whole_grid: false,
             files: Vec::new(),
+            left_out: LeftOut::default(),
         }
     }
 
@@ -73,7 +76,7 @@ impl Found {
     pub fn named(named: &str, args: &ViewArgs) -> Result<Self, Failure> {
         let file = Path::new(named);
         if landscape::is_raster(file) {
-            let field = landscape::field(file, None, args.memory)?.field;
+            let field = landscape::field(file, None, &args.load, args.quiet)?.field;
             let terrain = landscape::prepare(field, &TerrainOptions::default(), args.quiet)?;
             let stem = file.file_stem().unwrap_or_default();
             return Ok(PreparedScene::from_terrain(terrain, &stem.to_string_lossy())?.into());
@@ -112,8 +115,8 @@ impl Found {
 
     /// A scene file, with its terrain if that was prepared. Where the file's extension is unusable, a scene without a terrain.
     fn file(file: &Path, args: &ViewArgs) -> Result<Self, Failure> {
-        let options = landscape::load_options(args.memory);
-        let loaded = load_with_attachments(file, &options, &[terrain::file::EXTENSION])?;
+        let attachments = [terrain::file::EXTENSION];
+        let loaded = scene_file::load(file, &attachments, &args.load, args.quiet)?;
         let attachment = loaded.attachments.into_iter().next();
         let known = attachment.map(|attachment| Terrain::read(&loaded.scene, &attachment?));
         let terrain = known.and_then(|known| match known {
@@ -129,6 +132,7 @@ impl Found {
         Ok(Self {
             terrain,
             files: loaded.files,
+            left_out: loaded.left_out,
             ..Self::of(loaded.scene)
         })
     }

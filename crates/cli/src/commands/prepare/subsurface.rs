@@ -109,7 +109,7 @@ fn read_options(args: &PrepareArgs) -> ReadOptions {
             Kind::Fault => SurfaceKind::Fault,
         }),
         longest_edge: args.subsurface.longest_edge,
-        max_memory: args.memory,
+        max_memory: args.load.memory,
         surface_column: args.subsurface.surface_column.clone(),
     }
 }

@@ -77,7 +77,8 @@ fn out_of(input: &Path, args: &PrepareArgs, outputs: &mut Outputs) -> Result<Ter
     let vertices = vertices.map(RasterDetail::Vertices);
     let detail = vertices.or(error.map(RasterDetail::Error));
     let sectors = sectors(&args.terrain, Sectors::default())?;
-    let landscape::FieldOfFile { field, files } = landscape::field(input, detail, args.memory)?;
+    let landscape::FieldOfFile { field, files } =
+        landscape::field(input, detail, &args.load, args.quiet)?;
     files
         .iter()
         .for_each(|file| outputs.reads("a file of the input", file));
