@@ -6,19 +6,17 @@
 //! that only in lower case.
 
 mod ascii;
+mod solid;
 
 use crate::budget::Budget;
 use crate::error::LoadProblem;
-use crate::left_out::LostPart;
 use crate::local_origin::localise;
 use antumbra_scene::{Geometry, Scene};
 use glam::DVec3;
-use std::collections::HashMap;
+use solid::{Solid, TRIANGLE_MEMORY};
 
 const HEADER: usize = 80;
 const TRIANGLE: u64 = 50;
-/// Bytes of memory of a triangle's corners while they are welded.
-const TRIANGLE_MEMORY: u64 = 160;
 
 /// Reads the solids.
 pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Scene, LoadProblem> {
@@ -43,51 +41,6 @@ pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Scene, LoadProbl
         crate::single::spawn(&mut scene, &solid.name, geometry, transform)?;
     }
     Ok(scene)
-}
-
-/// A solid while it is read.
-struct Solid {
-    name: String,
-    corners: Vec<DVec3>,
-    indices: Vec<u32>,
-    known: HashMap<[u64; 3], u32>,
-}
-
-impl Solid {
-    fn named(name: &str) -> Self {
-        Self {
-            name: if name.is_empty() { "stl" } else { name }.to_owned(),
-            corners: Vec::new(),
-            indices: Vec::new(),
-            known: HashMap::new(),
-        }
-    }
-
-    fn triangle_count(&self) -> usize {
-        self.indices.len() / 3
-    }
-
-    fn add(&mut self, corners: [DVec3; 3], budget: &mut Budget) {
-        if corners.iter().any(|corner| !corner.as_vec3().is_finite()) {
-            let example = format!(
-                "after triangle {} of \"{}\"",
-                self.triangle_count(),
-                self.name
-            );
-            let reason = "a corner is not finite";
-            budget.left_out.add(LostPart::Face, reason, &example);
-            return;
-        }
-        for corner in corners {
-            let next = self.corners.len() as u32;
-            let key = corner.to_array().map(f64::to_bits);
-            let index = *self.known.entry(key).or_insert(next);
-            if index == next {
-                self.corners.push(corner);
-            }
-            self.indices.push(index);
-        }
-    }
 }
 
 fn binary(bytes: &[u8], budget: &mut Budget) -> Result<Solid, LoadProblem> {

@@ -17,6 +17,7 @@ mod draco;
 mod extensions;
 mod extras;
 mod geometry;
+mod lights_and_cameras;
 mod material;
 #[cfg(feature = "meshopt")]
 mod meshopt;
@@ -41,6 +42,11 @@ pub(crate) fn read(
     let parts = container::split(bytes)?;
     let json = container::parse(parts.json, budget)?;
     let document = Document::open(json, parts.binary, files, budget)?;
+    #[cfg(feature = "meshopt")]
+    let document = {
+        let decoded = meshopt::decode_views(&document, budget)?;
+        document.with_decoded(decoded)
+    };
     extensions::note_unread(&document.root, attachments, &mut budget.left_out);
     let NodeScene { scene, entities } = nodes::build(&document, files, budget)?;
     let wanted = attachments.iter();

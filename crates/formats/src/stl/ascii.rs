@@ -1,6 +1,6 @@
 //! ASCII STL: any number of solids. Words are read in any case and with any white space between them.
 
-use super::Solid;
+use super::solid::{Solid, TRIANGLE_MEMORY};
 use crate::budget::Budget;
 use crate::error::{LoadProblem, shorten};
 use glam::DVec3;
@@ -64,7 +64,7 @@ pub(super) fn read(text: &str, budget: &mut Budget) -> Result<Vec<Solid>, LoadPr
             }
             if let Some(solid) = solids.last_mut() {
                 budget.triangles(1)?;
-                budget.memory(super::TRIANGLE_MEMORY)?;
+                budget.memory(TRIANGLE_MEMORY)?;
                 solid.add([a, b, c], budget);
             }
         } else if !["outer", "endloop", "endsolid", "color"]

@@ -56,16 +56,25 @@ impl<'a> Document<'a> {
             }
             buffers.push(bytes);
         }
-        #[cfg(feature = "meshopt")]
-        let decoded = super::meshopt::decode_views(&root, &buffers, budget)?;
-        #[cfg(not(feature = "meshopt"))]
-        let decoded = HashMap::new();
         Ok(Self {
             root,
             nodes,
             buffers,
-            decoded,
+            decoded: HashMap::new(),
         })
+    }
+
+    /// Takes the bytes of views that are compressed.
+    #[cfg(feature = "meshopt")]
+    pub(super) fn with_decoded(self, decoded: HashMap<usize, Vec<u8>>) -> Self {
+        Self { decoded, ..self }
+    }
+
+    /// The bytes of a buffer; none for a fallback of compressed views.
+    #[cfg(feature = "meshopt")]
+    pub(super) fn buffer(&self, place: &str, index: usize) -> Result<&[u8], LoadProblem> {
+        let buffer = item(&self.buffers, index, "buffer", place)?;
+        Ok(buffer.as_deref().unwrap_or_default())
     }
 
     /// The bytes of a buffer view.

@@ -1,17 +1,15 @@
 //! EXT_meshopt_compression and KHR_meshopt_compression: buffer views compressed by meshoptimizer (Arseny Kapoulkine), decoded by its own
 //! decoders, which are made for untrusted bytes.
 
-use super::document::{item, label};
+use super::document::{Document, label};
 use crate::budget::Budget;
 use crate::error::LoadProblem;
-use gltf::json::Root;
 use gltf::json::buffer::View;
 use meshopt::{
     decode_filter_color, decode_filter_exp, decode_filter_oct, decode_filter_quat,
     decode_index_buffer, decode_index_sequence, decode_vertex_buffer,
 };
 use serde::Deserialize;
-use std::borrow::Cow;
 use std::collections::HashMap;
 
 const NAMES: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
@@ -36,19 +34,17 @@ struct Compressed {
 /// # Errors
 /// A view whose description contradicts itself or its bytes; what exceeds the budget.
 pub(super) fn decode_views(
-    root: &Root,
-    buffers: &[Option<Cow<'_, [u8]>>],
+    document: &Document<'_>,
     budget: &mut Budget,
 ) -> Result<HashMap<usize, Vec<u8>>, LoadProblem> {
     let mut decoded = HashMap::new();
-    for (index, view) in root.buffer_views.iter().enumerate() {
+    for (index, view) in document.root.buffer_views.iter().enumerate() {
         let place = label("buffer view", index, view.name.as_deref());
         let Some(compressed) = compressed(view, &place)? else {
             continue;
         };
-        let bytes = item(buffers, compressed.buffer, "buffer", &place)?;
+        let bytes = document.buffer(&place, compressed.buffer)?;
         let end = compressed.byte_offset.checked_add(compressed.byte_length);
-        let bytes = bytes.as_deref().unwrap_or_default();
         let part = end.and_then(|end| bytes.get(compressed.byte_offset..end));
         let part = part.ok_or_else(|| LoadProblem::Truncated {
             what: format!("the compressed bytes of {place}"),

@@ -4,6 +4,7 @@
 use super::document::{Document, at, item, label};
 use super::extras;
 use super::geometry::{self, Request};
+use super::lights_and_cameras::{projection, punctual};
 use super::material::{self, Materials};
 use super::skin::Pose;
 use super::tree::Tree;
@@ -11,13 +12,9 @@ use crate::budget::Budget;
 use crate::error::LoadProblem;
 use crate::file_resolver::FileResolver;
 use crate::left_out::LostPart;
-use antumbra_scene::{
-    Camera, Drawable, EntityKey, Geometry, Light, Mesh, Projection, Scene, Topology,
-};
+use antumbra_scene::{Camera, Drawable, EntityKey, Geometry, Mesh, Scene, Topology};
 use glam::{DAffine3, DMat3, DQuat, DVec3, Vec3};
-use gltf::json::extensions::scene::khr_lights_punctual::Type as LightType;
 use gltf::json::scene::Node;
-use gltf::json::validation::Checked;
 use std::collections::{HashMap, VecDeque};
 
 /// Builds the file's scene, with the entity of each of its nodes.
@@ -368,50 +365,4 @@ fn transformed(mut geometry: Geometry, transform: &DAffine3) -> Geometry {
         *normal = turned.normalize_or_zero().as_vec3().to_array();
     }
     geometry
-}
-
-fn projection(camera: &gltf::json::Camera) -> Option<Projection> {
-    if let Some(perspective) = &camera.perspective {
-        return Some(Projection::Perspective {
-            fov_y: f64::from(perspective.yfov),
-            near: f64::from(perspective.znear),
-        });
-    }
-    camera
-        .orthographic
-        .as_ref()
-        .map(|orthographic| Projection::Orthographic {
-            height: f64::from(orthographic.ymag.abs()) * 2.0,
-            near: f64::from(orthographic.znear),
-            far: f64::from(orthographic.zfar),
-        })
-}
-
-fn punctual(source: &gltf::json::extensions::scene::khr_lights_punctual::Light) -> Option<Light> {
-    let (colour, intensity, range) = (source.color, source.intensity, source.range);
-    let Checked::Valid(kind) = source.type_ else {
-        return None;
-    };
-    Some(match kind {
-        LightType::Directional => Light::Directional {
-            colour,
-            illuminance: intensity,
-        },
-        LightType::Point => Light::Point {
-            colour,
-            intensity,
-            range,
-        },
-        LightType::Spot => Light::Spot {
-            colour,
-            intensity,
-            range,
-            inner: source
-                .spot
-                .as_ref()
-                .map_or(0.0, |spot| spot.inner_cone_angle),
-            outer: (source.spot.as_ref())
-                .map_or(std::f32::consts::FRAC_PI_4, |s| s.outer_cone_angle),
-        },
-    })
 }
