@@ -153,10 +153,10 @@ fn unfilter(filter: &str, stride: usize, bytes: &mut Vec<u8>) -> Result<(), Stri
     match (filter, stride) {
         ("NONE", _) => {}
         ("OCTAHEDRAL", 4) => decode_filter_oct(bytes_as_4(bytes)),
-        ("OCTAHEDRAL", 8) => in_shorts(bytes, |elements| decode_filter_oct(elements)),
+        ("OCTAHEDRAL", 8) => in_shorts(bytes, decode_filter_oct),
         ("COLOR", 4) => decode_filter_color(bytes_as_4(bytes)),
-        ("COLOR", 8) => in_shorts(bytes, |elements| decode_filter_color(elements)),
-        ("QUATERNION", 8) => in_shorts(bytes, |elements| decode_filter_quat(elements)),
+        ("COLOR", 8) => in_shorts(bytes, decode_filter_color),
+        ("QUATERNION", 8) => in_shorts(bytes, decode_filter_quat),
         ("EXPONENTIAL", _) => {
             let words = bytes.as_chunks::<4>().0.iter().copied();
             let mut words: Vec<[u32; 1]> = words.map(|word| [u32::from_le_bytes(word)]).collect();
