@@ -30,6 +30,7 @@ fuzz_target!(|data: &[u8]| {
         max_memory: MEMORY,
         max_work: 1 << 24,
         skip_images: false,
+        strict: false,
     };
     let format = formats[usize::from(*pick) % formats.len()];
     match load_slice(format, bytes, None, &options) {

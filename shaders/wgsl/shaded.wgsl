@@ -3,7 +3,8 @@
 //!import light
 //!import environment
 //!import packed_id
-// The shaded pass: base colour, Lambert and Blinn-Phong, alpha mask and blend and, with an environment, reflections of it.
+// The shaded pass: base colour, Lambert and Blinn-Phong, emission, alpha mask and blend and, with an environment, reflections of it. Meshes
+// without normals are shaded flat.
 
 // 0 opaque, 1 mask, 2 blend. A pipeline constant, so that opaque geometry keeps its early depth test.
 override alpha_mode: u32 = 0u;
@@ -51,16 +52,32 @@ const GLOSS: f32 = 0.12;
 // Reflectance of the environment at normal incidence, for dielectrics.
 const DIELECTRIC: f32 = 0.04;
 
-fn facing(normal: vec3<f32>, eye: vec3<f32>, front: bool) -> vec3<f32> {
+// The unit normal of the plane in which the neighbouring pixels lie, on the eye's side: flat shading. For lines and points, which lie in none,
+// the direction to the eye. It takes derivatives, so all pixels of a triangle must call it.
+fn plane_normal(relative: vec3<f32>, eye: vec3<f32>) -> vec3<f32> {
+    let right = dpdx(relative);
+    let down = dpdy(relative);
+    let lengths = vec2<f32>(dot(right, right), dot(down, down));
+    // Of unit vectors, so that nothing overflows or vanishes at any scale of the scene.
+    let across = cross(right * inverseSqrt(max(lengths.x, 1e-36)), down * inverseSqrt(max(lengths.y, 1e-36)));
+    let size = dot(across, across);
+    let unit = across * inverseSqrt(max(size, 1e-36));
+    let towards_eye = select(-unit, unit, dot(unit, eye) > 0.0);
+    return select(eye, towards_eye, size > 1e-6);
+}
+
+// `plane` is the normal where the mesh has none, or is scaled to zero.
+fn facing(normal: vec3<f32>, plane: vec3<f32>, front: bool) -> vec3<f32> {
     let size = dot(normal, normal);
-    // A mesh without normals, or one that is scaled to zero, is lit as if it faced the eye.
-    let unit = select(eye, normal * inverseSqrt(size), size > 1e-30);
-    return select(-unit, unit, front);
+    let unit = normal * inverseSqrt(max(size, 1e-30));
+    return select(plane, select(-unit, unit, front), size > 1e-30);
 }
 
 fn shade(in: Varying, front: bool) -> vec4<f32> {
     let material = materials[in.material];
     let base = base_colour(material, in.uv, in.colour);
+    let eye = -normalize(in.relative);
+    let plane = plane_normal(in.relative, eye);
     if alpha_mode == ALPHA_MASK && base.a < material.alpha_cutoff {
         discard;
     }
@@ -68,9 +85,8 @@ fn shade(in: Varying, front: bool) -> vec4<f32> {
     if material.unlit != 0u {
         return vec4<f32>(base.rgb, alpha);
     }
-    let eye = -normalize(in.relative);
-    let normal = facing(in.normal, eye, front);
-    let start = base.rgb * lights.ambient;
+    let normal = facing(in.normal, plane, front);
+    let start = base.rgb * lights.ambient + material.emission;
     return vec4<f32>(lit(start, base.rgb, vec3<f32>(GLOSS), normal, eye, in.relative), alpha);
 }
 
@@ -79,6 +95,8 @@ fn shade(in: Varying, front: bool) -> vec4<f32> {
 fn shade_reflecting(in: Varying, front: bool) -> vec4<f32> {
     let material = materials[in.material];
     let base = base_colour(material, in.uv, in.colour);
+    let eye = -normalize(in.relative);
+    let plane = plane_normal(in.relative, eye);
     if alpha_mode == ALPHA_MASK && base.a < material.alpha_cutoff {
         discard;
     }
@@ -86,8 +104,7 @@ fn shade_reflecting(in: Varying, front: bool) -> vec4<f32> {
     if material.unlit != 0u {
         return vec4<f32>(base.rgb, alpha);
     }
-    let eye = -normalize(in.relative);
-    let normal = facing(in.normal, eye, front);
+    let normal = facing(in.normal, plane, front);
     let facing_eye = clamp(dot(normal, eye), 0.0, 1.0);
     let grazing = 1.0 - facing_eye;
     let grazing_squared = grazing * grazing;
@@ -98,7 +115,7 @@ fn shade_reflecting(in: Varying, front: bool) -> vec4<f32> {
     let irradiance = environment(normal, ENVIRONMENT_ROUGHEST, ENVIRONMENT_ROUGHEST_INSET);
     let diffuse = base.rgb * (1.0 - material.metallic);
     let gloss = mix(vec3<f32>(GLOSS), base.rgb, material.metallic);
-    let start = (diffuse * irradiance + reflected * mirrored) * lights.ambient;
+    let start = (diffuse * irradiance + reflected * mirrored) * lights.ambient + material.emission;
     return vec4<f32>(lit(start, diffuse, gloss, normal, eye, in.relative), alpha);
 }
 

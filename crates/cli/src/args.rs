@@ -1,5 +1,6 @@
 //! What the command line takes.
 
+mod load;
 mod prepare;
 mod segy;
 mod value;
@@ -12,6 +13,7 @@ use antumbra::measure::stereo_picture::StereoLayout;
 use antumbra::measure::trade_off::ErrorLimit;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 
+pub use load::LoadArgs;
 pub use prepare::{Kind, Made, PrepareArgs, TerrainArgs, Way};
 pub use value::{PathArg, SceneSetting};
 pub use view::ViewArgs;

@@ -6,6 +6,7 @@ mod path;
 use std::path::Path;
 
 use antumbra::cull::{Gpu, ViewSpec};
+use antumbra::formats::LeftOut;
 use antumbra::measure::compare::Script;
 use antumbra::measure::path::CameraPath;
 use antumbra::measure::views;
@@ -39,6 +40,8 @@ pub struct Input {
     pub sections: Option<VolumeSections>,
     /// The strategy that knows the scene's terrain.
     pub horizon: Option<HorizonStrategy>,
+    /// What the scene lacks of its file.
+    pub left_out: LeftOut,
 }
 
 /// What is drawn where the command line names nothing.
@@ -105,6 +108,7 @@ impl Input {
             scene_seed: found.seed,
             horizon,
             sections: found.sections,
+            left_out: found.left_out,
         })
     }
 

@@ -3,16 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use antumbra::demo_scenes::terrain::TerrainSceneOptions;
-use antumbra::formats::{
-    LoadOptions, RasterFormat, RasterOptions, SceneFormat, Units, load_raster_with,
-    load_with_attachments,
-};
+use antumbra::formats::{RasterFormat, RasterOptions, SceneFormat, Units, load_raster_with};
 use antumbra::terrain::{
     Field, PreparedScene, RasterDetail, Terrain, TerrainError, TerrainOptions,
 };
 
+use crate::args::LoadArgs;
 use crate::failure::Failure;
-use crate::{notes, progress};
+use crate::{notes, progress, scene_file};
 
 /// The default number of vertices of a field over a raster; a smaller raster has a vertex for every post.
 pub const VERTICES: usize = 100_000;
@@ -42,12 +40,12 @@ pub struct FieldOfFile {
 }
 
 /// How a field is read.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct FieldReading {
+#[derive(Debug, Clone, Copy)]
+pub struct FieldReading<'a> {
     /// The detail of a raster's field; by default a number of vertices.
     pub detail: Option<RasterDetail>,
-    /// The memory that the file may take.
-    pub memory: Option<u64>,
+    /// How the file is loaded.
+    pub load: &'a LoadArgs,
     /// The units of a raster.
     pub units: Option<Units>,
     /// Whether nothing is said.
@@ -58,9 +56,8 @@ pub struct FieldReading {
 ///
 /// # Errors
 /// What is wrong with the file; [`Failure::Usage`] for a detail of a mesh.
-pub fn field(file: &Path, reading: &FieldReading) -> Result<FieldOfFile, Failure> {
+pub fn field(file: &Path, reading: &FieldReading<'_>) -> Result<FieldOfFile, Failure> {
     let FieldReading { detail, quiet, .. } = *reading;
-    let options = load_options(reading.memory);
     let named = |error| match error {
         TerrainError::Setting { .. } => Failure::Terrain(error),
         _ => Failure::Field {
@@ -72,7 +69,7 @@ pub fn field(file: &Path, reading: &FieldReading) -> Result<FieldOfFile, Failure
         let detail = detail.unwrap_or(RasterDetail::Vertices(VERTICES));
         let bar = progress::spin("reading", quiet);
         let raster_options = RasterOptions {
-            max_memory: options.max_memory,
+            max_memory: scene_file::options(reading.load).max_memory,
             units: reading.units.unwrap_or_default(),
             latitude: None,
         };
@@ -92,20 +89,11 @@ pub fn field(file: &Path, reading: &FieldReading) -> Result<FieldOfFile, Failure
             file.display()
         )));
     }
-    let loaded = load_with_attachments(file, &options, &[])?;
+    let loaded = scene_file::load(file, &[], reading.load, quiet)?;
     Ok(FieldOfFile {
         field: Field::from_scene(&loaded.scene).map_err(named)?,
         files: loaded.files,
     })
-}
-
-/// The limits of a load, with the memory that the command line allows.
-pub fn load_options(memory: Option<u64>) -> LoadOptions {
-    let usual = LoadOptions::default();
-    LoadOptions {
-        max_memory: memory.unwrap_or(usual.max_memory),
-        ..usual
-    }
 }
 
 /// Prepares a field.

@@ -20,6 +20,7 @@ mod notes;
 mod outputs;
 mod print;
 mod progress;
+mod scene_file;
 mod strategies;
 mod vary;
 mod volume_source;

@@ -2,6 +2,7 @@
 
 use antumbra::cull::Gpu;
 use antumbra::measure::compare::{CompareOptions, Comparison, Contender, Script, compare_scripted};
+use antumbra::measure::report::MissingParts;
 
 use crate::args::ViewArgs;
 use crate::failure::Failure;
@@ -58,6 +59,14 @@ pub fn measure(
         return Err(Failure::Interrupted(interruption));
     }
     let mut comparison = comparison?;
+    let losses = input.left_out.losses().iter();
+    comparison.report.scene.left_out = losses
+        .map(|loss| MissingParts {
+            part: loss.part.name(loss.count).to_owned(),
+            count: loss.count,
+            reason: loss.reason.clone(),
+        })
+        .collect();
     let seeds = &mut comparison.report.seeds;
     seeds.insert("path".to_owned(), view.seed);
     if let Some(seed) = input.scene_seed {

@@ -19,6 +19,8 @@ pub struct GpuMaterial {
     roughness: f32,
     environment_level: f32,
     environment_inset: f32,
+    emission: [f32; 3],
+    padding: f32,
 }
 
 impl From<&Material> for GpuMaterial {
@@ -44,8 +46,16 @@ impl From<&Material> for GpuMaterial {
             roughness,
             environment_level: level as f32,
             environment_inset: environment::inset(level),
+            emission: material.emission.map(|light| {
+                if light.is_finite() {
+                    light.max(0.0)
+                } else {
+                    0.0
+                }
+            }),
+            padding: 0.0,
         }
     }
 }
 
-assert_layout!(GpuMaterial, "shaded", "Material", { base_colour, uv_u, alpha_cutoff, uv_v, unlit, metallic, roughness, environment_level, environment_inset });
+assert_layout!(GpuMaterial, "shaded", "Material", { base_colour, uv_u, alpha_cutoff, uv_v, unlit, metallic, roughness, environment_level, environment_inset, emission, padding });

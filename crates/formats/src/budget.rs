@@ -1,6 +1,7 @@
-//! The amounts that a file has used of its limits.
+//! The amounts that a file has used of its limits, and what was left out of it.
 
 use crate::error::LoadProblem;
+use crate::left_out::LeftOut;
 use crate::options::LoadOptions;
 use antumbra_files::MemoryBudget;
 use std::collections::BTreeSet;
@@ -28,6 +29,8 @@ mod cost {
 /// Counts against [`LoadOptions`], checked before memory is allocated.
 pub(super) struct Budget {
     pub(super) options: LoadOptions,
+    /// What the reader left out so far.
+    pub(super) left_out: LeftOut,
     bytes: u64,
     vertices: u64,
     triangles: u64,
@@ -44,6 +47,7 @@ impl Budget {
     pub(super) fn new(options: &LoadOptions) -> Self {
         Self {
             options: options.clone(),
+            left_out: LeftOut::default(),
             bytes: 0,
             vertices: 0,
             triangles: 0,
@@ -64,6 +68,12 @@ impl Budget {
     /// Takes memory for the present part.
     pub(super) fn memory(&mut self, bytes: u64) -> Result<(), LoadProblem> {
         Ok(self.memory.take(bytes, || &self.part)?)
+    }
+
+    /// The bytes of memory that are left.
+    #[cfg(feature = "draco")]
+    pub(super) fn memory_left(&self) -> u64 {
+        self.memory.left()
     }
 
     /// Takes memory for a mesh or a name of this length.
@@ -101,8 +111,8 @@ impl Budget {
     }
 
     /// The files that were read, each once, in the order of their paths.
-    pub(super) fn into_files(self) -> Vec<PathBuf> {
-        self.files.into_iter().collect()
+    pub(super) fn take_files(&mut self) -> Vec<PathBuf> {
+        std::mem::take(&mut self.files).into_iter().collect()
     }
 
     /// The number of bytes that may still be read from files.

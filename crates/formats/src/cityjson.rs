@@ -4,15 +4,15 @@
 //! of one mesh, and the coarsest of them its proxy. The format is Delft University of Technology's (Hugo Ledoux and
 //! others, "CityJSON: a compact and easy-to-use encoding of the CityGML data model", 2019).
 //!
-//! All surfaces and solids are read. Points, lines, template instances, textures and attributes are not. Objects keep
-//! their true coordinates, east along X, up along Y and south along Z.
+//! All geometries are read: surfaces, solids, lines, points, and instances of templates. Textures and attributes are not. Objects keep their
+//! true coordinates, east along X, up along Y and south along Z.
 
 mod boundary;
 mod document;
 mod error;
 mod materials;
 mod scene_builder;
-mod surface;
+mod templates;
 mod tree;
 
 use crate::budget::Budget;

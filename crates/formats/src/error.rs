@@ -197,17 +197,30 @@ pub enum LoadProblem {
         /// The problem.
         problem: String,
     },
-    /// An image that cannot be decoded.
-    #[error("{image}: {problem}; set LoadOptions::skip_images to load the scene without images")]
-    BadImage {
-        /// Which one.
-        image: String,
-        /// The problem.
-        problem: String,
+    /// Parts of the file were left out, and [`LoadOptions::strict`](crate::LoadOptions::strict) forbids it.
+    #[error(
+        "a strict load leaves nothing out, but these would be: {left_out}; load it without strictness, or export it without them"
+    )]
+    LeftOut {
+        /// The parts, by kind and reason.
+        left_out: String,
+    },
+    /// The scene shows nothing.
+    #[error("it has nothing to draw{}", reason_for_nothing(left_out))]
+    NothingToDraw {
+        /// What was left out; empty for a file that has nothing.
+        left_out: String,
     },
     /// The scene refused what was read.
     #[error(transparent)]
     Scene(#[from] SceneError),
+}
+
+fn reason_for_nothing(left_out: &str) -> String {
+    match left_out {
+        "" => ": no mesh, line or point is in it; export it again with its geometry".to_owned(),
+        left_out => format!(": left out were {left_out}"),
+    }
 }
 
 pub(crate) use antumbra_files::words::name as shorten;

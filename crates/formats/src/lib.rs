@@ -3,9 +3,12 @@
 //! Files are treated as hostile: sizes that a file declares are checked against its length before memory is
 //! allocated, within the limits of [`LoadOptions`]. Every error names the file and the remedy.
 //!
+//! What a reader can do without, such as an image, is left out, and [`LoadedScene::left_out`] says so: nothing is lost in
+//! silence.
+//!
 //! There is one folder or file per format (`gltf`, `obj`, `ply`, `stl`, `cityjson`, `raster`). `load` chooses among
 //! the scene formats. `options` and `budget` limit what a file may use, `file_resolver` and `image` read what it
-//! refers to.
+//! refers to, `polygon` and `local_origin` make triangles and positions of what several formats have.
 //!
 //! ```
 //! use antumbra_formats::{LoadOptions, SceneFormat, load, load_slice, save_glb};
@@ -28,17 +31,25 @@ mod error;
 mod file_resolver;
 mod gltf;
 mod image;
+#[cfg(feature = "basisu")]
+mod ktx2;
+mod left_out;
 mod load;
+mod local_origin;
+mod normals;
 mod obj;
 mod options;
 mod ply;
+mod polygon;
 pub mod raster;
 mod read_scene;
+mod single;
 mod stl;
 pub mod units;
 
 pub use error::{LoadError, LoadProblem};
 pub use gltf::{Attachment, SaveError, SaveProblem, save_glb, save_glb_with_attachments};
+pub use left_out::{LeftOut, Loss, LostPart};
 pub use load::{
     LoadedScene, SceneFormat, load, load_gltf_slice, load_slice, load_slice_with_attachments,
     load_with_attachments,

@@ -7,11 +7,11 @@ use crate::budget::Budget;
 use crate::error::{LoadError, LoadProblem};
 use crate::file_resolver::{self, FileResolver};
 use crate::gltf::Attachment;
+use crate::left_out::LeftOut;
 use crate::options::LoadOptions;
 use crate::read_scene::ReadScene;
 use crate::{cityjson, gltf, obj, ply, stl};
-use antumbra_scene::{Drawable, Geometry, Material, Mesh, Scene};
-use glam::DAffine3;
+use antumbra_scene::{Geometry, Scene};
 use std::path::{Path, PathBuf};
 
 /// The scene formats that can be read.
@@ -58,6 +58,31 @@ pub struct LoadedScene {
     pub attachments: Vec<Result<Attachment, LoadError>>,
     /// The files that were read, each once: the scene's own, and those that it refers to.
     pub files: Vec<PathBuf>,
+    /// What the scene lacks of the file.
+    pub left_out: LeftOut,
+}
+
+impl LoadedScene {
+    /// The scene, and what belongs to it, unless it has nothing to draw: neither a triangle nor a line nor a point. Files of cameras or
+    /// lights alone are scenes too, so loading does not refuse them.
+    ///
+    /// # Errors
+    /// [`LoadProblem::NothingToDraw`], with what was left out.
+    pub fn drawable(self) -> Result<Self, LoadProblem> {
+        let has_indices = |geometry: &Geometry| !geometry.indices.is_empty();
+        let mut drawables = self.scene.drawables();
+        let shown = drawables.any(|(_, drawable)| {
+            let mesh = self.scene.mesh(drawable.mesh);
+            mesh.and_then(|mesh| mesh.full()).is_some_and(has_indices)
+        });
+        drop(drawables);
+        match shown {
+            true => Ok(self),
+            false => Err(LoadProblem::NothingToDraw {
+                left_out: self.left_out.to_string(),
+            }),
+        }
+    }
 }
 
 /// Loads a scene from a file. The extension determines the format (.glb, .gltf, .json and .jsonl for CityJSON, .obj,
@@ -100,6 +125,7 @@ pub fn load_with_attachments(
         mut scene,
         attachments,
     } = read().map_err(error)?;
+    let left_out = left_out(&mut budget).map_err(error)?;
     if let Some(stem) = path.file_stem().and_then(|stem| stem.to_str()) {
         scene.set_name(stem);
     }
@@ -107,7 +133,8 @@ pub fn load_with_attachments(
     Ok(LoadedScene {
         scene,
         attachments: attachments.map(|found| found.map_err(error)).collect(),
-        files: budget.into_files(),
+        files: budget.take_files(),
+        left_out,
     })
 }
 
@@ -143,11 +170,13 @@ pub fn load_slice_with_attachments(
     let ReadScene { scene, attachments } = (budget.bytes(bytes.len() as u64))
         .and_then(|()| read_format(format, bytes, base, attachments, &mut budget))
         .map_err(error)?;
+    let left_out = left_out(&mut budget).map_err(error)?;
     let attachments = attachments.into_iter();
     Ok(LoadedScene {
         scene,
         attachments: attachments.map(|found| found.map_err(error)).collect(),
-        files: budget.into_files(),
+        files: budget.take_files(),
+        left_out,
     })
 }
 
@@ -163,6 +192,21 @@ pub fn load_gltf_slice(
     load_slice(SceneFormat::Gltf, bytes, base, options)
 }
 
+/// What the reader left out.
+///
+/// # Errors
+/// [`LoadProblem::LeftOut`] where the load is strict and anything but shading details was left out.
+fn left_out(budget: &mut Budget) -> Result<LeftOut, LoadProblem> {
+    let left_out = std::mem::take(&mut budget.left_out);
+    let grave = left_out.without_shading();
+    if budget.options.strict && !grave.is_empty() {
+        return Err(LoadProblem::LeftOut {
+            left_out: grave.to_string(),
+        });
+    }
+    Ok(left_out)
+}
+
 fn read_format(
     format: SceneFormat,
     bytes: &[u8],
@@ -175,28 +219,11 @@ fn read_format(
         SceneFormat::CityJson => cityjson::read(bytes, budget),
         SceneFormat::Gltf => return gltf::read::read(bytes, &files, attachments, budget),
         SceneFormat::Obj => obj::read(bytes, &files, budget),
-        SceneFormat::Ply => single("ply", ply::read(bytes, budget)?),
-        SceneFormat::Stl => single("stl", stl::read(bytes, budget)?),
+        SceneFormat::Ply => ply::read(bytes, budget),
+        SceneFormat::Stl => stl::read(bytes, budget),
     };
     Ok(ReadScene {
         scene: scene?,
         attachments: Vec::new(),
     })
-}
-
-/// A scene with one entity, for the formats with one mesh.
-fn single(name: &str, geometry: Geometry) -> Result<Scene, LoadProblem> {
-    let mut scene = Scene::new();
-    let drawable = Drawable {
-        mesh: scene.add_mesh(Mesh::new(name, geometry))?,
-        material: scene.add_material(Material {
-            // In such files the winding of triangles is not reliable.
-            double_sided: true,
-            ..Material::default()
-        }),
-    };
-    let entity = scene.spawn(None, DAffine3::IDENTITY)?;
-    scene.set_entity_name(entity, name)?;
-    scene.set_drawable(entity, drawable)?;
-    Ok(scene)
 }

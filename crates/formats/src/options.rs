@@ -24,6 +24,8 @@ pub struct LoadOptions {
     pub max_work: u64,
     /// Whether images are left out. Materials keep their colours.
     pub skip_images: bool,
+    /// Whether a file is refused of which anything but shading details is left out.
+    pub strict: bool,
 }
 
 impl Default for LoadOptions {
@@ -38,6 +40,7 @@ impl Default for LoadOptions {
             max_memory: antumbra_files::default_memory(),
             max_work: 1 << 30,
             skip_images: false,
+            strict: false,
         }
     }
 }

@@ -1,101 +1,105 @@
-//! STL, read by the crate `stl_io`. The count is checked against the bytes first. Binary files are distinguished from
-//! ASCII ones by their length, since many binary files begin with "solid" as well.
+//! STL, ASCII and binary. The count is checked against the bytes first. Binary files are distinguished from ASCII ones by their length, since
+//! many binary files begin with "solid" as well.
+//!
+//! Each solid becomes an entity. The corners of its triangles are welded by position. A triangle's normal is that of its plane: the stored one,
+//! which the format requires to be the same, is often zero or wrong. The crate `stl_io` is not used, since it reads the first solid alone, and
+//! that only in lower case.
+
+mod ascii;
+mod solid;
 
 use crate::budget::Budget;
 use crate::error::LoadProblem;
-use antumbra_scene::Geometry;
-use std::collections::HashMap;
-use std::io::Cursor;
+use crate::local_origin::localise;
+use antumbra_scene::{Geometry, Scene};
+use glam::DVec3;
+use solid::{Solid, TRIANGLE_MEMORY};
 
 const HEADER: usize = 80;
 const TRIANGLE: u64 = 50;
-/// Bytes of memory of a triangle's corners while they are welded.
-const TRIANGLE_MEMORY: u64 = 128;
 
-/// Reads the triangles and welds their corners by position. The stored normals are ignored, since they are often
-/// zero.
-pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Geometry, LoadProblem> {
-    let body = binary_body(bytes);
-    if !is_ascii(bytes) {
-        let BinaryBody { available, count } = body.ok_or_else(|| LoadProblem::Truncated {
-            what: "a binary STL's header".into(),
-            needed: HEADER as u64 + 4,
-            available: bytes.len() as u64,
-        })?;
-        let needed = u64::from(count) * TRIANGLE;
-        if needed > available {
-            return Err(LoadProblem::Truncated {
-                what: format!("{count} triangles"),
-                needed,
-                available,
-            });
-        }
-        budget.triangles(u64::from(count))?;
-        // The crate would read a header with "solid" as ASCII.
-        let disguised = bytes.starts_with(b"solid").then(|| {
-            let mut copy = bytes.to_vec();
-            copy.iter_mut().take(5).for_each(|byte| *byte = 0);
-            copy
-        });
-        return collect(disguised.as_deref().unwrap_or(bytes), budget);
+/// Reads the solids.
+pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Scene, LoadProblem> {
+    let mut scene = Scene::new();
+    let mut solids = match text(bytes) {
+        Some(text) => ascii::read(&text, budget)?,
+        None => vec![binary(bytes, budget)?],
+    };
+    if solids.len() > 1 {
+        solids.retain(|solid| !solid.indices.is_empty());
     }
-    // The crate requires a space even without a name.
-    let spaced = (!bytes.starts_with(b"solid ")).then(|| {
-        let rest = bytes.get(5..).unwrap_or_default();
-        [b"solid ", rest].concat()
-    });
-    collect(spaced.as_deref().unwrap_or(bytes), budget)
+    for solid in solids {
+        budget.entities(1)?;
+        budget.vertices(solid.corners.len() as u64)?;
+        let local = localise(solid.corners.iter().copied());
+        let transform = local.transform();
+        let geometry = Geometry {
+            positions: local.positions,
+            indices: solid.indices,
+            ..Geometry::default()
+        };
+        crate::single::spawn(&mut scene, &solid.name, geometry, transform)?;
+    }
+    Ok(scene)
 }
 
-fn collect(bytes: &[u8], budget: &mut Budget) -> Result<Geometry, LoadProblem> {
-    let broken = |place: String, problem: std::io::Error| LoadProblem::Syntax {
-        format: "STL",
-        place,
-        problem: problem.to_string(),
-    };
-    let mut cursor = Cursor::new(bytes);
-    let triangles =
-        stl_io::create_stl_reader(&mut cursor).map_err(|e| broken("the header".into(), e))?;
-    let mut geometry = Geometry::default();
-    let mut known: HashMap<[u32; 3], u32> = HashMap::new();
-    for (i, triangle) in triangles.enumerate() {
-        let triangle = triangle.map_err(|e| broken(format!("triangle {i}"), e))?;
-        // Three corners, each with an entry in the map.
-        budget.memory(TRIANGLE_MEMORY)?;
-        for corner in triangle.vertices {
-            let position: [f32; 3] = corner.into();
-            let next = known.len() as u32;
-            let index = *known.entry(position.map(f32::to_bits)).or_insert(next);
-            if index == next {
-                geometry.positions.push(position);
-            }
-            geometry.indices.push(index);
-        }
+fn binary(bytes: &[u8], budget: &mut Budget) -> Result<Solid, LoadProblem> {
+    let BinaryBody { body, count } = binary_body(bytes).ok_or_else(|| LoadProblem::Truncated {
+        what: "a binary STL's header".into(),
+        needed: HEADER as u64 + 4,
+        available: bytes.len() as u64,
+    })?;
+    let needed = u64::from(count) * TRIANGLE;
+    if needed > body.len() as u64 {
+        return Err(LoadProblem::Truncated {
+            what: format!("{count} triangles"),
+            needed,
+            available: body.len() as u64,
+        });
     }
-    budget.vertices(geometry.positions.len() as u64)?;
-    Ok(geometry)
+    budget.triangles(u64::from(count))?;
+    budget.mesh("stl")?;
+    budget.memory(u64::from(count) * TRIANGLE_MEMORY)?;
+    let mut solid = Solid::named("");
+    let triangles = body.as_chunks::<{ TRIANGLE as usize }>().0;
+    for triangle in triangles.iter().take(count as usize) {
+        // The normal's three numbers, then those of the corners.
+        let numbers = triangle.as_chunks::<4>().0;
+        let mut numbers = numbers
+            .iter()
+            .skip(3)
+            .map(|b| f64::from(f32::from_le_bytes(*b)));
+        let mut next = || numbers.next().unwrap_or_default();
+        let corners = [(); 3].map(|()| DVec3::new(next(), next(), next()));
+        solid.add(corners, budget);
+    }
+    Ok(solid)
 }
 
 /// The body of a binary file.
-struct BinaryBody {
-    /// Bytes after the count.
-    available: u64,
+struct BinaryBody<'a> {
+    /// What follows the count.
+    body: &'a [u8],
     /// The number of triangles.
     count: u32,
 }
 
 /// The body of a binary file; `None` if it is too short.
-fn binary_body(bytes: &[u8]) -> Option<BinaryBody> {
-    let count = bytes.get(HEADER..)?.first_chunk::<4>()?;
-    let available = bytes.len() - HEADER - 4;
+fn binary_body(bytes: &[u8]) -> Option<BinaryBody<'_>> {
+    let (count, body) = bytes.get(HEADER..)?.split_first_chunk::<4>()?;
     Some(BinaryBody {
-        available: available as u64,
+        body,
         count: u32::from_le_bytes(*count),
     })
 }
 
-fn is_ascii(bytes: &[u8]) -> bool {
-    let exact =
-        binary_body(bytes).is_some_and(|body| body.available == u64::from(body.count) * TRIANGLE);
-    bytes.starts_with(b"solid") && !exact
+/// The text of an ASCII file; `None` for a binary one.
+fn text(bytes: &[u8]) -> Option<String> {
+    let exact = binary_body(bytes)
+        .is_some_and(|body| body.body.len() as u64 == u64::from(body.count) * TRIANGLE);
+    let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let start = start.trim_ascii_start();
+    let word = start.get(..5).unwrap_or_default();
+    let is_text = word.eq_ignore_ascii_case(b"solid") || word.eq_ignore_ascii_case(b"facet");
+    (is_text && !exact).then(|| String::from_utf8_lossy(start).into_owned())
 }

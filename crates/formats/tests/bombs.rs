@@ -293,6 +293,38 @@ fn objects_of_an_obj_are_paid_for_with_what_becomes_of_them() {
 }
 
 #[test]
+fn polygons_of_many_corners_are_bounded() {
+    let _turn = turn();
+    // A comb of 4,000 teeth, named a thousand times. Its first corner does not see it whole.
+    let corners: String = (0..4_000)
+        .map(|i| format!("v {i} {} 0\n", if i % 2 == 0 { 0 } else { 100 }))
+        .collect();
+    let face: String = (1..=4_002).map(|i| format!(" {i}")).collect();
+    let bomb = comb_of(&corners) + &format!("f{face}\n").repeat(1000);
+    let options = LoadOptions {
+        max_work: 1 << 24,
+        ..LoadOptions::default()
+    };
+    let error = load_slice(SceneFormat::Obj, bomb.as_bytes(), None, &options).unwrap_err();
+    let message = error.to_string();
+    assert!(message.contains("max_work"), "{message}");
+    // A single one beyond the most is left out.
+    let wide: String = (1..=9_000).map(|i| format!(" {}", i % 4_002 + 1)).collect();
+    let scene = load_slice(
+        SceneFormat::Obj,
+        (comb_of(&corners) + &format!("f{wide}\n")).as_bytes(),
+        None,
+        &options,
+    )
+    .unwrap();
+    assert_eq!(scene.triangle_count(), 0);
+}
+
+fn comb_of(corners: &str) -> String {
+    format!("v 0 -1 0\n{corners}v 4000 -1 0\n")
+}
+
+#[test]
 fn triangles_of_an_stl_are_paid_for() {
     let _turn = turn();
     let bomb = common::stl_binary(b"bomb", 300_000);

@@ -229,6 +229,7 @@ pub fn compare_scripted(
             size: options.size,
             samples: options.samples,
             frames: path.poses().len() as u64,
+            left_out: Vec::new(),
         },
         noise: Noise {
             frame_time_ratio_p95: noise,

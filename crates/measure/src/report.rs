@@ -86,6 +86,20 @@ pub struct SceneFacts {
     pub samples: u32,
     /// Poses of the path; each is one frame.
     pub frames: u64,
+    /// What the scene lacks of its file; empty where nothing was left out.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<MissingParts>,
+}
+
+/// Parts of a scene's file that were left out for one reason.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct MissingParts {
+    /// Their kind: `image`, `animation`, ...
+    pub part: String,
+    /// Their number.
+    pub count: u64,
+    /// Why.
+    pub reason: String,
 }
 
 /// Older reports do not say: they are of one sample a pixel.

@@ -5,7 +5,7 @@ use std::io::IsTerminal;
 use unicode_width::UnicodeWidthStr;
 
 use crate::format;
-use crate::report::{Report, StrategyReport};
+use crate::report::{MissingParts, Report, StrategyReport};
 
 mod eyes;
 mod sweep;
@@ -345,9 +345,25 @@ pub fn facts(report: &Report) -> [String; 2] {
         Some(ratio) => format!("noise {} %", format::percent((ratio - 1.0) * 100.0)),
         None => "noise not measured".to_owned(),
     };
+    let missing = scene.left_out.iter().map(|parts| {
+        let MissingParts {
+            part,
+            count,
+            reason,
+        } = parts;
+        format!(
+            "{count} {} ({})",
+            format::clean(part),
+            format::clean(reason)
+        )
+    });
+    let missing = match missing.collect::<Vec<_>>().join(", ") {
+        none if none.is_empty() => none,
+        parts => format!("; left out of its file: {parts}"),
+    };
     [
         format!(
-            "scene {}: {}, {}; {width} x {height} pixels{samples}, {}{eyes}, {}{path}",
+            "scene {}: {}, {}; {width} x {height} pixels{samples}, {}{eyes}, {}{path}{missing}",
             format::clean(&scene.name),
             format::plural(scene.entities, "entity"),
             format::plural(scene.triangles, "triangle"),

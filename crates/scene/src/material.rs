@@ -19,6 +19,8 @@ pub struct Material {
     /// Roughness: 0 is a mirror, 1 reflects equally from all sides. Used only where the scene has an
     /// [`Environment`](crate::Environment).
     pub roughness: f32,
+    /// Linear RGB that the surface adds by itself, whatever light falls on it; 0 for none, more than 1 for a strong one.
+    pub emission: [f32; 3],
     /// The meaning of alpha.
     pub alpha: AlphaMode,
     /// Whether back faces are drawn.
@@ -36,6 +38,7 @@ impl Default for Material {
             uv_transform: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
             metallic: 0.0,
             roughness: 1.0,
+            emission: [0.0; 3],
             alpha: AlphaMode::Opaque,
             double_sided: false,
             unlit: false,

@@ -46,7 +46,7 @@ pub struct Geometry {
     pub topology: Topology,
     /// Positions in metres.
     pub positions: Vec<[f32; 3]>,
-    /// Unit vectors, or empty.
+    /// Unit vectors; empty for flat shading, in which each triangle has the normal of its plane.
     pub normals: Vec<[f32; 3]>,
     /// Texture coordinates, (0, 0) the image's upper left, or empty.
     pub uvs: Vec<[f32; 2]>,

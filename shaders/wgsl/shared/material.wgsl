@@ -15,6 +15,9 @@ struct Material {
     // The level of the environment map that a surface of this roughness reflects, and that level's inset.
     environment_level: f32,
     environment_inset: f32,
+    // Linear light that the surface adds by itself.
+    emission: vec3<f32>,
+    padding: f32,
 }
 
 @group(1) @binding(0) var<storage, read> materials: array<Material>;

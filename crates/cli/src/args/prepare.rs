@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use antumbra::files::parse_size;
 use antumbra::formats::Units;
 use antumbra::terrain::Method;
 use clap::{Args as ClapArgs, ValueEnum};
 
+use super::load::LoadArgs;
 use super::segy::SegyArgs;
 use super::value::{Samples, method};
 
@@ -26,9 +26,6 @@ pub struct PrepareArgs {
     /// the built-in terrain become a terrain; several rasters and all else become sub-surface
     #[arg(long = "as", value_enum, value_name = "WHAT")]
     pub made: Option<Made>,
-    /// The memory that a file may take, with everything that is made of it: 4GiB, 512MiB. By default half of what the machine has free
-    #[arg(long, value_name = "SIZE", value_parser = parse_size)]
-    pub memory: Option<u64>,
     /// The unit of places and heights in the files: m, ft, us-ft, degrees, or one for places and one for heights, as degrees,ft. By default what
     /// each file says; a line says what was assumed
     #[arg(long, value_name = "PLACES[,HEIGHTS]")]
@@ -36,6 +33,8 @@ pub struct PrepareArgs {
     /// Print nothing but errors
     #[arg(long)]
     pub quiet: bool,
+    #[command(flatten, next_help_heading = "Scene files")]
+    pub load: LoadArgs,
     #[command(flatten, next_help_heading = "Terrains")]
     pub terrain: TerrainArgs,
     #[command(flatten, next_help_heading = "Sub-surface models")]

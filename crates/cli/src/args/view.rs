@@ -4,10 +4,10 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use antumbra::cull::AdapterChoice;
-use antumbra::files::parse_size;
 use antumbra::formats::Units;
 use clap::Args as ClapArgs;
 
+use super::load::LoadArgs;
 use super::segy::SegyArgs;
 use super::value::{LensAt, PathArg, Size, SliceAt};
 use crate::eyes::StereoArgs;
@@ -41,9 +41,6 @@ pub struct ViewArgs {
     /// Print nothing but errors and, where it is a graph, the result itself
     #[arg(long)]
     pub quiet: bool,
-    /// The memory that a file may take, with everything that is made of it: 4GiB, 512MiB. By default half of what the machine has free
-    #[arg(long, value_name = "SIZE", value_parser = parse_size)]
-    pub memory: Option<u64>,
     /// The unit of places and heights in rasters, and of SEG-Y files: m, ft, us-ft, degrees, or one for places and one for heights, as degrees,ft. By
     /// default what the file says; a line says what was assumed
     #[arg(long, value_name = "PLACES[,HEIGHTS]")]
@@ -51,6 +48,8 @@ pub struct ViewArgs {
     /// The seconds that the adapter may take for a frame, before the run ends with an error
     #[arg(long, default_value = "600", value_name = "SECONDS", value_parser = seconds)]
     pub patience: Duration,
+    #[command(flatten, next_help_heading = "Scene files")]
+    pub load: LoadArgs,
     #[command(flatten, next_help_heading = "Stereo")]
     pub eyes: StereoArgs,
     #[command(flatten, next_help_heading = "Seismic volumes")]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use antumbra::demo_scenes::subsurface::{Model, SubsurfaceScene, SubsurfaceSceneOptions};
 use antumbra::demo_scenes::{self, DemoSceneError};
-use antumbra::formats::{RasterFormat, SceneFormat, load_with_attachments};
+use antumbra::formats::{LeftOut, RasterFormat, SceneFormat};
 use antumbra::scene::{Aabb, Scene};
 use antumbra::subsurface::{BrickSource, SectionPositions, SlicePosition, VolumeSections};
 use antumbra::terrain::{
@@ -18,7 +18,7 @@ use crate::failure::Failure;
 use crate::landscape::FieldReading;
 use crate::print::warn;
 use crate::strategies::Horizons;
-use crate::{landscape, progress, volume_source};
+use crate::{landscape, progress, scene_file, volume_source};
 
 /// Bytes of a volume that are kept in memory.
 const BUDGET: usize = 64 << 20;
@@ -41,6 +41,8 @@ pub struct Found {
     pub whole_grid: bool,
     /// The files that were read.
     pub files: Vec<PathBuf>,
+    /// What was left out of them.
+    pub left_out: LeftOut,
 }
 
 impl From<PreparedScene> for Found {
@@ -66,6 +68,7 @@ impl Found {
             landscape: None,
             whole_grid: false,
             files: Vec::new(),
+            left_out: LeftOut::default(),
         }
     }
 
@@ -103,7 +106,7 @@ impl Found {
     fn raster(file: &Path, args: &ViewArgs, horizons: Horizons) -> Result<Self, Failure> {
         let reading = FieldReading {
             detail: None,
-            memory: args.memory,
+            load: &args.load,
             units: args.units,
             quiet: args.quiet,
         };
@@ -136,8 +139,8 @@ impl Found {
 
     /// A scene file, with its terrain if that was prepared. Where the file's extension is unusable, a scene without a terrain.
     fn file(file: &Path, args: &ViewArgs) -> Result<Self, Failure> {
-        let options = landscape::load_options(args.memory);
-        let loaded = load_with_attachments(file, &options, &[terrain::file::EXTENSION])?;
+        let attachments = [terrain::file::EXTENSION];
+        let loaded = scene_file::load(file, &attachments, &args.load, args.quiet)?;
         let attachment = loaded.attachments.into_iter().next();
         let known = attachment.map(|attachment| Terrain::read(&loaded.scene, &attachment?));
         let terrain = known.and_then(|known| match known {
@@ -153,6 +156,7 @@ impl Found {
         Ok(Self {
             terrain,
             files: loaded.files,
+            left_out: loaded.left_out,
             ..Self::of(loaded.scene)
         })
     }
@@ -236,7 +240,7 @@ impl Found {
         let args = &view.volume;
         let source: Arc<dyn BrickSource> = match (&args.file, &self.model) {
             (Some(file), _) => {
-                let options = args.segy.options(view.units, view.memory);
+                let options = args.segy.options(view.units, view.load.memory);
                 volume_source::open(file, &options, view.quiet)?
             }
             _ if !args.are_named() => return Ok(()),

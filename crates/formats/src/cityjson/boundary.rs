@@ -32,7 +32,7 @@ pub(super) enum GeometryKind {
     Solids,
 }
 
-/// The kind of a geometry; `None` for one without surfaces, which is not read.
+/// The kind of a geometry; `None` for one without surfaces.
 pub(super) fn kind(geometry: &Geometry<'_>) -> Option<GeometryKind> {
     depth(geometry).map(|depth| match depth {
         Depth::Surfaces => GeometryKind::Surfaces,
@@ -47,6 +47,30 @@ fn depth(geometry: &Geometry<'_>) -> Option<Depth> {
         "MultiSolid" | "CompositeSolid" => Some(Depth::Solids),
         _ => None,
     }
+}
+
+/// The lines of a geometry; points are lines of one vertex. `None` for one of another kind.
+///
+/// # Errors
+/// The lists are not as deep as the type specifies, or contain something other than indices.
+pub(super) fn lines(geometry: &Geometry<'_>) -> Result<Option<Vec<Ring>>, String> {
+    let Some(text) = geometry.boundaries else {
+        return Ok(None);
+    };
+    match &*geometry.kind {
+        "MultiLineString" => nested(text).map(Some),
+        "MultiPoint" => {
+            let points: Ring = nested(text)?;
+            Ok(Some(points.into_iter().map(|point| vec![point]).collect()))
+        }
+        _ => Ok(None),
+    }
+}
+
+/// The vertex at which an instance of a template is placed; `None` if it has none.
+pub(super) fn anchor(geometry: &Geometry<'_>) -> Option<u32> {
+    let vertices: Ring = nested(geometry.boundaries?).ok()?;
+    vertices.first().copied()
 }
 
 /// All surfaces of a geometry, each with the index of its entry in the semantics, if it has one.

@@ -5,7 +5,7 @@ use super::error::syntax_error;
 use crate::budget::Budget;
 use crate::error::LoadProblem;
 use serde::Deserialize;
-use serde::de::{Deserializer, MapAccess, Visitor};
+use serde::de::{Deserializer, IgnoredAny, MapAccess, Visitor};
 use serde_json::Value;
 use serde_json::value::RawValue;
 use std::borrow::Cow;
@@ -23,6 +23,26 @@ pub(super) struct Document<'a> {
     pub(super) objects: Objects<'a>,
     /// Vertices in steps of the transform's scale, with Z up.
     #[serde(default)]
+    pub(super) vertices: Vec<[f64; 3]>,
+    #[serde(rename = "geometry-templates", borrow)]
+    pub(super) templates: Option<Templates<'a>>,
+    pub(super) appearance: Option<Appearance>,
+}
+
+/// How surfaces look. It is counted and not read.
+#[derive(Deserialize)]
+pub(super) struct Appearance {
+    #[serde(default)]
+    pub(super) textures: Vec<IgnoredAny>,
+}
+
+/// Geometries that objects place, such as one tree for a whole street.
+#[derive(Deserialize)]
+pub(super) struct Templates<'a> {
+    #[serde(borrow, default)]
+    pub(super) templates: Vec<Geometry<'a>>,
+    /// Their vertices in metres, with Z up.
+    #[serde(rename = "vertices-templates", default)]
     pub(super) vertices: Vec<[f64; 3]>,
 }
 
@@ -69,6 +89,11 @@ pub(super) struct Geometry<'a> {
     pub(super) boundaries: Option<&'a RawValue>,
     #[serde(borrow)]
     pub(super) semantics: Option<Semantics<'a>>,
+    /// The number of the template that an instance places.
+    pub(super) template: Option<usize>,
+    /// How it is placed at its one vertex: 4 x 4 numbers, row by row.
+    #[serde(rename = "transformationMatrix", borrow)]
+    pub(super) matrix: Option<&'a RawValue>,
 }
 
 /// The semantics of surfaces: which are walls and which are roofs.

@@ -5,12 +5,16 @@ use super::boundary::{self, GeometryKind, Surface};
 use super::document::{CityObject, Document, Geometry as Source, Transform};
 use super::error::syntax_error;
 use super::materials::{self, Materials};
-use super::surface::{MAX_CORNERS, Triangulator};
+use super::templates::TemplateTable;
 use super::tree::Tree;
 use crate::budget::Budget;
 use crate::error::{LoadProblem, shorten};
+use crate::left_out::LostPart;
+use crate::polygon::{MAX_CORNERS, Triangulator};
 use antumbra_scene::{Drawable, EntityKey, Geometry, Mesh, Scene};
 use glam::{DAffine3, DVec3};
+
+mod below;
 
 /// Builds a scene from documents.
 pub(super) struct SceneBuilder<'a> {
@@ -18,10 +22,7 @@ pub(super) struct SceneBuilder<'a> {
     scene: Scene,
     materials: Materials,
     triangulator: Triangulator,
-    /// The number of geometries without surfaces.
-    unread: u64,
-    /// The number of surfaces without an area.
-    flat: u64,
+    templates: TemplateTable,
 }
 
 /// The document that is being added.
@@ -61,24 +62,12 @@ impl<'a> SceneBuilder<'a> {
             scene: Scene::new(),
             materials: Materials::default(),
             triangulator: Triangulator::new(),
-            unread: 0,
-            flat: 0,
+            templates: TemplateTable::default(),
         }
     }
 
-    /// The scene. What was left out is logged.
+    /// The scene.
     pub(super) fn finish(self) -> Scene {
-        if self.unread > 0 {
-            let count = self.unread;
-            tracing::warn!(
-                count,
-                "CityJSON geometries of points, lines or templates; left out"
-            );
-        }
-        if self.flat > 0 {
-            let count = self.flat;
-            tracing::warn!(count, "CityJSON surfaces without an area; left out");
-        }
         self.scene
     }
 
@@ -96,6 +85,20 @@ impl<'a> SceneBuilder<'a> {
             // The entity's, and its mesh's.
             self.budget.name(id)?;
             self.budget.mesh(id)?;
+        }
+        if let Some(appearance) = &document.appearance {
+            let textures = appearance.textures.len() as u64;
+            let place = format!("line {line}");
+            let reason = "textures of CityJSON";
+            (self.budget.left_out).add_many(LostPart::Image, reason, textures, &place);
+        }
+        if let Some(templates) = &document.templates {
+            self.templates = TemplateTable::read(
+                templates,
+                &mut self.scene,
+                &mut self.triangulator,
+                self.budget,
+            )?;
         }
         let context = DocumentContext {
             line,
@@ -121,7 +124,12 @@ impl<'a> SceneBuilder<'a> {
                 self.scene.set_entity_name(entity, &**id)?;
                 shapes.sort_by(|a, b| b.lod.total_cmp(&a.lod));
                 let target = Target { entity, id, object };
-                self.set_mesh(&context, &target, &shapes, origin)?;
+                let finest = shapes.first().map_or(f64::NEG_INFINITY, |shape| shape.lod);
+                let placed = self.add_instances(&context, &target, finest, origin)?;
+                if placed.is_none_or(|lod| lod <= finest) {
+                    self.set_mesh(&context, &target, &shapes, origin)?;
+                }
+                self.add_lines(&context, &target, origin)?;
                 if let Some(known) = entities.get_mut(member) {
                     *known = Some(entity);
                 }
@@ -151,7 +159,7 @@ impl<'a> SceneBuilder<'a> {
             let mut shapes = Vec::new();
             for geometry in geometries(member) {
                 let Some(kind) = boundary::kind(geometry) else {
-                    self.unread += 1;
+                    self.note_unread(geometry, context);
                     continue;
                 };
                 if has_more && geometry.lod() < 1.0 {
@@ -203,6 +211,17 @@ impl<'a> SceneBuilder<'a> {
         Ok(())
     }
 
+    /// Notes a geometry of a kind that does not exist.
+    fn note_unread(&mut self, geometry: &Source<'_>, context: &DocumentContext<'_>) {
+        let kind = &*geometry.kind;
+        if !["MultiPoint", "MultiLineString", "GeometryInstance"].contains(&kind) {
+            let example = format!("line {}", context.line);
+            let reason = format!("of the type \"{}\"", shorten(kind));
+            let left_out = &mut self.budget.left_out;
+            left_out.add(LostPart::Geometry, &reason, &example);
+        }
+    }
+
     fn level(
         &mut self,
         context: &DocumentContext<'_>,
@@ -233,7 +252,10 @@ impl<'a> SceneBuilder<'a> {
                     .ring(corners.map(|corner| corner - origin));
             }
             let triangles = self.triangulator.finish(&mut level);
-            self.flat += u64::from(triangles == 0);
+            if triangles == 0 {
+                let left_out = &mut self.budget.left_out;
+                left_out.add(LostPart::Face, "without an area", &context.name(id));
+            }
             self.budget.triangles(triangles)?;
             if is_tinted {
                 level.colours.resize(level.positions.len(), *tint);
@@ -246,6 +268,15 @@ impl<'a> SceneBuilder<'a> {
 impl DocumentContext<'_> {
     fn name(&self, id: &str) -> String {
         format!("line {}, object \"{}\"", self.line, shorten(id))
+    }
+
+    fn missing_vertex(&self, vertex: u32, id: &str) -> LoadProblem {
+        LoadProblem::MissingReference {
+            place: self.name(id),
+            what: "vertex",
+            index: u64::from(vertex),
+            count: self.document.vertices.len(),
+        }
     }
 
     /// The position of a vertex in the world (east, up, south); `None` if there is no such vertex.
@@ -283,12 +314,7 @@ impl DocumentContext<'_> {
                 .flatten()
                 .find(|vertex| **vertex as usize >= count);
             if let Some(vertex) = beyond {
-                return Err(LoadProblem::MissingReference {
-                    place: self.name(id),
-                    what: "vertex",
-                    index: u64::from(*vertex),
-                    count,
-                });
+                return Err(self.missing_vertex(*vertex, id));
             }
             let tint = semantics.and_then(|entry| tints.get(entry)).copied();
             let tint = tint.unwrap_or(materials::UNTINTED);

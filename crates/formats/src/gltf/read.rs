@@ -4,17 +4,23 @@
 //! assumes well-meaning files and is not used.
 //!
 //! All primitive modes, sparse accessors and component types are read, and default morph weights, skins in their rest
-//! pose (baked into the mesh), cameras, lights, base colours with their images, the extensions in
-//! `container::SUPPORTED`, and of the extras whether an entity is tested. Animations are not read. Node transforms
-//! are f64.
+//! pose (baked into the mesh), cameras, lights, base colours with their images, emission, the extensions in
+//! `extensions::READ`, and of the extras whether an entity is tested. Animations are not read. Node transforms
+//! are f64. What costs no shape, such as an image that is missing, is left out and noted.
 
 mod accessor;
 mod attachments;
 mod container;
 mod document;
+#[cfg(feature = "draco")]
+mod draco;
+mod extensions;
 mod extras;
 mod geometry;
+mod lights_and_cameras;
 mod material;
+#[cfg(feature = "meshopt")]
+mod meshopt;
 mod nodes;
 mod skin;
 mod transform;
@@ -36,6 +42,12 @@ pub(crate) fn read(
     let parts = container::split(bytes)?;
     let json = container::parse(parts.json, budget)?;
     let document = Document::open(json, parts.binary, files, budget)?;
+    #[cfg(feature = "meshopt")]
+    let document = {
+        let decoded = meshopt::decode_views(&document, budget)?;
+        document.with_decoded(decoded)
+    };
+    extensions::note_unread(&document.root, attachments, &mut budget.left_out);
     let NodeScene { scene, entities } = nodes::build(&document, files, budget)?;
     let wanted = attachments.iter();
     let found = wanted.filter_map(|name| attachments::read(&document, name, &entities));

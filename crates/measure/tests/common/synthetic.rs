@@ -40,6 +40,7 @@ pub fn report() -> Report {
             samples: 1,
             size: [960, 540],
             frames: FRAMES as u64,
+            left_out: Vec::new(),
         },
         noise: Noise {
             frame_time_ratio_p95: Some(1.013),

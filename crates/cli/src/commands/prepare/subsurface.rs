@@ -126,7 +126,7 @@ fn read_options(args: &PrepareArgs) -> ReadOptions {
             Kind::Fault => SurfaceKind::Fault,
         }),
         longest_edge: args.subsurface.longest_edge,
-        max_memory: args.memory,
+        max_memory: args.load.memory,
         surface_column: args.subsurface.surface_column.clone(),
         units: args.units.unwrap_or_default(),
         latitude: None,
@@ -190,7 +190,7 @@ pub fn volume(args: &PrepareArgs) -> Result<(), Failure> {
 
 /// A SEG-Y file into a volume.
 fn segy(args: &PrepareArgs, input: &FilePath) -> Result<(), Failure> {
-    let options = args.segy.options(args.units, args.memory);
+    let options = args.segy.options(args.units, args.load.memory);
     let volume = volume_source::segy(input, &options, args.quiet)?;
     let name = input.file_stem().unwrap_or_default().to_string_lossy();
     let bar = progress::work("writing", args.quiet);

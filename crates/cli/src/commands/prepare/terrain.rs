@@ -79,7 +79,7 @@ fn out_of(input: &Path, args: &PrepareArgs, outputs: &mut Outputs) -> Result<Ter
     let sectors = sectors(&args.terrain, Sectors::default())?;
     let reading = landscape::FieldReading {
         detail,
-        memory: args.memory,
+        load: &args.load,
         units: args.units,
         quiet: args.quiet,
     };

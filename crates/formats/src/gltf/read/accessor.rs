@@ -2,9 +2,11 @@
 //! element can be read without allocation.
 
 use super::document::{Document, View, item, label};
+use super::extensions;
 use crate::error::LoadProblem;
 use gltf::json::accessor::{ComponentType, Type};
 use gltf::json::validation::Checked;
+use std::borrow::Cow;
 
 /// An opened accessor.
 pub(super) struct Accessor<'a> {
@@ -20,7 +22,7 @@ pub(super) struct Accessor<'a> {
 
 /// The elements in a buffer view.
 struct Dense<'a> {
-    bytes: &'a [u8],
+    bytes: Cow<'a, [u8]>,
     /// Bytes from an element to the next.
     stride: usize,
 }
@@ -65,6 +67,20 @@ impl<'a> Accessor<'a> {
                 ))
             })?;
         let dense = match source.buffer_view {
+            // Zeros, unless an extension has them.
+            None if source.sparse.is_none() && count > 0 => {
+                match extensions::suspect(&document.root) {
+                    None => None,
+                    Some(extension) => {
+                        return Err(LoadProblem::MissingData {
+                            place: name,
+                            problem: format!(
+                                "the file uses {extension}, which may hold it, and does not list it in extensionsRequired; export the file again, with the extension required or without it"
+                            ),
+                        });
+                    }
+                }
+            }
             None => None,
             Some(view) => {
                 let View { bytes, stride } = document.view(&name, view.value())?;
@@ -76,7 +92,7 @@ impl<'a> Accessor<'a> {
                 }
                 let offset = source.byte_offset.unwrap_or_default().0;
                 Some(Dense {
-                    bytes: elements(bytes, offset, stride, size, count, &name)?,
+                    bytes: Cow::Borrowed(elements(bytes, offset, stride, size, count, &name)?),
                     stride,
                 })
             }
@@ -115,6 +131,30 @@ impl<'a> Accessor<'a> {
             normalized: source.normalized,
             dense,
             sparse,
+        })
+    }
+
+    /// The values of an attribute that was compressed with its primitive. `source` is the accessor that stands for it.
+    #[cfg(feature = "draco")]
+    pub(super) fn of_values(
+        values: super::draco::Values,
+        document: &Document<'_>,
+        source: usize,
+        user: &str,
+    ) -> Result<Self, LoadProblem> {
+        let accessor = item(&document.root.accessors, source, "accessor", user)?;
+        let name = label("accessor", source, accessor.name.as_deref());
+        Ok(Self {
+            name: format!("{name} of {user}"),
+            count: values.count,
+            shape: values.shape,
+            component: values.component,
+            normalized: accessor.normalized,
+            dense: Some(Dense {
+                stride: values.component.size() * values.shape.multiplicity(),
+                bytes: Cow::Owned(values.bytes),
+            }),
+            sparse: None,
         })
     }
 
@@ -159,6 +199,16 @@ impl<'a> Accessor<'a> {
         Err(self.bad(format!("element {element} is not finite ({numbers:?})")))
     }
 
+    /// As [`numbers`](Self::numbers), with the number 0 for those that are not finite, which are counted.
+    pub(super) fn or_zero<const N: usize>(&self, element: usize, lost: &mut u64) -> [f32; N] {
+        let numbers = self.numbers(element);
+        if numbers.iter().all(|number| number.is_finite()) {
+            return numbers;
+        }
+        *lost += 1;
+        numbers.map(|number| if number.is_finite() { number } else { 0.0 })
+    }
+
     /// The first `N` components of an element as unsigned integers.
     pub(super) fn integers<const N: usize>(&self, element: usize) -> [u32; N] {
         let mut integers = [0; N];
@@ -171,7 +221,7 @@ impl<'a> Accessor<'a> {
         integers
     }
 
-    fn element(&self, element: usize) -> Option<&'a [u8]> {
+    fn element(&self, element: usize) -> Option<&[u8]> {
         let size = self.component.size() * self.shape.multiplicity();
         if let Some(sparse) = &self.sparse
             && let Ok(at) = sparse.indices.binary_search(&u32::try_from(element).ok()?)

@@ -1,20 +1,11 @@
 //! The container: the chunks of a binary glTF, and the JSON in them.
 
+use super::extensions;
 use crate::budget::Budget;
 use crate::error::LoadProblem;
 use gltf::json::Root;
 use gltf::json::extras::RawValue;
 use serde::Deserialize;
-
-/// The extensions that a file may require.
-const SUPPORTED: &[&str] = &[
-    "EXT_mesh_gpu_instancing",
-    "KHR_lights_punctual",
-    "KHR_materials_unlit",
-    "KHR_mesh_quantization",
-    "KHR_texture_transform",
-    "MSFT_lod",
-];
 
 /// The parts of a file.
 pub(super) struct Parts<'a> {
@@ -131,13 +122,7 @@ pub(super) fn parse<'a>(json: &'a [u8], budget: &Budget) -> Result<Json<'a>, Loa
         return Err(broken("asset.version", problem));
     }
     let root = Root::from_slice(json).map_err(|e| broken("the JSON", e.to_string()))?;
-    let unknown = |name: &&String| !SUPPORTED.contains(&name.as_str());
-    if let Some(name) = root.extensions_required.iter().find(unknown) {
-        return Err(LoadProblem::UnsupportedExtension {
-            name: name.clone(),
-            supported: SUPPORTED,
-        });
-    }
+    extensions::check(&root)?;
     let texts: NodeTexts<'_> =
         serde_json::from_slice(json).map_err(|e| broken("the JSON", e.to_string()))?;
     Ok(Json {

@@ -7,6 +7,7 @@ use crate::file_resolver::FileResolver;
 use gltf::json::extras::RawValue;
 use gltf::json::{Index, Root};
 use std::borrow::Cow;
+use std::collections::HashMap;
 
 /// The JSON and the buffers it refers to.
 pub(super) struct Document<'a> {
@@ -14,6 +15,8 @@ pub(super) struct Document<'a> {
     /// The text of each node.
     pub(super) nodes: Vec<&'a RawValue>,
     buffers: Vec<Option<Cow<'a, [u8]>>>,
+    /// The bytes of views that are compressed, by their numbers.
+    decoded: HashMap<usize, Vec<u8>>,
 }
 
 /// The bytes of a buffer view.
@@ -57,12 +60,30 @@ impl<'a> Document<'a> {
             root,
             nodes,
             buffers,
+            decoded: HashMap::new(),
         })
+    }
+
+    /// Takes the bytes of views that are compressed.
+    #[cfg(feature = "meshopt")]
+    pub(super) fn with_decoded(self, decoded: HashMap<usize, Vec<u8>>) -> Self {
+        Self { decoded, ..self }
+    }
+
+    /// The bytes of a buffer; none for a fallback of compressed views.
+    #[cfg(feature = "meshopt")]
+    pub(super) fn buffer(&self, place: &str, index: usize) -> Result<&[u8], LoadProblem> {
+        let buffer = item(&self.buffers, index, "buffer", place)?;
+        Ok(buffer.as_deref().unwrap_or_default())
     }
 
     /// The bytes of a buffer view.
     pub(super) fn view(&self, place: &str, index: usize) -> Result<View<'_>, LoadProblem> {
         let view = item(&self.root.buffer_views, index, "buffer view", place)?;
+        let stride = view.byte_stride.map(|stride| stride.0);
+        if let Some(bytes) = self.decoded.get(&index) {
+            return Ok(View { bytes, stride });
+        }
         let at = view.buffer.value();
         let buffer = item(&self.buffers, at, "buffer", place)?;
         let bytes = buffer.as_deref().ok_or_else(|| LoadProblem::MissingData {
@@ -84,7 +105,7 @@ impl<'a> Document<'a> {
         })?;
         Ok(View {
             bytes: view_bytes,
-            stride: view.byte_stride.map(|stride| stride.0),
+            stride,
         })
     }
 

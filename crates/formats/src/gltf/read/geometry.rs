@@ -3,9 +3,13 @@
 
 use super::accessor::Accessor;
 use super::document::{Document, label};
+#[cfg(feature = "draco")]
+use super::draco::{self, Decoded};
 use super::skin::Pose;
 use crate::budget::Budget;
 use crate::error::LoadProblem;
+use crate::left_out::LostPart;
+use crate::normals;
 use antumbra_scene::{Geometry, Topology};
 use glam::Vec3;
 use gltf::json::accessor::{ComponentType, Type};
@@ -38,20 +42,47 @@ pub(super) fn read(
         mesh.and_then(|mesh| mesh.name.as_deref()),
     );
     let name = format!("{mesh}, primitive {}", request.primitive);
+    #[cfg(feature = "draco")]
+    let decoded = draco::decode(document, source, &name, budget)?;
     let attribute = |semantic: Semantic| -> Result<Option<Accessor<'_>>, LoadProblem> {
         let user = format!("{} of {name}", semantic.to_string());
-        match source.attributes.get(&Checked::Valid(semantic)) {
-            Some(index) => Accessor::open(document, index.value(), &user).map(Some),
-            None => Ok(None),
+        let Some(index) = source.attributes.get(&Checked::Valid(semantic.clone())) else {
+            return Ok(None);
+        };
+        #[cfg(feature = "draco")]
+        if let Some(decoded) = &decoded {
+            let values = decoded.values(&semantic);
+            let values = values.map_err(|problem| LoadProblem::BadPrimitive {
+                primitive: user.clone(),
+                problem,
+            })?;
+            if let Some(values) = values {
+                let accessor = Accessor::of_values(values, document, index.value(), &user)?;
+                return Ok(Some(accessor));
+            }
         }
+        Accessor::open(document, index.value(), &user).map(Some)
     };
     let Some(positions) = attribute(Semantic::Positions)? else {
         return Ok(None);
     };
     let fits = positions.shape == Type::Vec3 && positions.component != ComponentType::U32;
     positions.expect(fits, "positions")?;
-    let IndexList { topology, indices } =
-        indices(document, source, positions.count, &name, budget)?;
+    #[cfg(feature = "draco")]
+    let compressed = decoded.as_ref().map(Decoded::indices);
+    #[cfg(not(feature = "draco"))]
+    let compressed: Option<Vec<u32>> = None;
+    let IndexList { topology, indices } = match compressed {
+        // The decoder gives indices within its own points.
+        Some(indices) => {
+            budget.triangles(indices.len() as u64 / 3)?;
+            IndexList {
+                topology: Topology::Triangles,
+                indices,
+            }
+        }
+        None => indices(document, source, positions.count, &name, budget)?,
+    };
     let used = used_vertices(&indices, positions.count);
     let total = used.as_ref().map_or(positions.count, Vec::len);
     budget.vertices(total as u64)?;
@@ -85,18 +116,19 @@ pub(super) fn read(
         Ok::<_, LoadProblem>(found)
     };
     if let Some(normals) = optional(Semantic::Normals, |t| t == Type::Vec3, "normals")? {
-        geometry.normals = vertices()
-            .map(|v| normals.finite(v))
-            .collect::<Result<_, _>>()?;
+        geometry.normals = vertices().map(|v| normals.numbers(v)).collect();
+        normals::mend(&mut geometry, &name, budget);
     }
     if let Some(uvs) = optional(
         Semantic::TexCoords(request.uv_set),
         |t| t == Type::Vec2,
         "texture coordinates",
     )? {
-        geometry.uvs = vertices()
-            .map(|v| uvs.finite(v))
-            .collect::<Result<_, _>>()?;
+        let mut lost = 0;
+        geometry.uvs = vertices().map(|v| uvs.or_zero(v, &mut lost)).collect();
+        let reason = "texture coordinates that are not finite";
+        let left_out = &mut budget.left_out;
+        left_out.add_many(LostPart::Attribute, reason, lost, &name);
     }
     let is_colour = |t| matches!(t, Type::Vec3 | Type::Vec4);
     if let Some(colours) = optional(Semantic::Colors(0), is_colour, "colours")? {

@@ -1,13 +1,15 @@
-//! Materials and their base colour images. Each is read on first use.
+//! Materials with their colours, their emission and one image. Each is read on first use. An image costs no shape: one that cannot be had is
+//! left out.
 
 use super::document::{Document, item, label};
 use crate::budget::Budget;
 use crate::error::LoadProblem;
 use crate::file_resolver::FileResolver;
-use crate::image;
+use crate::image::{self, ImageSource};
+use crate::left_out::LostPart;
 use antumbra_scene::{AlphaMode, Filter, ImageKey, Material, MaterialKey, Sampler, Scene, Wrap};
 use gltf::json::material::AlphaMode as Alpha;
-use gltf::json::texture::{Info, MagFilter, MinFilter, WrappingMode};
+use gltf::json::texture::{Info, MagFilter, MinFilter, Texture, WrappingMode};
 use gltf::json::validation::Checked;
 use std::collections::HashMap;
 
@@ -15,14 +17,14 @@ use std::collections::HashMap;
 #[derive(Default)]
 pub(super) struct Materials {
     known: HashMap<Option<usize>, MaterialKey>,
-    images: HashMap<(usize, Sampler), ImageKey>,
+    /// `None` for an image that was left out.
+    images: HashMap<(usize, Sampler), Option<ImageKey>>,
 }
 
-/// The set of texture coordinates of a material's base colour.
+/// The set of texture coordinates of a material's image.
 pub(super) fn uv_set(document: &Document<'_>, material: Option<usize>) -> u32 {
     let material = material.and_then(|index| document.root.materials.get(index));
-    let Some(info) = material.and_then(|m| m.pbr_metallic_roughness.base_color_texture.as_ref())
-    else {
+    let Some(info) = material.and_then(|material| Look::of(material).image) else {
         return 0;
     };
     let transform = info
@@ -32,6 +34,61 @@ pub(super) fn uv_set(document: &Document<'_>, material: Option<usize>) -> u32 {
     transform
         .and_then(|t| t.tex_coord)
         .unwrap_or(info.tex_coord)
+}
+
+/// What is shown of a material.
+struct Look<'a> {
+    base_colour: [f32; 4],
+    image: Option<&'a Info>,
+    metallic: f32,
+    roughness: f32,
+    emission: [f32; 3],
+    /// Whether it is shown by its emission alone, in which case that is the base colour.
+    is_light: bool,
+    /// Whether its emission has an image that is not shown.
+    loses_emission: bool,
+}
+
+impl<'a> Look<'a> {
+    fn of(source: &'a gltf::json::Material) -> Self {
+        let pbr = &source.pbr_metallic_roughness;
+        let extensions = source.extensions.as_ref();
+        let gloss = extensions.and_then(|e| e.pbr_specular_glossiness.as_ref());
+        let (base_colour, image) = match gloss {
+            Some(gloss) => (gloss.diffuse_factor.0, gloss.diffuse_texture.as_ref()),
+            None => (pbr.base_color_factor.0, pbr.base_color_texture.as_ref()),
+        };
+        let (metallic, roughness) = match gloss {
+            Some(gloss) => (0.0, 1.0 - gloss.glossiness_factor.0),
+            // A texture of metalness is not read. A material with one counts as a dielectric.
+            None if pbr.metallic_roughness_texture.is_some() => (0.0, pbr.roughness_factor.0),
+            None => (pbr.metallic_factor.0, pbr.roughness_factor.0),
+        };
+        let strength = extensions.and_then(|e| e.emissive_strength.as_ref());
+        let strength = strength.map_or(1.0, |strength| strength.emissive_strength.0);
+        let factor = source.emissive_factor.0.map(|part| part * strength);
+        let map = source.emissive_texture.as_ref();
+        let map = map.filter(|_| factor != [0.0; 3]);
+        let [r, g, b, alpha] = base_colour;
+        // A surface that reflects nothing shows its emission alone, and has room for its image.
+        // An unlit one shows its base colour alone.
+        let is_unlit = extensions.is_some_and(|e| e.unlit.is_some());
+        let is_light = map.is_some() && !is_unlit && [r, g, b] == [0.0; 3];
+        let [er, eg, eb] = factor;
+        Self {
+            base_colour: if is_light {
+                [er, eg, eb, alpha]
+            } else {
+                base_colour
+            },
+            image: if is_light { map } else { image },
+            metallic,
+            roughness,
+            emission: if map.is_some() { [0.0; 3] } else { factor },
+            is_light,
+            loses_emission: map.is_some() && !is_light,
+        }
+    }
 }
 
 impl Materials {
@@ -67,15 +124,12 @@ impl Materials {
     ) -> Result<Material, LoadProblem> {
         let source = item(&document.root.materials, index, "material", "a primitive")?;
         let name = source.name.clone().unwrap_or_default();
-        let pbr = &source.pbr_metallic_roughness;
+        let look = Look::of(source);
         let mut material = Material {
-            base_colour: pbr.base_color_factor.0,
-            // A texture of metalness is not read. A material with one counts as a dielectric.
-            metallic: match pbr.metallic_roughness_texture {
-                None => pbr.metallic_factor.0,
-                Some(_) => 0.0,
-            },
-            roughness: pbr.roughness_factor.0,
+            base_colour: look.base_colour,
+            metallic: look.metallic,
+            roughness: look.roughness,
+            emission: look.emission,
             alpha: match source.alpha_mode {
                 Checked::Valid(Alpha::Mask) => AlphaMode::Mask {
                     cutoff: source.alpha_cutoff.unwrap_or_default().0,
@@ -84,18 +138,21 @@ impl Materials {
                 Checked::Valid(Alpha::Opaque) | Checked::Invalid => AlphaMode::Opaque,
             },
             double_sided: source.double_sided,
-            unlit: source
-                .extensions
-                .as_ref()
-                .is_some_and(|e| e.unlit.is_some()),
+            unlit: look.is_light
+                || source
+                    .extensions
+                    .as_ref()
+                    .is_some_and(|e| e.unlit.is_some()),
             ..Material::default()
         };
-        if let Some(info) = &pbr.base_color_texture {
+        let place = || label("material", index, Some(&name));
+        if look.loses_emission && !material.unlit {
+            let reason = "maps of emission";
+            (budget.left_out).add(LostPart::Shading, reason, &place());
+        }
+        if let Some(info) = look.image {
             material.uv_transform = uv_transform(info);
-            let place = format!(
-                "the base colour of {}",
-                label("material", index, Some(&name))
-            );
+            let place = format!("the image of {}", place());
             material.base_colour_image =
                 self.image(info, &place, document, scene, files, budget)?;
         }
@@ -116,45 +173,98 @@ impl Materials {
             return Ok(None);
         }
         let root = &document.root;
-        let texture = item(&root.textures, info.index.value(), "texture", place)?;
-        let source = texture.source.value();
-        if source == u32::MAX as usize {
-            tracing::warn!(
-                place,
-                "its image is only there in a format of an extension; left out"
-            );
-            return Ok(None);
-        }
-        let image = item(&root.images, source, "image", place)?;
-        let sampler = match texture.sampler {
-            None => Sampler::default(),
-            Some(index) => sampler(item(&root.samplers, index.value(), "sampler", place)?),
+        let Some(texture) = root.textures.get(info.index.value()) else {
+            return Ok(lose("no such texture", place, budget));
         };
-        if let Some(key) = self.images.get(&(source, sampler)) {
-            return Ok(Some(*key));
-        }
-        let place = label("image", source, image.name.as_deref());
-        budget.enter(place.as_str());
-        let fetched;
-        let bytes = match (&image.uri, image.buffer_view) {
-            (Some(uri), _) => {
-                fetched = files.fetch(&place, uri, budget)?;
-                fetched.as_slice()
-            }
-            (None, Some(view)) => document.view(&place, view.value())?.bytes,
-            (None, None) => {
-                return Err(LoadProblem::MissingData {
-                    place,
-                    problem: "it has neither a uri nor a buffer view; export the file again".into(),
-                });
-            }
+        let sources = sources(texture);
+        let Some(source) = sources.first() else {
+            return Ok(lose("a texture without an image", place, budget));
         };
-        let name = image.name.clone().unwrap_or_default();
-        budget.name(&name)?;
-        let key = image::add_image(scene, &place, name, bytes, sampler, budget)?;
-        self.images.insert((source, sampler), key);
-        Ok(Some(key))
+        let sampler = (texture.sampler).and_then(|index| root.samplers.get(index.value()));
+        let sampler = sampler.map(self::sampler).unwrap_or_default();
+        if let Some(key) = self.images.get(&(*source, sampler)) {
+            return Ok(*key);
+        }
+        // The image of an extension, or else that for viewers without it. Losses of the first do not count if there is the second.
+        let before = budget.left_out.clone();
+        let mut key = None;
+        for &source in &sources {
+            budget.left_out.clone_from(&before);
+            key = read_image(source, place, sampler, document, scene, files, budget)?;
+            if key.is_some() {
+                break;
+            }
+        }
+        self.images.insert((*source, sampler), key);
+        Ok(key)
     }
+}
+
+/// The extensions that give a texture an image of another format.
+const IMAGE_EXTENSIONS: [&str; 4] = [
+    "KHR_texture_basisu",
+    "EXT_texture_webp",
+    "EXT_texture_avif",
+    "MSFT_texture_dds",
+];
+
+/// The images of a texture: those of extensions, and then its own.
+fn sources(texture: &Texture) -> Vec<usize> {
+    let others = texture
+        .extensions
+        .as_ref()
+        .map(|extensions| &extensions.others);
+    let of = |name: &&str| others?.get(*name)?.get("source")?.as_u64();
+    let of_extensions = IMAGE_EXTENSIONS.iter().filter_map(of);
+    let own = texture.source.value();
+    let own = (own != u32::MAX as usize).then_some(own);
+    let of_extensions = of_extensions.filter_map(|index| usize::try_from(index).ok());
+    of_extensions.chain(own).collect()
+}
+
+fn read_image(
+    index: usize,
+    place: &str,
+    sampler: Sampler,
+    document: &Document<'_>,
+    scene: &mut Scene,
+    files: &FileResolver<'_>,
+    budget: &mut Budget,
+) -> Result<Option<ImageKey>, LoadProblem> {
+    let Some(image) = document.root.images.get(index) else {
+        return Ok(lose("no such image", place, budget));
+    };
+    let place = label("image", index, image.name.as_deref());
+    budget.enter(place.as_str());
+    let uri = image.uri.as_deref().unwrap_or_default();
+    let name = image.name.clone().unwrap_or_default();
+    let has_data = uri
+        .get(..5)
+        .is_some_and(|scheme| scheme.eq_ignore_ascii_case("data:"));
+    let file = if has_data { "" } else { uri };
+    let source = ImageSource {
+        place: &place,
+        name: &name,
+        file,
+        sampler,
+    };
+    match (&image.uri, image.buffer_view) {
+        (Some(uri), _) => {
+            let found = files.fetch_cosmetic(&place, uri, budget)?;
+            image::add_found(scene, found, &source, budget)
+        }
+        (None, Some(view)) => match document.view(&place, view.value()) {
+            Ok(view) => image::add(scene, view.bytes, &source, budget),
+            Err(_) => Ok(lose("its bytes are not there", &place, budget)),
+        },
+        (None, None) => Ok(lose("neither a uri nor a buffer view", &place, budget)),
+    }
+}
+
+/// Notes an image that is left out.
+fn lose(reason: &str, place: &str, budget: &mut Budget) -> Option<ImageKey> {
+    budget.left_out.add(LostPart::Image, reason, place);
+    None
 }
 
 fn sampler(source: &gltf::json::texture::Sampler) -> Sampler {

@@ -4,19 +4,17 @@
 use super::document::{Document, at, item, label};
 use super::extras;
 use super::geometry::{self, Request};
+use super::lights_and_cameras::{projection, punctual};
 use super::material::{self, Materials};
 use super::skin::Pose;
 use super::tree::Tree;
 use crate::budget::Budget;
 use crate::error::LoadProblem;
 use crate::file_resolver::FileResolver;
-use antumbra_scene::{
-    Camera, Drawable, EntityKey, Geometry, Light, Mesh, Projection, Scene, Topology,
-};
-use glam::{DAffine3, DQuat, DVec3, Vec3};
-use gltf::json::extensions::scene::khr_lights_punctual::Type as LightType;
+use crate::left_out::LostPart;
+use antumbra_scene::{Camera, Drawable, EntityKey, Geometry, Mesh, Scene, Topology};
+use glam::{DAffine3, DMat3, DQuat, DVec3, Vec3};
 use gltf::json::scene::Node;
-use gltf::json::validation::Checked;
 use std::collections::{HashMap, VecDeque};
 
 /// Builds the file's scene, with the entity of each of its nodes.
@@ -34,11 +32,7 @@ pub(super) fn build(
         materials: Materials::default(),
         parts: HashMap::new(),
         locals: &tree.locals,
-        worlds: if document.root.skins.is_empty() {
-            Vec::new()
-        } else {
-            tree.worlds()
-        },
+        worlds: tree.worlds(),
     };
     let mut entities = Entities::new();
     let mut queue: VecDeque<(usize, Option<EntityKey>)> = VecDeque::new();
@@ -94,7 +88,7 @@ struct SceneBuilder<'a, 'b> {
     materials: Materials,
     parts: HashMap<PartKey, Option<Drawable>>,
     locals: &'a [DAffine3],
-    /// The world transforms of nodes; empty if no skin needs them.
+    /// The world transforms of nodes.
     worlds: Vec<DAffine3>,
 }
 
@@ -133,6 +127,12 @@ impl SceneBuilder<'_, '_> {
         // This also applies to an entity without a mesh, which may get one later.
         self.set_tested(entity, tested)?;
         if let Some(mesh) = at(node.mesh.as_ref()) {
+            let world = self.worlds.get(index);
+            if world.is_some_and(|world| world.matrix3 == DMat3::ZERO) {
+                let place = self.document.node_label(index);
+                let reason = "scaled to nothing";
+                (self.budget.left_out).add(LostPart::Entity, reason, &place);
+            }
             let parts = self.parts(index, node, mesh)?;
             match extras::instances(self.document, index, node, self.budget)? {
                 None => self.set_parts(entity, &parts, tested)?,
@@ -243,7 +243,12 @@ impl SceneBuilder<'_, '_> {
         lods: &[Lod],
     ) -> Result<Option<Drawable>, LoadProblem> {
         let pose = match node.skin {
-            Some(_) => Pose::of(self.document, index, &self.worlds)?,
+            Some(_) => Pose::of(
+                self.document,
+                index,
+                &self.worlds,
+                &mut self.budget.left_out,
+            )?,
             None => None,
         };
         let weights = node.weights.as_deref();
@@ -315,7 +320,7 @@ impl SceneBuilder<'_, '_> {
     }
 
     /// The coarser levels of a node's mesh. A level whose primitives do not correspond is ignored.
-    fn lods(&self, index: usize, node: &Node, primitives: usize) -> Vec<Lod> {
+    fn lods(&mut self, index: usize, node: &Node, primitives: usize) -> Vec<Lod> {
         let mut lods = Vec::new();
         for id in extras::lods(node) {
             let nodes = &self.document.root.nodes;
@@ -334,12 +339,9 @@ impl SceneBuilder<'_, '_> {
             if source.primitives.len() == primitives && undone {
                 lods.push(Lod { mesh, relative });
             } else {
-                let node = self.document.node_label(index);
-                tracing::warn!(
-                    node,
-                    lod = id,
-                    "this level of detail does not correspond to its node; left out"
-                );
+                let place = format!("node {id} of {}", self.document.node_label(index));
+                let reason = "it does not correspond to its node";
+                (self.budget.left_out).add(LostPart::Level, reason, &place);
             }
         }
         lods
@@ -363,50 +365,4 @@ fn transformed(mut geometry: Geometry, transform: &DAffine3) -> Geometry {
         *normal = turned.normalize_or_zero().as_vec3().to_array();
     }
     geometry
-}
-
-fn projection(camera: &gltf::json::Camera) -> Option<Projection> {
-    if let Some(perspective) = &camera.perspective {
-        return Some(Projection::Perspective {
-            fov_y: f64::from(perspective.yfov),
-            near: f64::from(perspective.znear),
-        });
-    }
-    camera
-        .orthographic
-        .as_ref()
-        .map(|orthographic| Projection::Orthographic {
-            height: f64::from(orthographic.ymag.abs()) * 2.0,
-            near: f64::from(orthographic.znear),
-            far: f64::from(orthographic.zfar),
-        })
-}
-
-fn punctual(source: &gltf::json::extensions::scene::khr_lights_punctual::Light) -> Option<Light> {
-    let (colour, intensity, range) = (source.color, source.intensity, source.range);
-    let Checked::Valid(kind) = source.type_ else {
-        return None;
-    };
-    Some(match kind {
-        LightType::Directional => Light::Directional {
-            colour,
-            illuminance: intensity,
-        },
-        LightType::Point => Light::Point {
-            colour,
-            intensity,
-            range,
-        },
-        LightType::Spot => Light::Spot {
-            colour,
-            intensity,
-            range,
-            inner: source
-                .spot
-                .as_ref()
-                .map_or(0.0, |spot| spot.inner_cone_angle),
-            outer: (source.spot.as_ref())
-                .map_or(std::f32::consts::FRAC_PI_4, |s| s.outer_cone_angle),
-        },
-    })
 }

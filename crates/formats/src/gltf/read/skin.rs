@@ -7,6 +7,7 @@
 use super::accessor::Accessor;
 use super::document::{Document, at, item};
 use crate::error::LoadProblem;
+use crate::left_out::{LeftOut, LostPart};
 use antumbra_scene::Geometry;
 use glam::{DAffine3, DMat4, DVec3, Vec3};
 use gltf::json::accessor::{ComponentType, Type};
@@ -22,6 +23,7 @@ impl Pose {
         document: &Document<'_>,
         node: usize,
         worlds: &[DAffine3],
+        left_out: &mut LeftOut,
     ) -> Result<Option<Self>, LoadProblem> {
         let user = document.node_label(node);
         let source = item(&document.root.nodes, node, "node", &user)?;
@@ -46,10 +48,9 @@ impl Pose {
         };
         let own = item(worlds, node, "node", &user)?.inverse();
         if !own.is_finite() {
-            tracing::warn!(
-                node = document.node_label(node),
-                "its transform cannot be undone; its skin is ignored"
-            );
+            let place = document.node_label(node);
+            let reason = "its node's transform cannot be undone";
+            left_out.add(LostPart::Skin, reason, &place);
             return Ok(None);
         }
         let mut joints = Vec::with_capacity(skin.joints.len());

@@ -17,8 +17,9 @@ use slotmap::SecondaryMap;
 use std::collections::{BTreeMap, HashMap};
 
 /// The extensions that scenes themselves use.
-const OWN: [&str; 4] = [
+const OWN: [&str; 5] = [
     "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
     "KHR_materials_unlit",
     "KHR_texture_transform",
     "MSFT_lod",
@@ -324,9 +325,14 @@ impl<'a> Builder<'a> {
                 .as_ref()
                 .is_some_and(|texture| texture.extensions.is_some())
         };
+        let extended = || {
+            let all = materials.materials.iter();
+            all.filter_map(|material| material.extensions.as_ref())
+        };
         let used = [
             !self.lights.is_empty(),
-            materials.materials.iter().any(|m| m.extensions.is_some()),
+            extended().any(|extensions| extensions.strength.is_some()),
+            extended().any(|extensions| extensions.unlit.is_some()),
             materials.materials.iter().any(info),
             self.nodes
                 .iter()

@@ -141,13 +141,15 @@ pub(super) struct Material<'a> {
     pub(super) name: &'a str,
     pub(super) pbr_metallic_roughness: Pbr,
     #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) emissive_factor: Option<[f32; 3]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) alpha_mode: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) alpha_cutoff: Option<f32>,
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub(super) double_sided: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) extensions: Option<Unlit>,
+    pub(super) extensions: Option<MaterialExtensions>,
 }
 
 #[derive(Serialize)]
@@ -181,9 +183,23 @@ pub(super) struct TextureTransform {
 }
 
 #[derive(Serialize)]
-pub(super) struct Unlit {
-    #[serde(rename = "KHR_materials_unlit")]
-    pub(super) unlit: Empty,
+pub(super) struct MaterialExtensions {
+    #[serde(
+        rename = "KHR_materials_emissive_strength",
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub(super) strength: Option<EmissiveStrength>,
+    #[serde(
+        rename = "KHR_materials_unlit",
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub(super) unlit: Option<Empty>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct EmissiveStrength {
+    pub(super) emissive_strength: f32,
 }
 
 #[derive(Serialize)]

@@ -2,7 +2,10 @@
 
 use super::binary::Binary;
 use super::error::SaveProblem;
-use super::json::{self, Empty, Pbr, TextureExtensions, TextureInfo, TextureTransform, Unlit};
+use super::json::{
+    self, EmissiveStrength, Empty, MaterialExtensions, Pbr, TextureExtensions, TextureInfo,
+    TextureTransform,
+};
 use ::image::codecs::png::PngEncoder;
 use ::image::{ExtendedColorType, ImageEncoder};
 use antumbra_scene::{
@@ -55,6 +58,17 @@ impl<'a> MaterialTable<'a> {
                 "its {what} is {value}; give a number from 0 to 1"
             )));
         }
+        let emission = source.emission;
+        if emission
+            .iter()
+            .any(|light| !(light.is_finite() && *light >= 0.0))
+        {
+            return Err(bad(format!(
+                "its emission is {emission:?}; give finite numbers from 0 on"
+            )));
+        }
+        // Factors go to 1, and a strength beyond.
+        let strength = emission.into_iter().fold(1.0, f32::max);
         let (alpha_mode, alpha_cutoff) = match source.alpha {
             AlphaMode::Opaque => (None, None),
             AlphaMode::Mask { cutoff } if !cutoff.is_finite() => {
@@ -83,10 +97,16 @@ impl<'a> MaterialTable<'a> {
                 metallic_factor: source.metallic,
                 roughness_factor: source.roughness,
             },
+            emissive_factor: (emission != [0.0; 3]).then(|| emission.map(|light| light / strength)),
             alpha_mode,
             alpha_cutoff,
             double_sided: source.double_sided,
-            extensions: source.unlit.then_some(Unlit { unlit: Empty {} }),
+            extensions: (source.unlit || strength > 1.0).then(|| MaterialExtensions {
+                strength: (strength > 1.0).then_some(EmissiveStrength {
+                    emissive_strength: strength,
+                }),
+                unlit: source.unlit.then_some(Empty {}),
+            }),
         });
         let index = self.materials.len() as u32 - 1;
         self.known_materials.insert(key, index);

@@ -1,13 +1,13 @@
 //! Triangulation of polygons with holes by ear clipping (David Eberly; the crate `earcut`, after Mapbox), in a
 //! projection along the axis nearest to the normal. The normal is Newell's (Martin Newell, in Sutherland, Sproull and
-//! Schumacker, 1974).
+//! Schumacker, 1974). A polygon that its first corner sees whole, such as a convex one, becomes a fan.
 
 use antumbra_scene::Geometry;
 use earcut::Earcut;
 use glam::{DVec2, DVec3};
 
 /// Buffers for triangulation, reused for every surface.
-pub(super) struct Triangulator {
+pub(crate) struct Triangulator {
     earcut: Earcut<f64>,
     corners: Vec<DVec3>,
     flat: Vec<[f64; 2]>,
@@ -17,15 +17,15 @@ pub(super) struct Triangulator {
     triangles: Vec<u32>,
 }
 
-/// The greatest number of corners of a surface. The time of ear clipping grows with their square where rings
+/// The greatest number of corners of a surface that is cut. The time of ear clipping grows with their square where rings
 /// intersect; at this number it is seconds.
-pub(super) const MAX_CORNERS: usize = 1 << 13;
+pub(crate) const MAX_CORNERS: usize = 1 << 13;
 
 /// A surface whose area is below this fraction of the square of its extent counts as a line.
 const MIN_AREA: f64 = 1e-12;
 
 impl Triangulator {
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             earcut: Earcut::new(),
             corners: Vec::new(),
@@ -37,14 +37,14 @@ impl Triangulator {
     }
 
     /// Starts a new surface.
-    pub(super) fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.corners.clear();
         self.holes.clear();
         self.is_void = false;
     }
 
     /// Adds a ring to the surface, the outer one first. A ring that encloses no area is ignored.
-    pub(super) fn ring(&mut self, corners: impl IntoIterator<Item = DVec3>) {
+    pub(crate) fn ring(&mut self, corners: impl IntoIterator<Item = DVec3>) {
         if self.is_void {
             return;
         }
@@ -60,25 +60,10 @@ impl Triangulator {
 
     /// Appends the surface's vertices, normals and triangles. Returns the number of triangles, 0 for a surface
     /// without an area.
-    pub(super) fn finish(&mut self, geometry: &mut Geometry) -> u64 {
-        let outer = self
-            .holes
-            .first()
-            .map_or(self.corners.len(), |hole| *hole as usize);
-        let Some(normal) = self.corners.get(..outer).and_then(normal) else {
+    pub(crate) fn finish(&mut self, geometry: &mut Geometry) -> u64 {
+        let Some(normal) = self.cut() else {
             return 0;
         };
-        self.flat.clear();
-        let flat = self
-            .corners
-            .iter()
-            .map(|corner| along(normal, *corner).to_array());
-        self.flat.extend(flat);
-        self.earcut
-            .earcut_slice(&self.flat, &self.holes, &mut self.triangles);
-        if self.triangles.is_empty() {
-            return 0;
-        }
         let first = geometry.positions.len() as u32;
         let positions = self
             .corners
@@ -87,16 +72,70 @@ impl Triangulator {
         geometry.positions.extend(positions);
         let normals = std::iter::repeat_n(normal.as_vec3().to_array(), self.corners.len());
         geometry.normals.extend(normals);
-        for triangle in self.triangles.as_chunks::<3>().0 {
-            let [a, b, c] = *triangle;
-            let turned = if self.is_clockwise([a, b, c]) {
-                [a, c, b]
-            } else {
-                [a, b, c]
-            };
-            geometry.indices.extend(turned.map(|corner| first + corner));
-        }
+        let corners = self.triangles.iter().map(|corner| first + corner);
+        geometry.indices.extend(corners);
         (self.triangles.len() / 3) as u64
+    }
+
+    /// The triangles of one ring, as numbers of its corners, counter-clockwise about the ring's normal. A ring without an area becomes a fan,
+    /// which shows as little as the ring.
+    pub(crate) fn polygon(&mut self, corners: impl IntoIterator<Item = DVec3>) -> &[[u32; 3]] {
+        self.clear();
+        self.corners.extend(corners);
+        if self.corners.len() == 3 || !self.is_fan() && self.cut().is_none() {
+            self.fan();
+        }
+        self.triangles.as_chunks::<3>().0
+    }
+
+    /// Whether the first corner sees the whole ring; the triangles are then a fan. Unlike ear clipping it keeps corners within edges, at which
+    /// neighbours may have a corner.
+    fn is_fan(&mut self) -> bool {
+        let Some(normal) = normal(&self.corners) else {
+            return false;
+        };
+        self.flatten(normal);
+        self.fan();
+        let triangles = self.triangles.as_chunks::<3>().0;
+        !triangles
+            .iter()
+            .any(|triangle| self.is_clockwise(*triangle))
+    }
+
+    /// Cuts the surface into triangles, counter-clockwise about its normal, which is returned; `None` if it has no area.
+    fn cut(&mut self) -> Option<DVec3> {
+        let outer = self
+            .holes
+            .first()
+            .map_or(self.corners.len(), |hole| *hole as usize);
+        let normal = self.corners.get(..outer).and_then(normal)?;
+        self.flatten(normal);
+        self.earcut
+            .earcut_slice(&self.flat, &self.holes, &mut self.triangles);
+        let mut triangles = std::mem::take(&mut self.triangles);
+        for triangle in triangles.as_chunks_mut::<3>().0 {
+            if self.is_clockwise(*triangle) {
+                triangle.swap(1, 2);
+            }
+        }
+        self.triangles = triangles;
+        (!self.triangles.is_empty()).then_some(normal)
+    }
+
+    /// Projects the corners.
+    fn flatten(&mut self, normal: DVec3) {
+        self.flat.clear();
+        let corners = self.corners.iter();
+        self.flat
+            .extend(corners.map(|corner| along(normal, *corner).to_array()));
+    }
+
+    /// Triangles from the first corner to all others.
+    fn fan(&mut self) {
+        self.triangles.clear();
+        for last in 2..self.corners.len() as u32 {
+            self.triangles.extend([0, last - 1, last]);
+        }
     }
 
     fn is_clockwise(&self, triangle: [u32; 3]) -> bool {
