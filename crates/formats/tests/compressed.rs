@@ -224,7 +224,7 @@ fn ktx2_is_read() {
         .scene
         .images()
         .next()
-        .expect(&loaded.left_out.to_string());
+        .unwrap_or_else(|| panic!("{}", loaded.left_out));
     assert_eq!((image.width, image.height), (4, 4));
     for pixel in image.rgba.as_chunks::<4>().0 {
         assert_eq!(*pixel, [10, 200, 30, 255]);

@@ -23,9 +23,9 @@ pub(super) fn read(
         let (line, after) = rest.split_once('\n').unwrap_or((rest, ""));
         let mut words = line.split_whitespace();
         let key = words.next().unwrap_or_default();
-        let numbers = words.filter_map(parse_number);
+        let mut numbers = words.filter_map(parse_number);
         match key.to_ascii_uppercase().as_str() {
-            "FSASCI" => nothing = numbers.last().unwrap_or(NOTHING),
+            "FSASCI" => nothing = numbers.next_back().unwrap_or(NOTHING),
             "FSLIMI" => limits = four(numbers),
             "FSNROW" => size = two(numbers),
             // What else there may be: attributes, steps, a title, comments.
