@@ -8,7 +8,7 @@ use antumbra_scene::{Aabb, Camera, ClipMatrix, Geometry, Mesh, Projection, Scene
 use antumbra_strategies::DepthPyramid;
 use antumbra_testing::{SceneBuilder, frame, gl, stage_with, views, vulkan};
 use antumbra_verify::{EntitySet, Oracle};
-use glam::{DAffine3, DMat4, DQuat, DVec2, DVec3, DVec4, Vec3};
+use glam::{DAffine3, DMat4, DQuat, DVec2, DVec3, DVec4};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 
@@ -27,22 +27,19 @@ fn turn(random: &mut Pcg32) -> DQuat {
     DQuat::from_axis_angle(axis, number() * 3.1)
 }
 
-/// Beams that cross in all directions: a mesh whose box is mostly empty, so that the boxes of its parts are tested too.
+/// Thin beams along all axes: a mesh whose box is mostly empty, so that the boxes of its parts are tested too.
 fn beams(random: &mut Pcg32) -> Mesh {
     let mut made = Geometry::default();
-    for _ in 0..7 {
-        let mut number = |range: std::ops::Range<f64>| random.random_range(range);
-        let middle = DVec3::from_array([(); 3].map(|()| number(-0.8..0.8)));
-        let half = DVec3::from_array([(); 3].map(|()| 10f64.powf(number(-2.0..0.0))));
-        let beam = Geometry::from_box(&Aabb::from_centre(DVec3::ZERO, half));
-        let turn = DAffine3::from_rotation_translation(turn(random), middle);
+    for number in 0..7 {
+        let mut between = |low: f64, high: f64| random.random_range(low..high);
+        let middle = DVec3::from_array([(); 3].map(|()| between(-0.8, 0.8)));
+        let mut half = DVec3::from_array([(); 3].map(|()| 10f64.powf(between(-2.0, -1.0))));
+        half[number % 3] = between(0.1, 0.6);
+        let beam = Geometry::from_box(&Aabb::from_centre(middle, half));
         let first = made.positions.len() as u32;
-        let corners = beam.positions.iter();
-        let corners = corners.map(|at| turn.transform_point3(Vec3::from(*at).as_dvec3()));
-        made.positions
-            .extend(corners.map(|at| at.as_vec3().to_array()));
-        made.indices
-            .extend(beam.indices.iter().map(|index| first + index));
+        made.positions.extend(&beam.positions);
+        let indices = beam.indices.iter();
+        made.indices.extend(indices.map(|index| first + index));
     }
     Mesh::new("beams", made)
 }
@@ -117,6 +114,8 @@ struct Played {
     trials: u64,
     /// Those of them that were culled.
     culled: u64,
+    /// Boxes of parts of meshes.
+    parts: usize,
 }
 
 /// Plays a world of this seed.
@@ -129,6 +128,7 @@ fn play(gpu: &Gpu, seed: u64, played: &mut Played) {
     };
     let origin = DVec3::X * [0.0, 0.0, 3e5][(seed % 3) as usize];
     let scene = GpuScene::new(gpu, &mut world(&mut random, origin)).unwrap();
+    played.parts += scene.table().part_boxes().len();
     let options = StageOptions {
         samples,
         ..StageOptions::default()
@@ -176,7 +176,15 @@ fn play_all(gpu: &Gpu) {
         play(gpu, seed, &mut played);
         seed += 1;
     }
-    let Played { trials, culled } = played;
+    let Played {
+        trials,
+        culled,
+        parts,
+    } = played;
+    assert!(
+        parts as u64 > seed * 10,
+        "only {parts} boxes of parts in {seed} worlds"
+    );
     println!(
         "{trials} trials of the seeds 0 to {} on {}: {culled} culled, none of them falsely",
         seed - 1,
