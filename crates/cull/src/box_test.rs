@@ -1,8 +1,8 @@
 //! Tests the boxes of all entities against a pyramid of what a view has drawn so far: the steps of strategies that draw what was visible first, and then what
 //! they find. Nothing is read back, and nothing by entity is done on the host while the scene stands still.
 
-use antumbra_graph::{Bind, Buffer, BufferDesc};
-use antumbra_shaders::jobs;
+use antumbra_graph::{Bind, Buffer, BufferDesc, Texture};
+use antumbra_shaders::{Job, jobs};
 
 use crate::compute_pipeline::rows_of;
 use crate::frame_graph::{CULL, FrameGraph, Shared};
@@ -110,6 +110,15 @@ pub struct BoxTest {
     pyramid: PyramidNodes,
 }
 
+/// A kernel with a thread for each slot, in workgroups of 64.
+struct SlotKernel {
+    name: &'static str,
+    job: &'static Job,
+    entry: &'static str,
+    /// [`GpuJudgedView`].
+    eye: Buffer,
+}
+
 impl FrameGraph<'_> {
     /// The boxes of all entities, for a view.
     pub fn view_boxes(&mut self, view: &ViewNodes, rules: TestRules) -> ViewBoxes {
@@ -145,68 +154,41 @@ impl FrameGraph<'_> {
     /// Tests the boxes of all entities against the last frame's pyramid, from the last frame's view: [states](BoxTest::states) for [`Self::first_by_boxes`] that know of movement, and no
     /// more than the finest level of the pyramid does.
     pub fn recall_by_pyramid(&mut self, view: &ViewNodes, of: ViewBoxes) -> Buffer {
-        let pipeline = self.compute_pipeline(&jobs::recall_slots::JOB, "recall_slots");
-        let scene = view.inputs().scene;
         let recalled = BufferDesc::new(self.slot_bytes()).zeroed();
         let recalled = self.graph().buffer(view.named("recalled"), recalled);
-        let (uniform, texels) = (of.uniform.previous(), of.pyramid.texels.previous());
-        let mut node = self.graph().compute(view.named("recall"));
-        node.group(CULL)
-            .read(scene)
-            .uniform(uniform)
-            .storage_read(of.boxes)
-            .storage_read(of.parts)
-            .storage_read(of.pyramid.layout)
-            .storage_read(texels);
-        let recalled = node.storage_write(recalled);
-        node.run(move |ctx| {
-            let slots = ctx.get(scene)?.table.slots();
-            let binds = [
-                Bind::Buffer(0, uniform),
-                Bind::Buffer(1, of.boxes),
-                Bind::Buffer(2, recalled),
-                Bind::Buffer(5, of.pyramid.layout),
-                Bind::Buffer(6, texels),
-                Bind::Buffer(9, of.parts),
-            ];
-            pipeline.dispatch(ctx, &binds, rows_of(slots.div_ceil(64)))
-        });
+        let kernel = SlotKernel {
+            name: "recall",
+            job: &jobs::recall_slots::JOB,
+            entry: "recall_slots",
+            eye: of.uniform.previous(),
+        };
+        let reads = [
+            (1, of.boxes),
+            (5, of.pyramid.layout),
+            (6, of.pyramid.texels.previous()),
+            (9, of.parts),
+        ];
+        let [recalled] = self.by_slot(view, kernel, &reads, None, [(2, recalled)]);
         recalled
     }
 
     /// What a view draws before the test, a u32 a slot, 1 or 0: opaque entities in its frustum that were visible by `states`, the [states](BoxTest::states) of the last frame, that no test
     /// may cull, or that nothing is known of and that are large on the screen. Any choice is right. This one hides much and costs little.
-    pub fn first_by_boxes(
-        &mut self,
-        view: &ViewNodes,
-        ViewBoxes { boxes, uniform, .. }: ViewBoxes,
-        states: Buffer,
-    ) -> Buffer {
-        let pipeline = self.compute_pipeline(&jobs::first_slots::JOB, "first_slots");
-        let scene = view.inputs().scene;
+    pub fn first_by_boxes(&mut self, view: &ViewNodes, of: ViewBoxes, states: Buffer) -> Buffer {
         let first = BufferDesc::new(self.slot_bytes()).zeroed();
         let first = self.graph().buffer(view.named("drawn first"), first);
-        let mut node = self.graph().compute(view.named("choose first"));
-        node.group(CULL)
-            .read(scene)
-            .uniform(uniform)
-            .storage_read(boxes)
-            .storage_read(states);
-        let first = node.storage_write(first);
-        node.run(move |ctx| {
-            let slots = ctx.get(scene)?.table.slots();
-            let binds = [
-                Bind::Buffer(0, uniform),
-                Bind::Buffer(1, boxes),
-                Bind::Buffer(2, states),
-                Bind::Buffer(3, first),
-            ];
-            pipeline.dispatch(ctx, &binds, rows_of(slots.div_ceil(64)))
-        });
+        let kernel = SlotKernel {
+            name: "choose first",
+            job: &jobs::first_slots::JOB,
+            entry: "first_slots",
+            eye: of.uniform,
+        };
+        let reads = [(1, of.boxes), (2, states)];
+        let [first] = self.by_slot(view, kernel, &reads, None, [(3, first)]);
         first
     }
 
-    /// Tests the boxes of all entities against the view's depth so far. A box is hidden if in every pixel that it may touch its nearest point there is behind the farthest sample;
+    /// Tests the boxes of the entities that were not drawn first, and where nothing is drawn after the test of all, against the view's depth so far. A box is hidden if in every pixel that it may touch its nearest point there is behind the farthest sample;
     /// equal depths are visible. `first`: a u32 a slot, not 0 for what is drawn already; `states`: where the next frame's knowledge is written, such as [`Self::sample_counts`].
     ///
     /// Needs a device that [reads the samples of what was drawn](crate::Gpu::reads_drawn_samples), where there are several a pixel.
@@ -221,15 +203,8 @@ impl FrameGraph<'_> {
         self.relies_on(Capability::BoxTest);
         let host = self.own_depth();
         let depth = view.targets.depth;
-        let scene = view.inputs().scene;
-        let ViewBoxes {
-            boxes,
-            parts,
-            uniform,
-            ..
-        } = of;
         let Shared { gpu, pipelines, .. } = &mut *self.shared;
-        let PyramidNodes { layout, texels } = fill_pyramid(
+        let pyramid = fill_pyramid(
             self.graph,
             gpu,
             pipelines,
@@ -238,97 +213,101 @@ impl FrameGraph<'_> {
             view.size(),
             of.pyramid,
         );
-        let job = match host.samples {
-            1 => &jobs::test_slots_one::JOB,
-            _ => &jobs::test_slots_many::JOB,
-        };
-        let pipeline = self.compute_pipeline(job, "test_slots");
         let bytes = self.slot_bytes();
         let mut words = |name: &str| {
             let name = view.named(name);
             self.graph().buffer(name, BufferDesc::new(bytes).zeroed())
         };
         let (rest, drawn) = (words("found besides"), words("drawn"));
-        let mut node = self.graph().compute(view.named("test boxes"));
-        node.group(CULL)
-            .read(scene)
-            .uniform(uniform)
-            .storage_read(boxes)
-            .storage_read(parts)
-            .storage_read(first)
-            .storage_read(layout)
-            .storage_read(texels)
-            .sample(depth);
-        let [states, rest, drawn] = [states, rest, drawn].map(|words| node.storage_write(words));
-        node.run(move |ctx| {
-            let slots = ctx.get(scene)?.table.slots();
-            let binds = [
-                Bind::Buffer(0, uniform),
-                Bind::Buffer(1, boxes),
-                Bind::Buffer(2, first),
-                Bind::Buffer(3, states),
-                Bind::Buffer(4, rest),
-                Bind::Buffer(5, layout),
-                Bind::Buffer(6, texels),
-                Bind::Texture(7, depth),
-                Bind::Buffer(8, drawn),
-                Bind::Buffer(9, parts),
-            ];
-            pipeline.dispatch(ctx, &binds, rows_of(slots.div_ceil(64)))
-        });
+        let kernel = SlotKernel {
+            name: "test boxes",
+            job: match host.samples {
+                1 => &jobs::test_slots_one::JOB,
+                _ => &jobs::test_slots_many::JOB,
+            },
+            entry: "test_slots",
+            eye: of.uniform,
+        };
+        let reads = [
+            (1, of.boxes),
+            (2, first),
+            (5, pyramid.layout),
+            (6, pyramid.texels),
+            (9, of.parts),
+        ];
+        let writes = [(3, states), (4, rest), (8, drawn)];
+        let [states, rest, drawn] = self.by_slot(view, kernel, &reads, Some(depth), writes);
         BoxTest {
             states,
             rest,
             drawn,
-            pyramid: PyramidNodes { layout, texels },
+            pyramid,
         }
     }
 
-    /// Tests what was drawn once more, against the complete depth: what comes first in the next frame is then what shows in this one. Any answer is right. `states`: those that
-    /// [`Self::test_boxes`] has written.
+    /// Tests what was drawn once more, against the complete depth: what comes first in the next frame is then what shows in this one. Any answer is right. Returns the
+    /// [states](BoxTest::states) of `tested`, with these answers.
     pub fn test_drawn(&mut self, view: &ViewNodes, of: ViewBoxes, tested: BoxTest) -> Buffer {
-        let host = self.own_depth();
-        let depth = view.targets.depth;
-        let scene = view.inputs().scene;
-        // The pyramid of the depth so far still holds: nothing has become farther. What it does not decide, the complete depth does, pixel by pixel.
-        let PyramidNodes { layout, texels } = tested.pyramid;
-        let job = match host.samples {
-            1 => &jobs::retest_slots_one::JOB,
-            _ => &jobs::retest_slots_many::JOB,
+        let kernel = SlotKernel {
+            name: "test what was drawn",
+            job: match self.own_depth().samples {
+                1 => &jobs::retest_slots_one::JOB,
+                _ => &jobs::retest_slots_many::JOB,
+            },
+            entry: "retest_slots",
+            eye: of.uniform,
         };
-        let pipeline = self.compute_pipeline(job, "retest_slots");
-        let ViewBoxes {
-            boxes,
-            parts,
-            uniform,
-            ..
-        } = of;
-        let mut node = self.graph().compute(view.named("test what was drawn"));
-        node.group(CULL)
-            .read(scene)
-            .uniform(uniform)
-            .storage_read(boxes)
-            .storage_read(parts)
-            .storage_read(tested.drawn)
-            .storage_read(layout)
-            .storage_read(texels)
-            .sample(depth);
-        let states = node.storage_write(tested.states);
+        // The pyramid of the depth so far still holds: nothing has become farther. What it does not decide, the complete depth does, pixel by pixel.
+        let reads = [
+            (1, of.boxes),
+            (2, tested.drawn),
+            (5, tested.pyramid.layout),
+            (6, tested.pyramid.texels),
+            (9, of.parts),
+        ];
+        let depth = Some(view.targets.depth);
+        let [states] = self.by_slot(view, kernel, &reads, depth, [(3, tested.states)]);
+        states
+    }
+
+    /// Adds the node of a kernel with a thread for each slot. What it reads and writes comes with the numbers of its bindings. Returns the next versions of what it writes.
+    fn by_slot<const WRITES: usize>(
+        &mut self,
+        view: &ViewNodes,
+        kernel: SlotKernel,
+        reads: &[(u32, Buffer)],
+        depth: Option<Texture>,
+        writes: [(u32, Buffer); WRITES],
+    ) -> [Buffer; WRITES] {
+        let SlotKernel {
+            name,
+            job,
+            entry,
+            eye,
+        } = kernel;
+        let pipeline = self.compute_pipeline(job, entry);
+        let scene = view.inputs().scene;
+        let mut node = self.graph().compute(view.named(name));
+        node.group(CULL).read(scene).uniform(eye);
+        let mut binds = vec![Bind::Buffer(0, eye)];
+        for (at, buffer) in reads {
+            node.storage_read(*buffer);
+            binds.push(Bind::Buffer(*at, *buffer));
+        }
+        if let Some(depth) = depth {
+            node.sample(depth);
+            binds.push(Bind::Texture(7, depth));
+        }
+        let written = writes.map(|(at, buffer)| {
+            let buffer = node.storage_write(buffer);
+            binds.push(Bind::Buffer(at, buffer));
+            buffer
+        });
         node.run(move |ctx| {
             let slots = ctx.get(scene)?.table.slots();
-            let binds = [
-                Bind::Buffer(0, uniform),
-                Bind::Buffer(1, boxes),
-                Bind::Buffer(2, tested.drawn),
-                Bind::Buffer(3, states),
-                Bind::Buffer(5, layout),
-                Bind::Buffer(6, texels),
-                Bind::Texture(7, depth),
-                Bind::Buffer(9, parts),
-            ];
             pipeline.dispatch(ctx, &binds, rows_of(slots.div_ceil(64)))
         });
-        states
+        written
     }
 
     /// The depth that the stage draws, as a host would declare it.

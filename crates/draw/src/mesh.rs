@@ -3,13 +3,13 @@
 //! Every mesh also gets its bounding box as a geometry of twelve triangles, so that box tests use the same position function as all other
 //! passes. The box is widened a little: it must cover every sample that its contents cover after rounding. All boxes share their indices.
 
-use antumbra_scene::{Aabb, Geometry, Mesh, PartBoxes};
+use antumbra_scene::{Aabb, Geometry, Mesh};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 
 use crate::arena::Arena;
 use crate::error::DrawError;
-use antumbra_cull::{Gpu, GpuPartBox, IndexRange, MeshRanges, OrientedBox};
+use antumbra_cull::{Gpu, IndexRange, MeshRanges, OrientedBox};
 
 /// A vertex's attributes other than its position.
 #[repr(C)]
@@ -137,9 +137,6 @@ impl MeshArenas {
             box_margin,
             deviation,
             roundness: bounds.map_or(OrientedBox::ANGULAR, |bounds| roundness(mesh, &bounds)),
-            parts: bounds.map_or_else(PartBoxes::default, |bounds| {
-                PartBoxes::new(mesh, &bounds, GpuPartBox::MOST)
-            }),
             bounds: bounds.unwrap_or(Aabb::EMPTY),
         })
     }

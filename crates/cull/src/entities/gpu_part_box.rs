@@ -16,6 +16,8 @@ pub struct GpuPartBox {
 impl GpuPartBox {
     /// The most boxes of a mesh.
     pub const MOST: usize = 16;
+    /// So many places of first parts can be told apart: bits 8 and up of the traits of a [`JudgedInstance`](crate::judge::JudgedInstance) hold one.
+    pub(super) const PLACES: u32 = 1 << 24;
 
     /// Those of a mesh, at most [`Self::MOST`].
     pub(super) fn of(boxes: &[PartBox]) -> impl Iterator<Item = Self> + '_ {

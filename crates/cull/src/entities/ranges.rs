@@ -1,6 +1,6 @@
 //! Where a mesh's geometries lie in the shared vertex and index arenas.
 
-use antumbra_scene::{Aabb, PartBoxes};
+use antumbra_scene::Aabb;
 
 #[cfg(doc)]
 use super::OrientedBox;
@@ -41,8 +41,6 @@ pub struct MeshRanges {
     pub deviation: f64,
     /// The mesh lies in the ellipsoid whose half axes are those of `bounds` times this: 1 for a sphere, [`OrientedBox::ANGULAR`] for what reaches a corner.
     pub roundness: f32,
-    /// Boxes around its parts.
-    pub parts: PartBoxes,
     /// The bounding box itself, in the mesh's own space.
     pub bounds: Aabb,
 }

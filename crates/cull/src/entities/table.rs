@@ -6,8 +6,8 @@
 use std::collections::HashMap;
 
 use antumbra_scene::bounds::BoxArray;
-use antumbra_scene::{Aabb, EntityKey, PartBox};
-use glam::{DAffine3, DVec3};
+use antumbra_scene::{Aabb, EntityKey, PartBox, PartBoxes};
+use glam::{BVec3, DAffine3, DVec3};
 
 use super::class::{Alpha, PipelineClass};
 use super::detail::MeshDetail;
@@ -16,7 +16,6 @@ use super::oriented::{MeshShape, OrientedBox};
 use super::ranges::{IndexRange, MeshRanges};
 use super::scale::{greatest_scale, least_scale};
 use super::slot_groups::SlotGroups;
-use crate::judge::JudgedInstance;
 
 /// What the instances of one instanced draw share: pipeline, texture, mesh. Sorts in drawing order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -54,6 +53,15 @@ pub struct NewOccupant {
     pub tested: bool,
 }
 
+/// The boxes of a mesh's parts.
+#[derive(Debug, Clone, Copy, Default)]
+struct MeshParts {
+    /// The first of them in [`SceneTable::part_boxes`]; 0: there are none.
+    first: u32,
+    /// [`PartBoxes::flat`].
+    flat: BVec3,
+}
+
 /// All drawable entities, by slot.
 #[derive(Debug, Clone, Default)]
 pub struct SceneTable {
@@ -72,8 +80,8 @@ pub struct SceneTable {
     changed_since: u64,
     batches: Vec<Batch>,
     meshes: Vec<MeshRanges>,
-    /// By mesh: where the boxes of its parts begin, or 0.
-    first_parts: Vec<u32>,
+    /// By mesh.
+    parts: Vec<MeshParts>,
     part_boxes: Vec<GpuPartBox>,
     epoch: u64,
     arrangement: u64,
@@ -253,19 +261,21 @@ impl SceneTable {
         self.oriented.reserve(slots);
         self.changed.reserve(slots);
         self.meshes.reserve(meshes);
+        self.parts.reserve(meshes);
     }
 
     /// Adds a mesh and returns its index.
-    pub fn add_mesh(&mut self, ranges: MeshRanges) -> u32 {
-        let first = self.add_parts(&ranges.parts.boxes);
-        self.first_parts.push(first);
+    pub fn add_mesh(&mut self, ranges: MeshRanges, parts: &PartBoxes) -> u32 {
+        let first = self.add_parts(&parts.boxes);
+        let flat = parts.flat;
+        self.parts.push(MeshParts { first, flat });
         self.meshes.push(ranges);
         self.meshes.len() as u32 - 1
     }
 
-    /// Adds the boxes of a mesh's parts, and returns where they begin; 0 where there are none or no room for them.
+    /// Adds the boxes of a mesh's parts, and returns where they begin; 0 where there are none, too many or no room for them.
     fn add_parts(&mut self, boxes: &[PartBox]) -> u32 {
-        if boxes.is_empty() {
+        if boxes.is_empty() || boxes.len() > GpuPartBox::MOST {
             return 0;
         }
         if self.part_boxes.is_empty() {
@@ -273,7 +283,7 @@ impl SceneTable {
             self.part_boxes.push(GpuPartBox::default());
         }
         let first = self.part_boxes.len() as u32;
-        if first + boxes.len() as u32 > JudgedInstance::GENERATIONS {
+        if first >= GpuPartBox::PLACES {
             return 0;
         }
         self.part_boxes.extend(GpuPartBox::of(boxes));
@@ -375,12 +385,12 @@ impl SceneTable {
         let at = mesh as usize;
         match self.meshes.get(at) {
             Some(mesh) if !mesh.bounds.is_empty() => {
-                let parts = self.first_parts.get(at).copied().unwrap_or(0);
+                let MeshParts { first, flat } = self.parts.get(at).copied().unwrap_or_default();
                 let shape = MeshShape {
                     bounds: mesh.bounds,
                     roundness: mesh.roundness,
-                    parts,
-                    flat: mesh.parts.flat,
+                    parts: first,
+                    flat,
                 };
                 OrientedBox::new(&shape, world, &bounds)
             }

@@ -2,14 +2,16 @@
 
 use std::collections::{HashMap, HashSet};
 
-use antumbra_scene::{EntityKey, MeshKey, Scene};
+use antumbra_scene::{EntityKey, MeshKey, PartBoxes, Scene};
 use glam::DAffine3;
 use rayon::prelude::*;
 
 use super::{EntityChanges, GpuScene, Upload};
 use crate::error::DrawError;
 use crate::instance::Instance;
-use antumbra_cull::{Batch, MeshDetail, NewOccupant, PipelineClass, PipelineTraits, SceneTable};
+use antumbra_cull::{
+    Batch, GpuPartBox, MeshDetail, NewOccupant, PipelineClass, PipelineTraits, SceneTable,
+};
 
 /// An added entity that is drawn.
 struct DrawnEntity {
@@ -147,7 +149,8 @@ impl GpuScene {
             None => {
                 let deviation = deviations.get(&drawable.mesh).copied().unwrap_or(0.0);
                 let ranges = self.arenas.add(&self.gpu, mesh, deviation)?;
-                let number = table.add_mesh(ranges);
+                let parts = PartBoxes::new(mesh, &ranges.bounds, GpuPartBox::MOST);
+                let number = table.add_mesh(ranges, &parts);
                 self.mesh_index.insert(drawable.mesh, number);
                 number
             }
