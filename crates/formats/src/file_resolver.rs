@@ -33,6 +33,10 @@ const BASE64: GeneralPurpose = GeneralPurpose::new(
 /// The most names of a folder that are compared with one that has another case.
 const MOST_NAMES: usize = 1 << 16;
 
+/// Steps of work of a question to the operating system, and of a name that is compared.
+const LOOK_UP: u64 = 1024;
+const NAME: u64 = 64;
+
 const OUTSIDE: &str = "only files in the scene file's own folder or below are opened; copy it there and refer to it by its relative name";
 
 /// The contents of a file, if the budget allows it.
@@ -95,7 +99,8 @@ impl<'a> FileResolver<'a> {
         }
         let name = percent_decoded(uri).and_then(|name| String::from_utf8(name).ok());
         let name = name.ok_or_else(|| bad("its percent signs do not decode to UTF-8"))?;
-        read(&self.resolve(&name).map_err(bad)?, budget)
+        let path = self.resolve(&name, budget)?.map_err(bad)?;
+        read(&path, budget)
     }
 
     /// The bytes of a plain name at `place` of something that costs no shape. A name of another machine's, such as `C:\maps\red.png`, is
@@ -111,7 +116,7 @@ impl<'a> FileResolver<'a> {
     ) -> Result<Found, LoadProblem> {
         budget.enter(place);
         let own = own_name(name);
-        match self.resolve(&own) {
+        match self.resolve(&own, budget)? {
             Ok(path) => found(read(&path, budget)),
             Err(_) if self.base.is_none() => Ok(Found::Missing("no folder to look in")),
             Err(_) => Ok(Found::Missing("outside the file's folder")),
@@ -131,40 +136,54 @@ impl<'a> FileResolver<'a> {
         found(self.fetch(place, uri, budget))
     }
 
-    /// The path of a relative name, if it is in the folder or below.
-    fn resolve(&self, name: &str) -> Result<PathBuf, &'static str> {
+    /// The path of a relative name, or why there is none: it must be in the folder or below.
+    ///
+    /// # Errors
+    /// Work that exceeds the budget.
+    fn resolve(
+        &self,
+        name: &str,
+        budget: &mut Budget,
+    ) -> Result<Result<PathBuf, &'static str>, LoadProblem> {
         let name = name.replace('\\', "/");
         let has_scheme = name.split_once(':').is_some();
         let relative = Path::new(&name);
         let inside = |c: Component<'_>| matches!(c, Component::Normal(_) | Component::CurDir);
         if has_scheme || name.is_empty() || !relative.components().all(inside) {
-            return Err(OUTSIDE);
+            return Ok(Err(OUTSIDE));
         }
-        let base = self.base.ok_or(
-            "the scene was read from memory, without a folder to look in; load it from a file",
-        )?;
+        let Some(base) = self.base else {
+            let reason =
+                "the scene was read from memory, without a folder to look in; load it from a file";
+            return Ok(Err(reason));
+        };
         let base = if base.as_os_str().is_empty() {
             Path::new(".")
         } else {
             base
         };
-        let path = existing(base, relative);
+        let path = existing(base, relative, budget)?;
         // A symbolic link may lead elsewhere.
-        match (base.canonicalize(), path.canonicalize()) {
+        Ok(match (base.canonicalize(), path.canonicalize()) {
             (Ok(base), Ok(path)) if !path.starts_with(&base) => Err(OUTSIDE),
             _ => Ok(path),
-        }
+        })
     }
 }
 
 /// The path below `base`; where a part of it is not there, the file that differs in case alone.
-fn existing(base: &Path, relative: &Path) -> PathBuf {
+///
+/// # Errors
+/// Work that exceeds the budget.
+fn existing(base: &Path, relative: &Path, budget: &mut Budget) -> Result<PathBuf, LoadProblem> {
+    budget.work(LOOK_UP)?;
     let exact = base.join(relative);
     if exact.exists() {
-        return exact;
+        return Ok(exact);
     }
     let mut path = base.to_owned();
     for part in relative.components() {
+        budget.work(LOOK_UP)?;
         let own = path.join(part);
         if own.exists() {
             path = own;
@@ -172,18 +191,22 @@ fn existing(base: &Path, relative: &Path) -> PathBuf {
         }
         let wanted = part.as_os_str().to_string_lossy().to_lowercase();
         let listed = path.read_dir().into_iter().flatten().take(MOST_NAMES);
-        let names = listed.filter_map(|entry| Some(entry.ok()?.file_name()));
-        let mut same: Vec<_> = names
-            .filter(|name| name.to_string_lossy().to_lowercase() == wanted)
-            .collect();
+        let mut same = Vec::new();
+        for entry in listed {
+            budget.work(NAME)?;
+            let name = entry.map(|entry| entry.file_name()).unwrap_or_default();
+            if name.to_string_lossy().to_lowercase() == wanted {
+                same.push(name);
+            }
+        }
         // The order of a folder's entries is not determined.
         same.sort();
         match same.first() {
             Some(name) => path.push(name),
-            None => return exact,
+            None => return Ok(exact),
         }
     }
-    path
+    Ok(path)
 }
 
 /// The last part of an absolute path of any system; any other name as it is.
@@ -212,7 +235,7 @@ fn found(read: Result<Vec<u8>, LoadProblem>) -> Result<Found, LoadProblem> {
 }
 
 /// What follows `data:`, in upper or lower case.
-fn data_of(uri: &str) -> Option<&str> {
+pub(super) fn data_of(uri: &str) -> Option<&str> {
     let (scheme, data) = uri.split_at_checked(5)?;
     scheme.eq_ignore_ascii_case("data:").then_some(data)
 }

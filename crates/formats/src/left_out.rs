@@ -106,8 +106,7 @@ impl LeftOut {
     }
 
     /// The losses of all kinds but [`LostPart::Shading`]: those that a strict load refuses.
-    #[must_use]
-    pub fn without_shading(&self) -> Self {
+    pub(crate) fn without_shading(&self) -> Self {
         let losses = self.losses.iter();
         let more = losses.filter(|loss| loss.part != LostPart::Shading);
         Self {
@@ -125,8 +124,7 @@ impl LeftOut {
         if count == 0 {
             return;
         }
-        let short = |text: &str| words::clean(&words::shorten(text, MOST_CHARACTERS));
-        let reason = short(reason);
+        let reason = words::short(reason, MOST_CHARACTERS);
         let key = |loss: &Loss| (loss.part, loss.reason.clone());
         let place = self
             .losses
@@ -150,7 +148,7 @@ impl LeftOut {
         if let Some(loss) = self.losses.get_mut(place) {
             loss.count = loss.count.saturating_add(count);
             if loss.examples.len() < MOST_EXAMPLES {
-                loss.examples.push(short(example));
+                loss.examples.push(words::short(example, MOST_CHARACTERS));
             }
         }
     }

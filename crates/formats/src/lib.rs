@@ -8,7 +8,7 @@
 //!
 //! There is one folder or file per format (`gltf`, `obj`, `ply`, `stl`, `cityjson`, `raster`). `load` chooses among
 //! the scene formats. `options` and `budget` limit what a file may use, `file_resolver` and `image` read what it
-//! refers to, `polygon` and `local_origin` make triangles and positions of what several formats have.
+//! refers to, `text`, `polygon`, `local_origin` and `emission` are what several formats share.
 //!
 //! ```
 //! use antumbra_formats::{LoadOptions, SceneFormat, load, load_slice, save_glb};
@@ -27,6 +27,7 @@
 
 mod budget;
 mod cityjson;
+mod emission;
 mod error;
 mod file_resolver;
 mod gltf;
@@ -45,14 +46,14 @@ pub mod raster;
 mod read_scene;
 mod single;
 mod stl;
+mod text;
 pub mod units;
 
 pub use error::{LoadError, LoadProblem};
 pub use gltf::{Attachment, SaveError, SaveProblem, save_glb, save_glb_with_attachments};
 pub use left_out::{LeftOut, Loss, LostPart};
 pub use load::{
-    LoadedScene, SceneFormat, load, load_gltf_slice, load_slice, load_slice_with_attachments,
-    load_with_attachments,
+    LoadedScene, SceneFormat, load, load_slice, load_slice_with_attachments, load_with_attachments,
 };
 pub use options::LoadOptions;
 pub use raster::{

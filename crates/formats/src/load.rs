@@ -180,18 +180,6 @@ pub fn load_slice_with_attachments(
     })
 }
 
-/// Loads a glTF scene, JSON or binary, from memory: [`load_slice`] with [`SceneFormat::Gltf`].
-///
-/// # Errors
-/// As for [`load`].
-pub fn load_gltf_slice(
-    bytes: &[u8],
-    base: Option<&Path>,
-    options: &LoadOptions,
-) -> Result<Scene, LoadError> {
-    load_slice(SceneFormat::Gltf, bytes, base, options)
-}
-
 /// What the reader left out.
 ///
 /// # Errors

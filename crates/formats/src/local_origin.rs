@@ -1,6 +1,7 @@
 //! An origin near a geometry. Positions far from the origin, such as those of maps, lose centimetres or metres in f32. They are read as f64,
 //! and what is stored is their distance from an origin of their own, which becomes the entity's translation.
 
+use antumbra_scene::Geometry;
 use glam::{DAffine3, DVec3};
 
 /// Positions relative to an origin, both in metres.
@@ -9,6 +10,12 @@ pub(crate) struct LocalPositions {
     pub(crate) origin: DVec3,
     /// One for each position.
     pub(crate) positions: Vec<[f32; 3]>,
+}
+
+/// A geometry and the transform to the file's coordinates.
+pub(crate) struct Placed {
+    pub(crate) geometry: Geometry,
+    pub(crate) transform: DAffine3,
 }
 
 /// A box that reaches this many times its size away from the file's origin gets an origin of its own: two of the 24 bits of an f32.

@@ -8,17 +8,20 @@ mod lines;
 mod materials;
 mod mesh;
 mod source;
+mod weld;
 
 use crate::budget::Budget;
 use crate::error::{LoadProblem, shorten};
 use crate::file_resolver::FileResolver;
 use crate::left_out::LostPart;
+use crate::local_origin::Placed;
 use crate::polygon::Triangulator;
+use crate::text::legible;
 use antumbra_scene::{Drawable, Material, MaterialKey, Mesh, Scene, Topology};
 use materials::Libraries;
-use mesh::{MeshBuilder, Placed};
+use mesh::MeshBuilder;
 use source::Source;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 pub(super) fn read(
     bytes: &[u8],
@@ -33,20 +36,15 @@ pub(super) fn read(
         });
     }
     // Names in other encodings than UTF-8 need not be legible, as long as equal names stay equal.
-    let text = String::from_utf8_lossy(bytes);
-    let source = Source::read(text.trim_start_matches('\u{feff}'), budget)?;
+    let text = legible(bytes, budget)?;
+    let source = Source::read(&text, budget)?;
     drop(text);
     let mut libraries = Libraries::default();
-    // A library that is named again adds nothing.
-    let mut named = HashSet::new();
     for names in &source.libraries {
-        if named.insert(names) {
-            libraries.read(names, files, budget)?;
-        }
+        libraries.read(names, files, budget)?;
     }
     let mut scene = Scene::new();
     let mut known: HashMap<Option<usize>, MaterialKey> = HashMap::new();
-    scene.reserve(source.parts.len());
     let mut builder = MeshBuilder {
         source: &source,
         triangulator: Triangulator::new(),
@@ -70,7 +68,7 @@ pub(super) fn read(
                     let name = part
                         .material
                         .and_then(|number| source.materials.get(number));
-                    let material = material(name, &libraries, &mut scene, files, budget)?;
+                    let material = material(name, &mut libraries, &mut scene, files, budget)?;
                     budget.material(&material.name)?;
                     *(known.entry(part.material)).or_insert(scene.add_material(material))
                 }
@@ -87,7 +85,7 @@ pub(super) fn read(
 /// The material of this name; a white one without a name or where no library has it.
 fn material(
     name: Option<&String>,
-    libraries: &Libraries,
+    libraries: &mut Libraries,
     scene: &mut Scene,
     files: &FileResolver<'_>,
     budget: &mut Budget,
@@ -96,8 +94,8 @@ fn material(
         if let Some(found) = libraries.material(name, scene, files, budget)? {
             return Ok(found);
         }
-        // Where the library itself is missing, that has been said.
-        if libraries.is_read {
+        // Where a library itself is missing, that has been said.
+        if libraries.is_read || !libraries.is_named() {
             let example = format!("material \"{}\"", shorten(name));
             let reason = "no library has it";
             budget.left_out.add(LostPart::Material, reason, &example);

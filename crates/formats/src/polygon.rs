@@ -2,6 +2,8 @@
 //! projection along the axis nearest to the normal. The normal is Newell's (Martin Newell, in Sutherland, Sproull and
 //! Schumacker, 1974). A polygon that its first corner sees whole, such as a convex one, becomes a fan.
 
+use crate::budget::Budget;
+use crate::error::LoadProblem;
 use antumbra_scene::Geometry;
 use earcut::Earcut;
 use glam::{DVec2, DVec3};
@@ -20,6 +22,9 @@ pub(crate) struct Triangulator {
 /// The greatest number of corners of a surface that is cut. The time of ear clipping grows with their square where rings
 /// intersect; at this number it is seconds.
 pub(crate) const MAX_CORNERS: usize = 1 << 13;
+
+/// A polygon of at most this many corners is cut in no time that counts.
+const FEW_CORNERS: usize = 64;
 
 /// A surface whose area is below this fraction of the square of its extent counts as a line.
 const MIN_AREA: f64 = 1e-12;
@@ -78,14 +83,29 @@ impl Triangulator {
     }
 
     /// The triangles of one ring, as numbers of its corners, counter-clockwise about the ring's normal. A ring without an area becomes a fan,
-    /// which shows as little as the ring.
-    pub(crate) fn polygon(&mut self, corners: impl IntoIterator<Item = DVec3>) -> &[[u32; 3]] {
+    /// which shows as little as the ring. `None` for a ring of more than [`MAX_CORNERS`] corners, which is not cut.
+    ///
+    /// # Errors
+    /// Work that exceeds the budget.
+    pub(crate) fn polygon(
+        &mut self,
+        corners: impl IntoIterator<Item = DVec3>,
+        budget: &mut Budget,
+    ) -> Result<Option<&[[u32; 3]]>, LoadProblem> {
         self.clear();
-        self.corners.extend(corners);
-        if self.corners.len() == 3 || !self.is_fan() && self.cut().is_none() {
+        // One more tells that there are too many.
+        (self.corners).extend(corners.into_iter().take(MAX_CORNERS + 1));
+        let count = self.corners.len();
+        if count > MAX_CORNERS {
+            return Ok(None);
+        }
+        if count > FEW_CORNERS {
+            budget.work((count * count / FEW_CORNERS) as u64)?;
+        }
+        if count == 3 || !self.is_fan() && self.cut().is_none() {
             self.fan();
         }
-        self.triangles.as_chunks::<3>().0
+        Ok(Some(self.triangles.as_chunks::<3>().0))
     }
 
     /// Whether the first corner sees the whole ring; the triangles are then a fan. Unlike ear clipping it keeps corners within edges, at which

@@ -11,6 +11,7 @@ mod solid;
 use crate::budget::Budget;
 use crate::error::LoadProblem;
 use crate::local_origin::localise;
+use crate::text::legible;
 use antumbra_scene::{Geometry, Scene};
 use glam::DVec3;
 use solid::{Solid, TRIANGLE_MEMORY};
@@ -21,9 +22,9 @@ const TRIANGLE: u64 = 50;
 /// Reads the solids.
 pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Scene, LoadProblem> {
     let mut scene = Scene::new();
-    let mut solids = match text(bytes) {
-        Some(text) => ascii::read(&text, budget)?,
-        None => vec![binary(bytes, budget)?],
+    let mut solids = match kind(bytes) {
+        Kind::Text => ascii::read(&legible(bytes, budget)?, budget)?,
+        Kind::Binary => vec![binary(bytes, budget)?],
     };
     if solids.len() > 1 {
         solids.retain(|solid| !solid.indices.is_empty());
@@ -93,13 +94,22 @@ fn binary_body(bytes: &[u8]) -> Option<BinaryBody<'_>> {
     })
 }
 
-/// The text of an ASCII file; `None` for a binary one.
-fn text(bytes: &[u8]) -> Option<String> {
+/// How a file is written.
+enum Kind {
+    /// In ASCII.
+    Text,
+    /// In binary.
+    Binary,
+}
+
+fn kind(bytes: &[u8]) -> Kind {
     let exact = binary_body(bytes)
         .is_some_and(|body| body.body.len() as u64 == u64::from(body.count) * TRIANGLE);
     let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let start = start.trim_ascii_start();
-    let word = start.get(..5).unwrap_or_default();
+    let word = start.trim_ascii_start().get(..5).unwrap_or_default();
     let is_text = word.eq_ignore_ascii_case(b"solid") || word.eq_ignore_ascii_case(b"facet");
-    (is_text && !exact).then(|| String::from_utf8_lossy(start).into_owned())
+    match is_text && !exact {
+        true => Kind::Text,
+        false => Kind::Binary,
+    }
 }

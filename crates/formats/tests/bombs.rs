@@ -10,7 +10,8 @@ use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use antumbra_formats::{
-    LoadOptions, RasterFormat, RasterOptions, SceneFormat, load, load_raster_slice_with, load_slice,
+    LoadOptions, RasterFormat, RasterOptions, SceneFormat, load, load_raster_slice_with,
+    load_slice, load_with_attachments,
 };
 use cap::Cap;
 use common::{floats, glb};
@@ -322,6 +323,46 @@ fn polygons_of_many_corners_are_bounded() {
 
 fn comb_of(corners: &str) -> String {
     format!("v 0 -1 0\n{corners}v 4000 -1 0\n")
+}
+
+#[test]
+fn a_line_that_is_continued_often_is_copied_once() {
+    let _turn = turn();
+    let text = "\\\n".repeat(20_000) + "v 0 0 0\n";
+    let before = ALLOCATOR.total_allocated();
+    load_slice(SceneFormat::Obj, text.as_bytes(), None, &options()).unwrap();
+    let taken = ALLOCATOR.total_allocated() - before;
+    assert!(taken < 1 << 20, "{taken} bytes for {} of text", text.len());
+}
+
+#[test]
+fn parts_of_an_obj_are_paid_for_before_they_become_entities() {
+    let _turn = turn();
+    let bomb = "v 0 0 0\n".to_owned() + &"g\np 1\n".repeat(170_000);
+    scene(SceneFormat::Obj, bomb.as_bytes(), &["MiB"]);
+    let few = "v 0 0 0\n".to_owned() + &"g\np 1\n".repeat(60_000);
+    scene(SceneFormat::Obj, few.as_bytes(), &["the object \"", "MiB"]);
+}
+
+#[test]
+fn names_of_material_libraries_are_looked_up_once_and_are_work() {
+    let _turn = turn();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.obj");
+    let options = LoadOptions {
+        max_work: 1 << 16,
+        ..options()
+    };
+    let corner = "v 0 0 0\np 1\n";
+    let same = format!("mtllib{}\nmtllib a\n{corner}", " a".repeat(1000));
+    std::fs::write(&path, same).unwrap();
+    let loaded = load_with_attachments(&path, &options, &[]).unwrap();
+    assert_eq!(loaded.left_out.to_string(), "1 material (missing)");
+    let names: String = (0..1000).map(|i| format!("mtllib {i}.mtl\n")).collect();
+    std::fs::write(&path, names + corner).unwrap();
+    let message = load(&path, &options).unwrap_err().to_string();
+    assert!(message.contains("the material library"), "{message}");
+    assert!(message.contains("max_work"), "{message}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 mod common;
 
-use antumbra_formats::{LoadOptions, load_gltf_slice};
+use antumbra_formats::{LoadOptions, SceneFormat, load_slice};
 use antumbra_scene::{
     AlphaMode, EntityKey, Geometry, Light, PlacedLight, Projection, Scene, Topology, Wrap,
 };
@@ -12,7 +12,7 @@ use common::{floats, primitive, scene, shorts};
 use glam::DVec3;
 
 fn read(file: &[u8]) -> Scene {
-    let mut scene = load_gltf_slice(file, None, &LoadOptions::default()).unwrap();
+    let mut scene = load_slice(SceneFormat::Gltf, file, None, &LoadOptions::default()).unwrap();
     scene.update();
     scene
 }

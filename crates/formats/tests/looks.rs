@@ -3,7 +3,7 @@
 
 mod common;
 
-use antumbra_formats::{LoadOptions, load, load_gltf_slice, save_glb};
+use antumbra_formats::{LoadOptions, SceneFormat, load, load_slice, save_glb};
 use antumbra_scene::{Material, Scene};
 
 fn read(materials: &str) -> Scene {
@@ -12,7 +12,7 @@ fn read(materials: &str) -> Scene {
         common::SQUARE
     );
     let file = common::glb(&json, &common::square());
-    load_gltf_slice(&file, None, &LoadOptions::default()).unwrap()
+    load_slice(SceneFormat::Gltf, &file, None, &LoadOptions::default()).unwrap()
 }
 
 fn look(materials: &str) -> Material {

@@ -214,13 +214,88 @@ fn faces_in_a_smoothing_group_are_smooth_and_others_flat() {
     };
     assert_eq!(normals(shape), 0);
     assert_eq!(normals(&format!("s 1\n{shape}")), 4);
-    assert_eq!(
-        normals(&format!(
-            "s 1\n{}",
-            shape.replace("f 1 3 4", "s off\nf 1 3 4")
-        )),
-        0
-    );
+    // The last face has corners of its own.
+    let mixed = shape.replace("f 1 3 4", "s off\nf 1 3 4");
+    assert_eq!(normals(&format!("s 1\n{mixed}")), 6);
+}
+
+/// A box without normals, with this statement before each face.
+fn box_with(before: impl Fn(usize) -> String) -> Geometry {
+    let corners: String = (0..8)
+        .map(|i| format!("v {} {} {}\n", i & 1, i >> 1 & 1, i >> 2))
+        .collect();
+    let faces = [
+        "1 5 7 3", "2 4 8 6", "1 2 6 5", "3 7 8 4", "1 3 4 2", "5 6 8 7",
+    ];
+    let faces = faces.iter().enumerate();
+    let faces: String = faces
+        .map(|(i, face)| format!("{}f {face}\n", before(i)))
+        .collect();
+    let scene = read(SceneFormat::Obj, (corners + &faces).as_bytes());
+    let (_, mesh) = scene.meshes().next().unwrap();
+    mesh.levels[0].clone()
+}
+
+/// The number of triangles whose corners all have the normal of the triangle's plane.
+fn flat_triangles(geometry: &Geometry) -> usize {
+    let is_flat = |triangle: &[u32; 3]| {
+        let [a, b, c] = geometry.corners(*triangle).unwrap();
+        let plane = (b - a).cross(c - a).normalize().as_vec3();
+        let mut normals = triangle.iter().map(|i| geometry.normals[*i as usize]);
+        normals.all(|normal| plane.distance(normal.into()) < 1e-6)
+    };
+    geometry.triangles().filter(is_flat).count()
+}
+
+#[test]
+fn each_smoothing_group_is_smooth_by_itself() {
+    let cube = box_with(|i| format!("s {}\n", i + 1));
+    assert_eq!((cube.positions.len(), flat_triangles(&cube)), (24, 12));
+    let round = box_with(|_| "s on\n".to_owned());
+    assert_eq!((round.positions.len(), flat_triangles(&round)), (8, 0));
+    // A flat lid, twice: as a group of its own and as a face of none.
+    for lid in ["s 2\n", "s off\n"] {
+        let can = box_with(|i| if i == 5 { lid } else { "s 1\n" }.to_owned());
+        assert_eq!((can.positions.len(), flat_triangles(&can)), (12, 2));
+    }
+}
+
+#[test]
+fn a_face_without_attributes_costs_those_of_the_others_nothing() {
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0.5 0.25\nvn 0 0.6 0.8\nf 1/1/1 2/1/1 3/1/1\nf 1 3 4\n";
+    let loaded = load_slice_with_attachments(
+        SceneFormat::Obj,
+        obj.as_bytes(),
+        None,
+        &LoadOptions::default(),
+        &[],
+    )
+    .unwrap();
+    let (_, mesh) = loaded.scene.meshes().next().unwrap();
+    let geometry = &mesh.levels[0];
+    let [first, second]: [[u32; 3]; 2] =
+        geometry.triangles().collect::<Vec<_>>().try_into().unwrap();
+    for corner in first {
+        assert_eq!(geometry.normals[corner as usize], [0.0, 0.6, 0.8]);
+        assert_eq!(geometry.uvs[corner as usize], [0.5, 0.75]);
+    }
+    for corner in second {
+        assert_eq!(geometry.normals[corner as usize], [1.0, 0.0, 0.0]);
+    }
+    let [loss] = loaded.left_out.losses() else {
+        panic!("{}", loaded.left_out)
+    };
+    assert_eq!((loss.part, loss.count), (LostPart::Attribute, 3));
+    assert!(loss.reason.contains("texture coordinates"), "{loss}");
+}
+
+#[test]
+fn normals_of_an_obj_without_a_direction_are_those_of_its_triangles() {
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 0\nvn 0 0.6 0.8\nf 1//1 2//2 3//2\n";
+    let scene = read(SceneFormat::Obj, obj.as_bytes());
+    let (_, mesh) = scene.meshes().next().unwrap();
+    let tilted = [0.0, 0.6, 0.8];
+    assert_eq!(mesh.levels[0].normals, [[0.0, 0.0, 1.0], tilted, tilted]);
 }
 
 #[test]

@@ -42,13 +42,54 @@ fn obj_lines_continue_and_end_with_comments() {
         "f 1 2 \\\n 3 4\n",
         "f 1 2\\\r\n3 \\\r\n 4\r\n",
         "f 1 2 3 4 # a square",
-        "f 1 2 3 4#no comment\n".trim_end_matches("#no comment\n"),
+        "g a#b\nf 1 2 3 4\n",
     ] {
         let text = format!("\u{feff}{corners}{face}");
         assert_eq!(triangles(SceneFormat::Obj, text.as_bytes()), 2, "{face}");
     }
     let text = format!("{corners}usemtl a#1 # comment\nf 1 2 3 4\n").replace('\n', "\r");
     assert_eq!(triangles(SceneFormat::Obj, text.as_bytes()), 2);
+}
+
+#[test]
+fn errors_name_the_line_for_any_line_ends() {
+    let obj = "\n# a comment\nv 0 0 0\n\nv 1 \\\n 0 0\nv 0 1 0\nf 1 2 9\n";
+    let odd = "v 0 0 0\n\nv 0 a 0\n";
+    let stl = "\n\nsolid a\nfacet normal 0 0 1\nouter loop\nvertex 0 b 0\n";
+    let files = [
+        (SceneFormat::Obj, obj, "line 8 "),
+        (SceneFormat::Obj, odd, "line 3 "),
+        (SceneFormat::Stl, stl, "line 6 "),
+    ];
+    for (format, text, line) in files {
+        for end in ["\n", "\r\n", "\r"] {
+            let text = text.replace('\n', end);
+            let options = LoadOptions::default();
+            let error = load_slice(format, text.as_bytes(), None, &options).unwrap_err();
+            let message = error.to_string();
+            assert!(message.contains(line), "{end:?}, {line}: {message}");
+        }
+    }
+}
+
+#[test]
+fn facets_of_an_stl_begin_and_end_in_turn() {
+    for (text, words) in [
+        (common::STL.replace("endfacet\n", ""), "truncated"),
+        (
+            common::STL.replace("endfacet\n", "facet normal 0 0 1\nendfacet\n"),
+            "line 8 ",
+        ),
+        (
+            common::STL.replace("endfacet\n", "endfacet\nendfacet\n"),
+            "line 9 ",
+        ),
+    ] {
+        let options = LoadOptions::default();
+        let error = load_slice(SceneFormat::Stl, text.as_bytes(), None, &options).unwrap_err();
+        let message = error.to_string();
+        assert!(message.contains(words), "{words}: {message}");
+    }
 }
 
 #[test]
@@ -188,6 +229,41 @@ fn targa_and_bitmaps_are_read() {
 fn libraries_say_what_glows() {
     let (scene, _) = with_library("newmtl m\nKd 0 0 0\nKe 0 1 0\n", &[]);
     assert_eq!(only(&scene).emission, [0.0, 1.0, 0.0]);
+}
+
+#[test]
+fn images_of_emission_are_shown_on_black_surfaces_alone() {
+    let files = [("red.png", common::PNG)];
+    let (scene, lost) = with_library("newmtl m\nKd 0 0 0\nKe 1 0.5 0\nmap_Ke red.png\n", &files);
+    let lamp = only(&scene);
+    assert!(lamp.unlit && lamp.base_colour_image.is_some(), "{lost}");
+    assert_eq!(lamp.base_colour, [1.0, 0.5, 0.0, 1.0]);
+    assert_eq!((lamp.emission, lost.as_str()), ([0.0; 3], ""));
+    let (scene, lost) = with_library("newmtl m\nKd 0 0 0\nmap_Ke red.png\n", &files);
+    assert_eq!(only(&scene).base_colour, [1.0; 4], "{lost}");
+    for colour in ["Kd 1 0 0", "map_Kd red.png\nKd 0 0 0"] {
+        let library = format!("newmtl m\n{colour}\nKe 1 1 1\nmap_Ke red.png\n");
+        let (scene, lost) = with_library(&library, &files);
+        let coloured = only(&scene);
+        assert_eq!((coloured.emission, coloured.unlit), ([0.0; 3], false));
+        assert_eq!(lost, "1 shading detail (maps of emission)");
+    }
+}
+
+#[test]
+fn an_image_of_several_materials_is_read_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let library =
+        "newmtl a\nmap_Kd red.png\nnewmtl b\nmap_Kd red.png\nnewmtl c\nmap_Kd -clamp on red.png\n";
+    std::fs::write(folder.path().join("m.mtl"), library).unwrap();
+    std::fs::write(folder.path().join("red.png"), common::PNG).unwrap();
+    let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    let faces = ["a", "b", "c"].map(|name| format!("usemtl {name}\nf 1 2 3\n"));
+    let path = folder.path().join("a.obj");
+    std::fs::write(&path, format!("mtllib m.mtl\n{corners}{}", faces.concat())).unwrap();
+    let scene = load(&path, &LoadOptions::default()).unwrap();
+    assert_eq!(scene.materials().count(), 3);
+    assert_eq!(scene.images().count(), 2, "one for each way of sampling it");
 }
 
 #[test]

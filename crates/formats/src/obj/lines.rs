@@ -1,5 +1,6 @@
 //! The statements of OBJ and MTL texts: lines without comments, joined where a backslash continues them.
 
+use crate::text::lines;
 use std::borrow::Cow;
 
 /// A statement and the number of its first line, from 1.
@@ -10,27 +11,42 @@ pub(super) struct Statement<'a> {
 
 /// The statements of a text that are not empty. A comment begins with `#` at the start of a line or after a space, since names may contain one.
 pub(super) fn statements(text: &str) -> impl Iterator<Item = Statement<'_>> {
-    // Lines end with \n, \r\n or, of old, \r.
-    let mut lines = (text.split(['\n', '\r']).enumerate()).filter(|(_, line)| !line.is_empty());
+    let mut lines = lines(text).filter(|line| !line.text.is_empty());
     std::iter::from_fn(move || {
         loop {
-            let (number, line) = lines.next()?;
-            let mut whole = Cow::Borrowed(without_comment(line));
-            while let Some(start) = whole.strip_suffix('\\') {
-                let mut joined = start.to_owned();
-                joined.push(' ');
-                let next = lines.next().map_or("", |(_, line)| line);
-                joined.push_str(without_comment(next));
-                whole = Cow::Owned(joined);
-            }
-            if !whole.is_empty() {
+            let first = lines.next()?;
+            let text = without_comment(first.text);
+            let text = match text.strip_suffix('\\') {
+                None => Cow::Borrowed(text),
+                Some(start) => {
+                    let others = lines.by_ref().map(|line| without_comment(line.text));
+                    Cow::Owned(joined(start, others))
+                }
+            };
+            if !text.is_empty() {
                 return Some(Statement {
-                    line: number + 1,
-                    text: whole,
+                    line: first.number,
+                    text,
                 });
             }
         }
     })
+}
+
+/// A statement that goes on in other lines, up to the first without a backslash.
+fn joined<'a>(start: &str, others: impl Iterator<Item = &'a str>) -> String {
+    let mut whole = start.to_owned();
+    for line in others {
+        whole.push(' ');
+        match line.strip_suffix('\\') {
+            Some(part) => whole.push_str(part),
+            None => {
+                whole.push_str(line);
+                break;
+            }
+        }
+    }
+    whole
 }
 
 fn without_comment(line: &str) -> &str {

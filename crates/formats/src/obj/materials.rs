@@ -2,20 +2,30 @@
 
 use super::lines::{keyword, statements};
 use crate::budget::Budget;
+use crate::emission::{Emitter, MAPS_OF_EMISSION};
 use crate::error::{LoadProblem, shorten};
 use crate::file_resolver::{FileResolver, Found};
 use crate::image::{self, ImageSource};
 use crate::left_out::LostPart;
-use antumbra_scene::{AlphaMode, Material, Sampler, Scene, Wrap};
-use std::collections::HashMap;
+use crate::text::legible;
+use antumbra_scene::{AlphaMode, ImageKey, Material, Sampler, Scene, Wrap};
+use std::collections::{HashMap, HashSet};
 
 /// Bytes of a material of a library in memory, without its name.
 const LIBRARY_MATERIAL: u64 = 512;
+/// Bytes of an entry of a table of names, without the name.
+const ENTRY: u64 = 96;
+
+/// The images that materials use, by their files and how they are sampled; `None` for one that was left out.
+type ImageTable = HashMap<(String, Sampler), Option<ImageKey>>;
 
 /// The materials of all libraries, by name. The first of a name counts.
 #[derive(Default)]
 pub(super) struct Libraries {
     materials: HashMap<String, LibraryMaterial>,
+    /// The names of libraries so far. One that is named again adds nothing.
+    named: HashSet<String>,
+    images: ImageTable,
     /// Whether any library was read.
     pub(super) is_read: bool,
 }
@@ -25,7 +35,7 @@ pub(super) struct Libraries {
 struct LibraryMaterial {
     colour: Option<[f32; 3]>,
     opacity: Option<f32>,
-    emission: [f32; 3],
+    emission: Option<[f32; 3]>,
     map: Option<Map>,
     emission_map: Option<Map>,
 }
@@ -50,30 +60,64 @@ impl Libraries {
         files: &FileResolver<'_>,
         budget: &mut Budget,
     ) -> Result<(), LoadProblem> {
+        let is_one = names.split_whitespace().nth(1).is_none();
+        if is_one {
+            return self.read_one(names, files, budget);
+        }
+        if !self.is_new(names, budget)? {
+            return Ok(());
+        }
         let whole = files.cosmetic("the material library", names, budget)?;
         if let Found::Bytes(bytes) = whole {
             return self.add(names, &bytes, budget);
         }
         for name in names.split_whitespace() {
-            match files.cosmetic("the material library", name, budget)? {
-                Found::Bytes(bytes) => self.add(name, &bytes, budget)?,
-                Found::Missing(reason) => {
-                    let example = format!("the library \"{}\"", shorten(name));
-                    budget.left_out.add(LostPart::Material, reason, &example);
-                }
+            self.read_one(name, files, budget)?;
+        }
+        Ok(())
+    }
+
+    /// Whether any library is named.
+    pub(super) fn is_named(&self) -> bool {
+        !self.named.is_empty()
+    }
+
+    /// Reads the library of this name, unless it was named before.
+    fn read_one(
+        &mut self,
+        name: &str,
+        files: &FileResolver<'_>,
+        budget: &mut Budget,
+    ) -> Result<(), LoadProblem> {
+        if !self.is_new(name, budget)? {
+            return Ok(());
+        }
+        match files.cosmetic("the material library", name, budget)? {
+            Found::Bytes(bytes) => self.add(name, &bytes, budget)?,
+            Found::Missing(reason) => {
+                let example = format!("the library \"{}\"", shorten(name));
+                budget.left_out.add(LostPart::Material, reason, &example);
             }
         }
         Ok(())
     }
 
+    /// Whether a name is named for the first time. It is kept.
+    fn is_new(&mut self, name: &str, budget: &mut Budget) -> Result<bool, LoadProblem> {
+        if self.named.contains(name) {
+            return Ok(false);
+        }
+        budget.memory(ENTRY + name.len() as u64)?;
+        Ok(self.named.insert(name.to_owned()))
+    }
+
     fn add(&mut self, name: &str, bytes: &[u8], budget: &mut Budget) -> Result<(), LoadProblem> {
         budget.enter(format!("the material library \"{}\"", shorten(name)));
         self.is_read = true;
-        let text = String::from_utf8_lossy(bytes);
-        let text = text.trim_start_matches('\u{feff}');
+        let text = legible(bytes, budget)?;
         budget.memory(text.len() as u64)?;
         let mut present: Option<(String, LibraryMaterial)> = None;
-        for statement in statements(text) {
+        for statement in statements(&text) {
             let (word, rest) = keyword(&statement.text);
             if word == "newmtl" && !rest.is_empty() {
                 budget.memory(LIBRARY_MATERIAL + rest.len() as u64)?;
@@ -99,7 +143,7 @@ impl Libraries {
     /// # Errors
     /// What exceeds the budget. An image that cannot be had costs the image alone.
     pub(super) fn material(
-        &self,
+        &mut self,
         name: &str,
         scene: &mut Scene,
         files: &FileResolver<'_>,
@@ -110,50 +154,45 @@ impl Libraries {
         };
         let [r, g, b] = source.colour.unwrap_or([1.0; 3]);
         let alpha = source.opacity.unwrap_or(1.0);
+        // In most exporters an image replaces the colour, and Kd is then black.
+        let is_replaced = source.map.is_some() && [r, g, b] == [0.0; 3];
+        let colour = if is_replaced { [1.0; 3] } else { [r, g, b] };
+        let [cr, cg, cb] = colour;
+        let factor = match source.emission_map {
+            Some(_) => [1.0; 3],
+            None => [0.0; 3],
+        };
+        let shown = Emitter {
+            base_colour: [cr, cg, cb, alpha],
+            image: source.map.as_ref(),
+            emission: source.emission.unwrap_or(factor),
+            emission_image: source.emission_map.as_ref(),
+            is_unlit: false,
+        }
+        .shown();
         let mut material = Material {
             name: name.to_owned(),
-            base_colour: [r, g, b, alpha],
-            emission: source.emission,
+            base_colour: shown.base_colour,
+            emission: shown.emission,
+            unlit: shown.is_light,
             double_sided: true,
             ..Material::default()
         };
         if alpha < 1.0 {
             material.alpha = AlphaMode::Blend;
         }
-        let is_black = [r, g, b] == [0.0; 3];
-        let emits = source
-            .emission_map
-            .as_ref()
-            .filter(|_| is_black && source.map.is_none());
-        let Some(map) = source.map.as_ref().or(emits) else {
+        if shown.loses_image {
+            let place = format!("material \"{}\"", shorten(name));
+            (budget.left_out).add(LostPart::Shading, MAPS_OF_EMISSION, &place);
+        }
+        let Some(map) = shown.image else {
             return Ok(Some(material));
         };
-        let place = format!("the image of material \"{}\"", shorten(name));
-        let source_of_image = ImageSource {
-            place: &place,
-            name: &map.file,
-            file: &map.file,
-            sampler: Sampler {
-                wrap_u: map.wrap,
-                wrap_v: map.wrap,
-                ..Sampler::default()
-            },
-        };
-        let key = if budget.options.skip_images {
-            None
-        } else {
-            let found = files.cosmetic(&place, &map.file, budget)?;
-            image::add_found(scene, found, &source_of_image, budget)?
-        };
-        material.base_colour_image = key;
         material.uv_transform = map.uv_transform();
-        if key.is_some() && emits.is_some() {
-            // A surface that reflects nothing shows its emission alone.
-            material.unlit = true;
-            material.base_colour = [1.0, 1.0, 1.0, alpha];
-        } else if key.is_some() && is_black {
-            // In most exporters a texture replaces the colour, and Kd is then black.
-            material.base_colour = [1.0, 1.0, 1.0, alpha];
+        let place = format!("the image of material \"{}\"", shorten(name));
+        material.base_colour_image = map.image(&place, &mut self.images, scene, files, budget)?;
+        if material.base_colour_image.is_none() && is_replaced {
+            material.base_colour = [r, g, b, alpha];
         }
         Ok(Some(material))
     }
@@ -169,7 +208,7 @@ impl LibraryMaterial {
     ) {
         match word {
             "Kd" => self.colour = colour(rest).or(self.colour),
-            "Ke" => self.emission = colour(rest).unwrap_or(self.emission),
+            "Ke" => self.emission = colour(rest).or(self.emission),
             "d" => {
                 let opacity = rest.split_whitespace().last();
                 let opacity = opacity.and_then(|word| word.parse::<f32>().ok());
@@ -250,6 +289,43 @@ impl Map {
         }
         map.file = rest.trim().trim_matches('"').to_owned();
         (!map.file.is_empty()).then_some(map)
+    }
+
+    /// The scene's image, which is read once for each way of sampling it.
+    ///
+    /// # Errors
+    /// What exceeds the budget. An image that cannot be had is left out.
+    fn image(
+        &self,
+        place: &str,
+        known: &mut ImageTable,
+        scene: &mut Scene,
+        files: &FileResolver<'_>,
+        budget: &mut Budget,
+    ) -> Result<Option<ImageKey>, LoadProblem> {
+        if budget.options.skip_images {
+            return Ok(None);
+        }
+        let sampler = Sampler {
+            wrap_u: self.wrap,
+            wrap_v: self.wrap,
+            ..Sampler::default()
+        };
+        let name = (self.file.clone(), sampler);
+        if let Some(key) = known.get(&name) {
+            return Ok(*key);
+        }
+        budget.memory(ENTRY + self.file.len() as u64)?;
+        let source = ImageSource {
+            place,
+            name: &self.file,
+            file: &self.file,
+            sampler,
+        };
+        let found = files.cosmetic(place, &self.file, budget)?;
+        let key = image::add_found(scene, found, &source, budget)?;
+        known.insert(name, key);
+        Ok(key)
     }
 
     /// The options for v that counts from the top: v is 1 less what the file calls v.

@@ -29,8 +29,6 @@ pub(super) struct Part {
     pub(super) name: String,
     /// The number of its material in [`Source::materials`].
     pub(super) material: Option<usize>,
-    /// Whether every face is in a smoothing group.
-    pub(super) is_smooth: bool,
     pub(super) faces: Elements,
     pub(super) lines: Elements,
     pub(super) points: Elements,
@@ -41,8 +39,29 @@ pub(super) struct Part {
 pub(super) struct Elements {
     /// The corners of all, one after another.
     pub(super) corners: Vec<Corner>,
-    /// The number of corners of each.
-    pub(super) lengths: Vec<u32>,
+    /// What each is besides.
+    pub(super) heads: Vec<Head>,
+}
+
+/// An element without its corners.
+#[derive(Clone, Copy)]
+pub(super) struct Head {
+    /// The number of its corners.
+    length: u32,
+    /// Its smoothing group; 0 if it is in none.
+    group: u32,
+    /// The number of its line.
+    line: u32,
+}
+
+/// An element.
+#[derive(Clone, Copy)]
+pub(super) struct Element<'a> {
+    pub(super) corners: &'a [Corner],
+    /// Its smoothing group; 0 if it is in none.
+    pub(super) group: u32,
+    /// The number of its line.
+    pub(super) line: usize,
 }
 
 /// A corner: the indices of its position, texture coordinates and normal, from 0.
@@ -53,30 +72,48 @@ pub(super) struct Corner {
     pub(super) normal: Option<u32>,
 }
 
-/// Bytes of memory of a position with its colour, of another attribute, of a corner, and of a part.
+/// Bytes of memory of a position with its colour, of another attribute, of a corner, of the rest of an element, and of a part.
 const POSITION: u64 = 36;
 const ATTRIBUTE: u64 = 12;
-const CORNER: u64 = 32;
-const PART: u64 = 256;
+const CORNER: u64 = 40;
+const HEAD: u64 = 24;
+const PART: u64 = 512;
+
+/// The smoothing group of a name that is not a number, such as `on`.
+const NAMED_GROUP: u32 = 1;
 
 /// The name of elements before any object or group.
 const UNNAMED: &str = "unnamed_object";
 
 impl Elements {
-    /// The corners of each element.
-    pub(super) fn each(&self) -> impl Iterator<Item = &[Corner]> {
+    /// Each element.
+    pub(super) fn each(&self) -> impl Iterator<Item = Element<'_>> {
         let mut rest = self.corners.as_slice();
-        self.lengths.iter().map(move |length| {
-            let (element, after) = rest
-                .split_at_checked(*length as usize)
+        self.heads.iter().map(move |head| {
+            let (corners, after) = rest
+                .split_at_checked(head.length as usize)
                 .unwrap_or((rest, &[]));
             rest = after;
-            element
+            Element {
+                corners,
+                group: head.group,
+                line: head.line as usize,
+            }
         })
     }
 }
 
 impl Source {
+    /// A corner's texture coordinates; `None` if it has none that exist.
+    pub(super) fn uv(&self, corner: &Corner) -> Option<[f32; 2]> {
+        self.uvs.get(corner.uv? as usize).copied()
+    }
+
+    /// A corner's normal; `None` if it has none that exists.
+    pub(super) fn normal(&self, corner: &Corner) -> Option<[f32; 3]> {
+        self.normals.get(corner.normal? as usize).copied()
+    }
+
     /// Reads a text.
     ///
     /// # Errors
@@ -87,7 +124,7 @@ impl Source {
             source: Self::default(),
             part: Part::new(UNNAMED, None),
             known: HashMap::new(),
-            is_smooth: false,
+            group: 0,
             budget,
         };
         for statement in statements(text) {
@@ -103,14 +140,13 @@ impl Part {
         Self {
             name: name.to_owned(),
             material,
-            is_smooth: true,
             ..Self::default()
         }
     }
 
     fn is_empty(&self) -> bool {
         let all = [&self.faces, &self.lines, &self.points];
-        all.iter().all(|elements| elements.lengths.is_empty())
+        all.iter().all(|elements| elements.heads.is_empty())
     }
 }
 
@@ -120,7 +156,8 @@ struct Reader<'a> {
     part: Part,
     /// The numbers of the materials' names.
     known: HashMap<String, usize>,
-    is_smooth: bool,
+    /// The present smoothing group; 0 for none.
+    group: u32,
     budget: &'a mut Budget,
 }
 
@@ -144,7 +181,6 @@ impl Reader<'_> {
             }
             "f" | "fo" => {
                 let length = self.corners(line, rest, |part| &mut part.faces, 3)?;
-                self.part.is_smooth &= self.is_smooth || length < 3;
                 self.budget.triangles(length.saturating_sub(2))
             }
             "l" => {
@@ -156,7 +192,10 @@ impl Reader<'_> {
                 self.budget.triangles(length)
             }
             "s" => {
-                self.is_smooth = !matches!(rest, "" | "off" | "0");
+                self.group = match rest {
+                    "" | "off" => 0,
+                    number => number.parse().unwrap_or(NAMED_GROUP),
+                };
                 Ok(())
             }
             "o" | "g" => {
@@ -271,7 +310,12 @@ impl Reader<'_> {
             left_out.add(LostPart::Face, reason, &format!("line {line}"));
             return Ok(0);
         }
-        elements.lengths.push(length as u32);
+        self.budget.memory(HEAD)?;
+        elements.heads.push(Head {
+            length: length as u32,
+            group: self.group,
+            line: line as u32,
+        });
         Ok(length)
     }
 

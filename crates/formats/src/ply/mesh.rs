@@ -4,11 +4,10 @@ use super::elements::{Face, Strips, Vertex};
 use crate::budget::Budget;
 use crate::error::LoadProblem;
 use crate::left_out::LostPart;
-use crate::local_origin::localise;
+use crate::local_origin::{Placed, localise};
 use crate::normals;
-use crate::polygon::{MAX_CORNERS, Triangulator};
+use crate::polygon::Triangulator;
 use antumbra_scene::{Geometry, Topology};
-use glam::DAffine3;
 use ply_rs_bw::ply::ElementDef;
 
 /// The elements of a file.
@@ -28,12 +27,6 @@ pub(super) struct Attributes {
     uvs: bool,
     colours: bool,
     alpha: bool,
-}
-
-/// A geometry and the transform to the file's coordinates.
-pub(super) struct Placed {
-    pub(super) geometry: Geometry,
-    pub(super) transform: DAffine3,
 }
 
 impl Attributes {
@@ -123,8 +116,7 @@ impl Elements {
         let reason = match corners.len() {
             _ if !is_finite => "a corner is not finite",
             0..3 => "too few corners",
-            3..=MAX_CORNERS => "",
-            _ => "too many corners",
+            _ => "",
         };
         if !reason.is_empty() {
             budget.left_out.add(LostPart::Face, reason, &place());
@@ -134,12 +126,16 @@ impl Elements {
             indices.extend([a, b, c]);
             return Ok(());
         }
-        budget.work((corners.len() * corners.len() / 64) as u64)?;
         let positions = corners.iter().filter_map(|corner| {
             let vertex = self.vertices.get(*corner as usize)?;
             Some(vertex.position)
         });
-        for triangle in triangulator.polygon(positions) {
+        let Some(triangles) = triangulator.polygon(positions, budget)? else {
+            let reason = "too many corners";
+            budget.left_out.add(LostPart::Face, reason, &place());
+            return Ok(());
+        };
+        for triangle in triangles {
             let corner = |corner: &u32| corners.get(*corner as usize).copied();
             indices.extend(triangle.iter().filter_map(corner));
         }

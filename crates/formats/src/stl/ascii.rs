@@ -3,6 +3,7 @@
 use super::solid::{Solid, TRIANGLE_MEMORY};
 use crate::budget::Budget;
 use crate::error::{LoadProblem, shorten};
+use crate::text::{Line, lines};
 use glam::DVec3;
 
 /// The solids of a text, with their triangles.
@@ -14,7 +15,7 @@ pub(super) fn read(text: &str, budget: &mut Budget) -> Result<Vec<Solid>, LoadPr
     let mut corners: Vec<DVec3> = Vec::new();
     // Whether a facet has begun that has not ended.
     let mut is_open = false;
-    for (number, line) in text.split(['\n', '\r']).enumerate() {
+    for Line { number, text: line } in lines(text) {
         let mut words = line.split_whitespace();
         let Some(mut first) = words.next() else {
             continue;
@@ -27,7 +28,7 @@ pub(super) fn read(text: &str, budget: &mut Budget) -> Result<Vec<Solid>, LoadPr
         }
         let broken = |problem: String| LoadProblem::Syntax {
             format: "STL",
-            place: format!("line {}", number + 1),
+            place: format!("line {number}"),
             problem,
         };
         let is = |word: &str| first.eq_ignore_ascii_case(word);
@@ -49,10 +50,18 @@ pub(super) fn read(text: &str, budget: &mut Budget) -> Result<Vec<Solid>, LoadPr
             }
             corners.push(DVec3::from(position));
         } else if is("facet") {
+            if is_open {
+                return Err(broken(
+                    "a facet begins before the last one has ended".into(),
+                ));
+            }
             // The normal follows from the corners.
             is_open = true;
             corners.clear();
         } else if is("endfacet") {
+            if !is_open {
+                return Err(broken("a facet ends that has not begun".into()));
+            }
             let [a, b, c] = *corners.as_slice() else {
                 let triangle = solids.last().map_or(0, Solid::triangle_count);
                 let count = corners.len();

@@ -3,8 +3,9 @@
 
 use super::document::{Document, item, label};
 use crate::budget::Budget;
+use crate::emission::{Emitter, MAPS_OF_EMISSION, Shown};
 use crate::error::LoadProblem;
-use crate::file_resolver::FileResolver;
+use crate::file_resolver::{FileResolver, data_of};
 use crate::image::{self, ImageSource};
 use crate::left_out::LostPart;
 use antumbra_scene::{AlphaMode, Filter, ImageKey, Material, MaterialKey, Sampler, Scene, Wrap};
@@ -24,7 +25,7 @@ pub(super) struct Materials {
 /// The set of texture coordinates of a material's image.
 pub(super) fn uv_set(document: &Document<'_>, material: Option<usize>) -> u32 {
     let material = material.and_then(|index| document.root.materials.get(index));
-    let Some(info) = material.and_then(|material| Look::of(material).image) else {
+    let Some(info) = material.and_then(|material| Look::of(material).shown.image) else {
         return 0;
     };
     let transform = info
@@ -38,15 +39,9 @@ pub(super) fn uv_set(document: &Document<'_>, material: Option<usize>) -> u32 {
 
 /// What is shown of a material.
 struct Look<'a> {
-    base_colour: [f32; 4],
-    image: Option<&'a Info>,
+    shown: Shown<&'a Info>,
     metallic: f32,
     roughness: f32,
-    emission: [f32; 3],
-    /// Whether it is shown by its emission alone, in which case that is the base colour.
-    is_light: bool,
-    /// Whether its emission has an image that is not shown.
-    loses_emission: bool,
 }
 
 impl<'a> Look<'a> {
@@ -67,26 +62,18 @@ impl<'a> Look<'a> {
         let strength = extensions.and_then(|e| e.emissive_strength.as_ref());
         let strength = strength.map_or(1.0, |strength| strength.emissive_strength.0);
         let factor = source.emissive_factor.0.map(|part| part * strength);
-        let map = source.emissive_texture.as_ref();
-        let map = map.filter(|_| factor != [0.0; 3]);
-        let [r, g, b, alpha] = base_colour;
-        // A surface that reflects nothing shows its emission alone, and has room for its image.
-        // An unlit one shows its base colour alone.
-        let is_unlit = extensions.is_some_and(|e| e.unlit.is_some());
-        let is_light = map.is_some() && !is_unlit && [r, g, b] == [0.0; 3];
-        let [er, eg, eb] = factor;
+        let shown = Emitter {
+            base_colour,
+            image,
+            emission: factor,
+            emission_image: source.emissive_texture.as_ref(),
+            is_unlit: extensions.is_some_and(|e| e.unlit.is_some()),
+        }
+        .shown();
         Self {
-            base_colour: if is_light {
-                [er, eg, eb, alpha]
-            } else {
-                base_colour
-            },
-            image: if is_light { map } else { image },
+            shown,
             metallic,
             roughness,
-            emission: if map.is_some() { [0.0; 3] } else { factor },
-            is_light,
-            loses_emission: map.is_some() && !is_light,
         }
     }
 }
@@ -124,12 +111,16 @@ impl Materials {
     ) -> Result<Material, LoadProblem> {
         let source = item(&document.root.materials, index, "material", "a primitive")?;
         let name = source.name.clone().unwrap_or_default();
-        let look = Look::of(source);
+        let Look {
+            shown,
+            metallic,
+            roughness,
+        } = Look::of(source);
         let mut material = Material {
-            base_colour: look.base_colour,
-            metallic: look.metallic,
-            roughness: look.roughness,
-            emission: look.emission,
+            base_colour: shown.base_colour,
+            metallic,
+            roughness,
+            emission: shown.emission,
             alpha: match source.alpha_mode {
                 Checked::Valid(Alpha::Mask) => AlphaMode::Mask {
                     cutoff: source.alpha_cutoff.unwrap_or_default().0,
@@ -138,7 +129,7 @@ impl Materials {
                 Checked::Valid(Alpha::Opaque) | Checked::Invalid => AlphaMode::Opaque,
             },
             double_sided: source.double_sided,
-            unlit: look.is_light
+            unlit: shown.is_light
                 || source
                     .extensions
                     .as_ref()
@@ -146,11 +137,14 @@ impl Materials {
             ..Material::default()
         };
         let place = || label("material", index, Some(&name));
-        if look.loses_emission && !material.unlit {
-            let reason = "maps of emission";
+        if shown.loses_image {
+            (budget.left_out).add(LostPart::Shading, MAPS_OF_EMISSION, &place());
+        }
+        if shown.was_infinite {
+            let reason = "an emission that is not finite";
             (budget.left_out).add(LostPart::Shading, reason, &place());
         }
-        if let Some(info) = look.image {
+        if let Some(info) = shown.image {
             material.uv_transform = uv_transform(info);
             let place = format!("the image of {}", place());
             material.base_colour_image =
@@ -238,10 +232,7 @@ fn read_image(
     budget.enter(place.as_str());
     let uri = image.uri.as_deref().unwrap_or_default();
     let name = image.name.clone().unwrap_or_default();
-    let has_data = uri
-        .get(..5)
-        .is_some_and(|scheme| scheme.eq_ignore_ascii_case("data:"));
-    let file = if has_data { "" } else { uri };
+    let file = if data_of(uri).is_some() { "" } else { uri };
     let source = ImageSource {
         place: &place,
         name: &name,
