@@ -7,14 +7,13 @@ mod text;
 
 use crate::budget::Budget;
 use crate::error::{LoadProblem, shorten};
-use crate::left_out::LostPart;
+use crate::left_out::{LeftOut, LostPart};
 use crate::local_origin::Placed;
 use antumbra_scene::Scene;
-use elements::{Face, Skipped, Strips, Vertex};
+use elements::{CORNERS, CORNERS_TOO, Face, Skipped, Strips, Vertex};
 use mesh::{Attributes, Elements};
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Encoding, PropertyType, ScalarType};
-use std::borrow::Cow;
 use text::Parts;
 
 /// Bytes of a face's list of corners, without the corners.
@@ -32,11 +31,8 @@ pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Scene, LoadProbl
     if !bytes.starts_with(b"ply") {
         return Err(broken("the start", "it does not begin with \"ply\"".into()));
     }
-    let Parts { header, body } =
-        text::split(bytes).ok_or_else(|| broken("the header", "it has no end_header".into()))?;
-    if let Cow::Owned(copy) = &body {
-        budget.memory(copy.len() as u64)?;
-    }
+    let Parts { header, body } = text::split(bytes, budget)?
+        .ok_or_else(|| broken("the header", "it has no end_header".into()))?;
     let header = Parser::<Skipped>::new().read_header(&mut Reader::new(header.as_bytes()));
     let header = header.map_err(|e| broken("the header", e.to_string()))?;
     let mut reader = Reader::new(&*body);
@@ -73,20 +69,19 @@ pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Scene, LoadProbl
             }
             "face" => {
                 budget.triangles(element.count as u64)?;
-                // A list of corners each, and the bytes that they are read from.
-                budget.memory(
-                    (element.count as u64)
-                        .saturating_mul(FACE)
-                        .saturating_add(left),
-                )?;
+                // A list of corners each, of four bytes a corner.
+                budget.memory((element.count as u64).saturating_mul(FACE))?;
+                budget.memory(most_items(element, header.encoding, left).saturating_mul(4))?;
+                note_unread(element, &mut budget.left_out);
                 elements.faces = Parser::<Face>::new()
                     .read_payload_for_element(&mut reader, element, &header)
                     .map_err(failed)?;
             }
             "tristrips" => {
-                // Eight bytes for each number of at least one.
+                // Eight bytes a corner, and a copy while a list is read.
                 budget.memory((element.count as u64).saturating_mul(FACE))?;
-                budget.memory(left.saturating_mul(8))?;
+                budget.memory(most_items(element, header.encoding, left).saturating_mul(16))?;
+                note_unread(element, &mut budget.left_out);
                 elements.strips = Parser::<Strips>::new()
                     .read_payload_for_element(&mut reader, element, &header)
                     .map_err(failed)?;
@@ -115,12 +110,6 @@ pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<Scene, LoadProbl
 
 /// The least number of bytes of an element, at least 1: an element without properties still takes memory.
 fn least_size(element: &ElementDef, encoding: Encoding) -> u64 {
-    let size = |scalar: &ScalarType| match scalar {
-        ScalarType::Char | ScalarType::UChar => 1,
-        ScalarType::Short | ScalarType::UShort => 2,
-        ScalarType::Int | ScalarType::UInt | ScalarType::Float => 4,
-        ScalarType::Double => 8,
-    };
     let least = |property: &PropertyType| match (encoding, property) {
         // A digit and a separator.
         (Encoding::Ascii, _) => 2,
@@ -128,4 +117,41 @@ fn least_size(element: &ElementDef, encoding: Encoding) -> u64 {
     };
     let properties = element.properties.iter().map(|(_, p)| least(&p.data_type));
     properties.sum::<u64>().max(1)
+}
+
+/// The most items that the lists of an element can have in these many bytes.
+fn most_items(element: &ElementDef, encoding: Encoding, bytes: u64) -> u64 {
+    let least = element.properties.iter().filter_map(|(_, property)| {
+        match (&property.data_type, encoding) {
+            (PropertyType::Scalar(_), _) => None,
+            (PropertyType::List(..), Encoding::Ascii) => Some(2),
+            (PropertyType::List(_, item), _) => Some(size(item)),
+        }
+    });
+    // The last number of an ASCII file may lack its end.
+    least.min().map_or(0, |least| (bytes + 1) / least)
+}
+
+/// Bytes of a number in a binary file.
+fn size(scalar: &ScalarType) -> u64 {
+    match scalar {
+        ScalarType::Char | ScalarType::UChar => 1,
+        ScalarType::Short | ScalarType::UShort => 2,
+        ScalarType::Int | ScalarType::UInt | ScalarType::Float => 4,
+        ScalarType::Double => 8,
+    }
+}
+
+/// Notes the colours of faces, and their lists other than that of corners, such as texture coordinates. They are not read.
+fn note_unread(element: &ElementDef, left_out: &mut LeftOut) {
+    let place = format!("the element \"{}\"", shorten(&element.name));
+    for (name, property) in &element.properties {
+        let reason = match (name.as_str(), &property.data_type) {
+            (CORNERS | CORNERS_TOO, _) => continue,
+            ("red" | "r" | "diffuse_red", PropertyType::Scalar(_)) => "colours of faces".to_owned(),
+            (_, PropertyType::Scalar(_)) => continue,
+            (name, PropertyType::List(..)) => format!("the list \"{}\" of faces", shorten(name)),
+        };
+        left_out.add(LostPart::Attribute, &reason, &place);
+    }
 }

@@ -34,6 +34,8 @@ pub(super) struct Document<'a> {
 pub(super) struct Appearance {
     #[serde(default)]
     pub(super) textures: Vec<IgnoredAny>,
+    #[serde(default)]
+    pub(super) materials: Vec<IgnoredAny>,
 }
 
 /// Geometries that objects place, such as one tree for a whole street.

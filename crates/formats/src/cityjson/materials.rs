@@ -2,6 +2,7 @@
 //! and doors.
 
 use super::boundary::GeometryKind;
+use super::document::Geometry;
 use antumbra_scene::{Material, MaterialKey, Scene};
 use std::collections::HashMap;
 
@@ -51,8 +52,21 @@ impl Materials {
     }
 }
 
+/// The factors on an object's colour, one for each entry of a geometry's semantics.
+pub(super) fn tints(geometry: &Geometry<'_>) -> Vec<[u8; 4]> {
+    let semantics = geometry.semantics.iter();
+    let surfaces = semantics.flat_map(|semantics| &semantics.surfaces);
+    surfaces.map(|surface| tint(&surface.kind)).collect()
+}
+
+/// The factor for a surface with this entry of the semantics.
+pub(super) fn tint_of(tints: &[[u8; 4]], entry: Option<usize>) -> [u8; 4] {
+    let tint = entry.and_then(|entry| tints.get(entry));
+    tint.copied().unwrap_or(UNTINTED)
+}
+
 /// The factor on an object's colour for a surface of this type, 255 for 1.
-pub(super) fn tint(kind: &str) -> [u8; 4] {
+fn tint(kind: &str) -> [u8; 4] {
     match kind {
         "RoofSurface" => [170, 80, 62, 255],
         "GroundSurface" | "OuterFloorSurface" | "FloorSurface" => [110, 115, 120, 255],

@@ -90,7 +90,11 @@ impl<'a> SceneBuilder<'a> {
             let textures = appearance.textures.len() as u64;
             let place = format!("line {line}");
             let reason = "textures of CityJSON";
-            (self.budget.left_out).add_many(LostPart::Image, reason, textures, &place);
+            let left_out = &mut self.budget.left_out;
+            left_out.add_many(LostPart::Image, reason, textures, &place);
+            let materials = appearance.materials.len() as u64;
+            let reason = "materials of CityJSON";
+            left_out.add_many(LostPart::Material, reason, materials, &place);
         }
         if let Some(templates) = &document.templates {
             self.templates = TemplateTable::read(
@@ -124,12 +128,7 @@ impl<'a> SceneBuilder<'a> {
                 self.scene.set_entity_name(entity, &**id)?;
                 shapes.sort_by(|a, b| b.lod.total_cmp(&a.lod));
                 let target = Target { entity, id, object };
-                let finest = shapes.first().map_or(f64::NEG_INFINITY, |shape| shape.lod);
-                let placed = self.add_instances(&context, &target, finest, origin)?;
-                if placed.is_none_or(|lod| lod <= finest) {
-                    self.set_mesh(&context, &target, &shapes, origin)?;
-                }
-                self.add_lines(&context, &target, origin)?;
+                self.show(&context, &target, &shapes, origin)?;
                 if let Some(known) = entities.get_mut(member) {
                     *known = Some(entity);
                 }
@@ -171,6 +170,38 @@ impl<'a> SceneBuilder<'a> {
             all.push(shapes);
         }
         Ok(all)
+    }
+
+    /// Shows the finest level of detail of an object: its surfaces, with their coarser levels, and its instances, lines and points of that level.
+    fn show(
+        &mut self,
+        context: &DocumentContext<'_>,
+        target: &Target<'_>,
+        shapes: &[Shape],
+        origin: DVec3,
+    ) -> Result<(), LoadProblem> {
+        let instances = self.instances(context, target, origin);
+        let lines = context.lines(target)?;
+        let drawn = shapes.iter().filter(|shape| !shape.surfaces.is_empty());
+        let drawn = drawn.map(|shape| shape.lod).max_by(f64::total_cmp);
+        let finest = (drawn.into_iter())
+            .chain(instances.iter().map(|instance| instance.lod))
+            .chain(lines.iter().map(|lines| lines.lod))
+            .max_by(f64::total_cmp);
+        if drawn == finest {
+            self.set_mesh(context, target, shapes, origin)?;
+        }
+        for instance in instances {
+            if Some(instance.lod) == finest {
+                self.add_instance(target, &instance)?;
+            }
+        }
+        for lines in &lines {
+            if Some(lines.lod) == finest {
+                self.add_lines(context, target, lines, origin)?;
+            }
+        }
+        Ok(())
     }
 
     /// Sets an entity's mesh. Shapes of the same level of detail are joined, finest first.
@@ -298,10 +329,7 @@ impl DocumentContext<'_> {
         let count = self.document.vertices.len();
         let read =
             boundary::surfaces(source).map_err(|problem| syntax_error(self.name(id), problem))?;
-        let kinds = source.semantics.as_ref();
-        let tints: Vec<_> = (kinds.into_iter().flat_map(|semantics| &semantics.surfaces))
-            .map(|surface| materials::tint(&surface.kind))
-            .collect();
+        let tints = materials::tints(source);
         let mut shape = Shape {
             lod: source.lod(),
             kind,
@@ -316,8 +344,7 @@ impl DocumentContext<'_> {
             if let Some(vertex) = beyond {
                 return Err(self.missing_vertex(*vertex, id));
             }
-            let tint = semantics.and_then(|entry| tints.get(entry)).copied();
-            let tint = tint.unwrap_or(materials::UNTINTED);
+            let tint = materials::tint_of(&tints, semantics);
             shape.is_tinted |= tint != materials::UNTINTED;
             shape.surfaces.push(TintedSurface { surface, tint });
         }

@@ -3,8 +3,10 @@
 use super::boundary;
 use super::document::{Geometry as Source, Templates};
 use super::error::syntax_error;
+use super::materials;
 use crate::budget::Budget;
 use crate::error::LoadProblem;
+use crate::left_out::LostPart;
 use crate::polygon::{MAX_CORNERS, Triangulator};
 use antumbra_scene::{Geometry, Mesh, MeshKey, Scene};
 use glam::{DAffine3, DMat3, DMat4, DVec3};
@@ -87,7 +89,8 @@ fn geometry(
         return Ok(geometry);
     }
     let broken = |problem: String| syntax_error(name.to_owned(), problem);
-    for (surface, _) in boundary::surfaces(template).map_err(broken)? {
+    let tints = materials::tints(template);
+    for (surface, semantics) in boundary::surfaces(template).map_err(broken)? {
         let corners = surface.iter().map(Vec::len).sum::<usize>();
         budget.vertices(corners as u64)?;
         if corners > MAX_CORNERS {
@@ -113,7 +116,19 @@ fn geometry(
             triangulator.ring(points);
         }
         let triangles = triangulator.finish(&mut geometry);
+        if triangles == 0 {
+            (budget.left_out).add(LostPart::Face, "without an area", name);
+        }
         budget.triangles(triangles)?;
+        let tint = materials::tint_of(&tints, semantics);
+        geometry.colours.resize(geometry.positions.len(), tint);
+    }
+    if geometry
+        .colours
+        .iter()
+        .all(|tint| *tint == materials::UNTINTED)
+    {
+        geometry.colours = Vec::new();
     }
     Ok(geometry)
 }

@@ -3,6 +3,10 @@
 use glam::DVec3;
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 
+/// The names of a face's list of corners.
+pub(super) const CORNERS: &str = "vertex_indices";
+pub(super) const CORNERS_TOO: &str = "vertex_index";
+
 /// The attributes of a vertex that are read.
 #[derive(Default)]
 pub(super) struct Vertex {
@@ -94,7 +98,7 @@ impl PropertyAccess for Face {
     }
 
     fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        if name != "vertex_indices" && name != "vertex_index" {
+        if name != CORNERS && name != CORNERS_TOO {
             return PropertyAccessResult::Ignored;
         }
         match property.to_u32_list() {
@@ -111,7 +115,7 @@ impl PropertyAccess for Strips {
     }
 
     fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        if name != "vertex_indices" && name != "vertex_index" {
+        if name != CORNERS && name != CORNERS_TOO {
             return PropertyAccessResult::Ignored;
         }
         let wide = |corners: &[u32]| corners.iter().copied().map(i64::from).collect();

@@ -1,6 +1,8 @@
 //! The header of a PLY and its body, with the line ends that the crate `ply-rs-bw` expects. Headers of old Macintosh programs end their lines
 //! with a carriage return alone, and some writers leave blank lines.
 
+use crate::budget::Budget;
+use crate::error::LoadProblem;
 use std::borrow::Cow;
 
 /// A file in its two parts.
@@ -14,7 +16,39 @@ pub(super) struct Parts<'a> {
 const LONGEST: usize = 1 << 20;
 
 /// Divides a file; `None` if its header has no end.
-pub(super) fn split(bytes: &[u8]) -> Option<Parts<'_>> {
+///
+/// # Errors
+/// An ASCII body whose copy exceeds the budget.
+pub(super) fn split<'a>(
+    bytes: &'a [u8],
+    budget: &mut Budget,
+) -> Result<Option<Parts<'a>>, LoadProblem> {
+    let Some(Header {
+        text,
+        length,
+        is_ascii,
+    }) = header(bytes)
+    else {
+        return Ok(None);
+    };
+    let body = bytes.get(length..).unwrap_or_default();
+    let body = match is_ascii {
+        true => Cow::Owned(plain(body, budget)?),
+        false => Cow::Borrowed(body),
+    };
+    Ok(Some(Parts { header: text, body }))
+}
+
+/// A header.
+struct Header {
+    /// Its lines, each with a line feed.
+    text: String,
+    /// Its length in the file, in bytes.
+    length: usize,
+    is_ascii: bool,
+}
+
+fn header(bytes: &[u8]) -> Option<Header> {
     let start = bytes.get(..bytes.len().min(LONGEST))?;
     let first_end = start
         .iter()
@@ -24,7 +58,7 @@ pub(super) fn split(bytes: &[u8]) -> Option<Parts<'_>> {
         Some(b"\r\n") => b"\r\n",
         _ => start.get(first_end..=first_end)?,
     };
-    let mut header = String::new();
+    let mut lines = String::new();
     let mut at = 0;
     let mut is_ascii = false;
     loop {
@@ -40,26 +74,35 @@ pub(super) fn split(bytes: &[u8]) -> Option<Parts<'_>> {
             continue;
         }
         is_ascii |= text.starts_with("format ascii");
-        header.push_str(text);
-        header.push('\n');
+        lines.push_str(text);
+        lines.push('\n');
         if text == "end_header" {
             break;
         }
         length?;
     }
-    let body = bytes.get(at..).unwrap_or_default();
-    Some(Parts {
-        header,
-        body: match is_ascii {
-            true => Cow::Owned(plain(body)),
-            false => Cow::Borrowed(body),
-        },
+    Some(Header {
+        text: lines,
+        length: at,
+        is_ascii,
     })
 }
 
 /// An ASCII body without blank lines, and with numbers that the crate knows.
-fn plain(body: &[u8]) -> Vec<u8> {
-    let mut kept = Vec::with_capacity(body.len() + 1);
+///
+/// # Errors
+/// A body that exceeds the budget.
+fn plain(body: &[u8], budget: &mut Budget) -> Result<Vec<u8>, LoadProblem> {
+    let mut length = 0;
+    each_plain(body, &mut |bytes| length += bytes.len());
+    budget.memory(length as u64)?;
+    let mut kept = Vec::with_capacity(length);
+    each_plain(body, &mut |bytes| kept.extend_from_slice(bytes));
+    Ok(kept)
+}
+
+/// Gives a plain body, piece by piece.
+fn each_plain(body: &[u8], keep: &mut impl FnMut(&[u8])) {
     for line in body.split(|byte| matches!(byte, b'\r' | b'\n')) {
         let line = line.trim_ascii();
         if line.is_empty() {
@@ -68,15 +111,14 @@ fn plain(body: &[u8]) -> Vec<u8> {
         let is_odd = |byte: &u8| byte.is_ascii_alphabetic() && !matches!(byte, b'e' | b'E');
         if line.iter().any(|byte| is_odd(byte) || *byte == b'#') {
             for word in line.split(u8::is_ascii_whitespace) {
-                kept.extend_from_slice(if is_not_finite(word) { b"1e999" } else { word });
-                kept.push(b' ');
+                keep(if is_not_finite(word) { b"1e999" } else { word });
+                keep(b" ");
             }
         } else {
-            kept.extend_from_slice(line);
+            keep(line);
         }
-        kept.push(b'\n');
+        keep(b"\n");
     }
-    kept
 }
 
 /// Whether a word is one of the spellings of infinity and of no number, such as `-nan(ind)` and `1.#INF`. All are read as infinity: their

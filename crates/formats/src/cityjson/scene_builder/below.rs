@@ -1,34 +1,77 @@
 //! What is placed below an object's entity, with entities of its own: instances of templates, lines and points.
 
-use super::super::boundary::{self, GeometryKind};
+use super::super::boundary::{self, GeometryKind, Ring};
 use super::super::error::syntax_error;
 use super::super::templates;
 use super::{DocumentContext, SceneBuilder, Target};
 use crate::error::{LoadProblem, shorten};
 use crate::left_out::LostPart;
 use crate::local_origin::localise;
-use antumbra_scene::{Drawable, Geometry, Mesh, Topology};
+use antumbra_scene::{Drawable, Geometry, Mesh, MeshKey, Topology};
 use glam::{DAffine3, DVec3};
 
+/// An instance of a template that can be drawn.
+pub(super) struct Instance {
+    pub(super) lod: f64,
+    /// The template's number.
+    number: usize,
+    mesh: MeshKey,
+    placing: DAffine3,
+}
+
+/// Lines or points of one geometry.
+pub(super) struct Lines {
+    pub(super) lod: f64,
+    topology: Topology,
+    /// The vertices of each; a point is a line of one.
+    each: Vec<Ring>,
+}
+
+impl DocumentContext<'_> {
+    /// The lines and points of an object, those that have any.
+    ///
+    /// # Errors
+    /// Lists that are not what their type says, or a vertex that does not exist.
+    pub(super) fn lines(&self, target: &Target<'_>) -> Result<Vec<Lines>, LoadProblem> {
+        let mut all = Vec::new();
+        for geometry in &target.object.geometry {
+            let each = boundary::lines(geometry)
+                .map_err(|problem| syntax_error(self.name(target.id), problem))?;
+            let Some(each) = each else {
+                continue;
+            };
+            let count = self.document.vertices.len();
+            let beyond = |vertex: &&u32| **vertex as usize >= count;
+            if let Some(vertex) = each.iter().flatten().find(beyond) {
+                return Err(self.missing_vertex(*vertex, target.id));
+            }
+            let (topology, least) = match &*geometry.kind {
+                "MultiPoint" => (Topology::Points, 1),
+                _ => (Topology::Lines, 2),
+            };
+            if each.iter().any(|line| line.len() >= least) {
+                all.push(Lines {
+                    lod: geometry.lod(),
+                    topology,
+                    each,
+                });
+            }
+        }
+        Ok(all)
+    }
+}
+
 impl SceneBuilder<'_> {
-    /// Places the instances of templates of an object's finest level. Returns that level, if the object has any that are placed. Coarser ones
-    /// than `finest`, the finest of its own shapes, are not.
-    pub(super) fn add_instances(
+    /// The instances of an object that can be drawn. The others are noted.
+    pub(super) fn instances(
         &mut self,
         context: &DocumentContext<'_>,
         target: &Target<'_>,
-        finest: f64,
         origin: DVec3,
-    ) -> Result<Option<f64>, LoadProblem> {
-        let instances = target.object.geometry.iter();
-        let instances = instances.filter(|geometry| geometry.kind == "GeometryInstance");
-        let templates = &self.templates;
-        let lods = instances
-            .clone()
-            .filter_map(|instance| templates.of(instance));
-        let best = lods.map(|template| template.lod).max_by(f64::total_cmp);
-        let wanted = best.filter(|best| *best >= finest);
-        for instance in instances {
+    ) -> Vec<Instance> {
+        let mut drawn = Vec::new();
+        let all = target.object.geometry.iter();
+        for instance in all.filter(|geometry| geometry.kind == "GeometryInstance") {
             let anchor = boundary::anchor(instance).and_then(|vertex| context.point(vertex));
             let placing = anchor.and_then(|anchor| templates::placing(instance, anchor - origin));
             let template = self.templates.of(instance);
@@ -39,77 +82,74 @@ impl SceneBuilder<'_> {
                 left_out.add(LostPart::Geometry, reason, &context.name(target.id));
                 continue;
             };
-            if Some(template.lod) != wanted {
-                continue;
-            }
-            let kind = GeometryKind::Surfaces;
-            let material = (self.materials).material(&mut self.scene, &target.object.kind, kind);
-            let what = format!("template {}", instance.template.unwrap_or_default());
-            self.add_below(target, &what, placing, Drawable { mesh, material })?;
+            drawn.push(Instance {
+                lod: template.lod,
+                number: instance.template.unwrap_or_default(),
+                mesh,
+                placing,
+            });
         }
-        Ok(wanted)
+        drawn
     }
 
-    /// Adds an object's lines and points, as entities below it.
+    /// Adds an instance of a template, as an entity below its object's.
+    pub(super) fn add_instance(
+        &mut self,
+        target: &Target<'_>,
+        instance: &Instance,
+    ) -> Result<(), LoadProblem> {
+        let kind = GeometryKind::Surfaces;
+        let material = (self.materials).material(&mut self.scene, &target.object.kind, kind);
+        let what = format!("template {}", instance.number);
+        let drawable = Drawable {
+            mesh: instance.mesh,
+            material,
+        };
+        self.add_below(target, &what, instance.placing, drawable)
+    }
+
+    /// Adds lines or points of an object, as an entity below it.
     pub(super) fn add_lines(
         &mut self,
         context: &DocumentContext<'_>,
         target: &Target<'_>,
+        lines: &Lines,
         origin: DVec3,
     ) -> Result<(), LoadProblem> {
-        for geometry in &target.object.geometry {
-            let lines = boundary::lines(geometry)
-                .map_err(|problem| syntax_error(context.name(target.id), problem))?;
-            let Some(lines) = lines else {
-                continue;
-            };
-            let vertices = lines.iter().flatten();
-            let count = context.document.vertices.len();
-            if let Some(vertex) = vertices.clone().find(|vertex| **vertex as usize >= count) {
-                return Err(context.missing_vertex(*vertex, target.id));
+        let vertices = lines.each.iter().flatten();
+        let total = vertices.clone().count() as u64;
+        self.budget
+            .enter(format!("the lines of \"{}\"", shorten(target.id)));
+        self.budget.vertices(total)?;
+        self.budget.triangles(total)?;
+        let mut indices = Vec::new();
+        let mut first = 0;
+        for line in &lines.each {
+            let each = first..first + line.len() as u32;
+            match lines.topology {
+                Topology::Points => indices.extend(each),
+                _ => indices.extend(each.skip(1).flat_map(|end| [end - 1, end])),
             }
-            let topology = match &*geometry.kind {
-                "MultiPoint" => Topology::Points,
-                _ => Topology::Lines,
-            };
-            let total = vertices.clone().count() as u64;
-            self.budget
-                .enter(format!("the lines of \"{}\"", shorten(target.id)));
-            self.budget.vertices(total)?;
-            self.budget.triangles(total)?;
-            let mut indices = Vec::new();
-            let mut first = 0;
-            for line in &lines {
-                let each = first..first + line.len() as u32;
-                match topology {
-                    Topology::Points => indices.extend(each),
-                    _ => indices.extend(each.skip(1).flat_map(|end| [end - 1, end])),
-                }
-                first += line.len() as u32;
-            }
-            if indices.is_empty() {
-                continue;
-            }
-            let points = vertices.filter_map(|vertex| context.point(*vertex));
-            let local = localise(points.map(|point| point - origin));
-            let placing = local.transform();
-            let shown = Geometry {
-                topology,
-                positions: local.positions,
-                indices,
-                ..Geometry::default()
-            };
-            self.budget.mesh(target.id)?;
-            let kind = GeometryKind::Surfaces;
-            let material = (self.materials).material(&mut self.scene, &target.object.kind, kind);
-            let mesh = self.scene.add_mesh(Mesh::new(target.id, shown))?;
-            let what = match topology {
-                Topology::Points => "points",
-                _ => "lines",
-            };
-            self.add_below(target, what, placing, Drawable { mesh, material })?;
+            first += line.len() as u32;
         }
-        Ok(())
+        let points = vertices.filter_map(|vertex| context.point(*vertex));
+        let local = localise(points.map(|point| point - origin));
+        let placing = local.transform();
+        let shown = Geometry {
+            topology: lines.topology,
+            positions: local.positions,
+            indices,
+            ..Geometry::default()
+        };
+        self.budget.mesh(target.id)?;
+        let kind = GeometryKind::Surfaces;
+        let material = (self.materials).material(&mut self.scene, &target.object.kind, kind);
+        let mesh = self.scene.add_mesh(Mesh::new(target.id, shown))?;
+        let what = match lines.topology {
+            Topology::Points => "points",
+            _ => "lines",
+        };
+        self.add_below(target, what, placing, Drawable { mesh, material })
     }
 
     /// Adds an entity below an object's, named after it.

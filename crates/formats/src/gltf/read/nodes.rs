@@ -148,7 +148,12 @@ impl SceneBuilder<'_, '_> {
         let user = || self.document.node_label(index);
         if let Some(camera) = at(node.camera.as_ref()) {
             let camera = item(&self.document.root.cameras, camera, "camera", &user())?;
-            if let Some(projection) = projection(camera) {
+            let projection = projection(camera);
+            if projection.is_none() {
+                let reason = "a camera without a projection";
+                (self.budget.left_out).add(LostPart::Element, reason, &user());
+            }
+            if let Some(projection) = projection {
                 let camera = Camera {
                     projection,
                     position: DVec3::ZERO,
@@ -166,6 +171,10 @@ impl SceneBuilder<'_, '_> {
             let all = all.and_then(|e| e.khr_lights_punctual.as_ref());
             let all = all.map_or(&[][..], |lights| lights.lights.as_slice());
             let light = punctual(item(all, light.light.value(), "light", &user())?);
+            if light.is_none() {
+                let reason = "a light of an unknown kind";
+                (self.budget.left_out).add(LostPart::Element, reason, &user());
+            }
             if let Some(light) = light {
                 self.scene.set_light(entity, light)?;
             }
@@ -210,6 +219,15 @@ impl SceneBuilder<'_, '_> {
         let listed = source.primitives.len() as u64;
         self.budget
             .work(listed.saturating_mul(1 + lods.len() as u64))?;
+        let pose = match node.skin {
+            Some(_) if !source.primitives.is_empty() => Pose::of(
+                self.document,
+                index,
+                &self.worlds,
+                &mut self.budget.left_out,
+            )?,
+            _ => None,
+        };
         let mut parts = Vec::with_capacity(source.primitives.len());
         for primitive in 0..source.primitives.len() {
             let key = PartKey {
@@ -223,7 +241,7 @@ impl SceneBuilder<'_, '_> {
                 None => {
                     let list = size_of::<PartKey>() + key.lods.len() * size_of::<usize>();
                     self.budget.memory(list as u64)?;
-                    let part = self.part(index, node, &key, &lods)?;
+                    let part = self.part(node, pose.as_ref(), &key, &lods)?;
                     self.parts.insert(key, part);
                     part
                 }
@@ -237,27 +255,18 @@ impl SceneBuilder<'_, '_> {
 
     fn part(
         &mut self,
-        index: usize,
         node: &Node,
+        pose: Option<&Pose>,
         key: &PartKey,
         lods: &[Lod],
     ) -> Result<Option<Drawable>, LoadProblem> {
-        let pose = match node.skin {
-            Some(_) => Pose::of(
-                self.document,
-                index,
-                &self.worlds,
-                &mut self.budget.left_out,
-            )?,
-            None => None,
-        };
         let weights = node.weights.as_deref();
-        let Some(full) = self.geometry(key.mesh, key.primitive, weights, pose.as_ref())? else {
+        let Some(full) = self.geometry(key.mesh, key.primitive, weights, pose)? else {
             return Ok(None);
         };
         let mut levels = vec![full];
         for lod in lods {
-            let level = self.geometry(lod.mesh, key.primitive, None, pose.as_ref())?;
+            let level = self.geometry(lod.mesh, key.primitive, None, pose)?;
             levels.extend(level.map(|level| match &lod.relative {
                 None => level,
                 Some(relative) => transformed(level, relative),
@@ -326,7 +335,10 @@ impl SceneBuilder<'_, '_> {
             let nodes = &self.document.root.nodes;
             let mesh = nodes.get(id).and_then(|node| at(node.mesh.as_ref()));
             let source = mesh.and_then(|mesh| self.document.root.meshes.get(mesh));
+            let place = || format!("node {id} of {}", self.document.node_label(index));
             let (Some(mesh), Some(source)) = (mesh, source) else {
+                let reason = "a node that is not there or has no mesh";
+                (self.budget.left_out).add(LostPart::Level, reason, &place());
                 continue;
             };
             let (own, other) = (self.locals.get(index), self.locals.get(id));
@@ -339,9 +351,8 @@ impl SceneBuilder<'_, '_> {
             if source.primitives.len() == primitives && undone {
                 lods.push(Lod { mesh, relative });
             } else {
-                let place = format!("node {id} of {}", self.document.node_label(index));
                 let reason = "it does not correspond to its node";
-                (self.budget.left_out).add(LostPart::Level, reason, &place);
+                (self.budget.left_out).add(LostPart::Level, reason, &place());
             }
         }
         lods
