@@ -65,9 +65,7 @@ impl PartBoxes {
             return Self::default();
         }
         let flat = size.cmple(DVec3::splat(largest * FLAT));
-        // No more cells than triangles: to merge them takes time by the square of their number.
-        let along = ((triangles as f64).cbrt().ceil() as usize).min(MOST_CELLS);
-        let mut cells = Cells::new(bounds, largest, along);
+        let mut cells = Cells::new(bounds, cell_counts(size / largest, triangles));
         for level in &mesh.levels {
             let triangles = level.triangles();
             triangles
@@ -108,6 +106,18 @@ fn steps(part: &Aabb, bounds: &Aabb, flat: BVec3) -> PartBox {
     }
 }
 
+/// The cells along each axis of a mesh whose extents are these shares of its largest: as many as [`MOST_CELLS`] allows, but no more in all than it has triangles, since
+/// to merge them takes time by the square of their number.
+fn cell_counts(shares: DVec3, triangles: usize) -> [usize; 3] {
+    let counts = |along: usize| {
+        let counts = (shares * along as f64).to_array();
+        counts.map(|cells| (cells.ceil() as usize).clamp(1, along))
+    };
+    let is_allowed = |counts: &[usize; 3]| counts.iter().product::<usize>() <= triangles;
+    let mut finest_first = (1..=MOST_CELLS).rev().map(counts);
+    finest_first.find(is_allowed).unwrap_or([1; 3])
+}
+
 /// A grid over a mesh's bounds, with the box around what lies in each cell.
 struct Cells {
     origin: DVec3,
@@ -118,15 +128,10 @@ struct Cells {
 }
 
 impl Cells {
-    /// `along`: cells along the longest axis, whose extent is `largest`.
-    fn new(bounds: &Aabb, largest: f64, along: usize) -> Self {
-        let extent = bounds.max - bounds.min;
-        let counts = (extent / largest * along as f64)
-            .to_array()
-            .map(|cells| (cells.ceil() as usize).clamp(1, along));
+    fn new(bounds: &Aabb, counts: [usize; 3]) -> Self {
         Self {
             origin: bounds.min,
-            size: extent / DVec3::from_array(counts.map(|count| count as f64)),
+            size: (bounds.max - bounds.min) / DVec3::from_array(counts.map(|count| count as f64)),
             counts,
             boxes: vec![None; counts.iter().product()],
         }
