@@ -107,7 +107,9 @@ fn a_new_file_whose_link_leads_to_an_old_name_stays() {
     }
     symlink("2.png", outer.path().join("1.png")).unwrap();
     let old = ["2.png", "3.png"].map(str::to_owned);
-    folder.replace(vec![file("1.png"), file("report")], &old).unwrap();
+    folder
+        .replace(vec![file("1.png"), file("report")], &old)
+        .unwrap();
     drop(folder);
     assert_eq!(names(outer.path()), ["1.png", "2.png", "report"]);
     assert_eq!(fs::read(outer.path().join("1.png")).unwrap(), b"1.png");
