@@ -144,6 +144,9 @@ fn size(scalar: &ScalarType) -> u64 {
 
 /// Notes the colours of faces, and their lists other than that of corners, such as texture coordinates. They are not read.
 fn note_unread(element: &ElementDef, left_out: &mut LeftOut) {
+    if element.count == 0 {
+        return;
+    }
     let place = format!("the element \"{}\"", shorten(&element.name));
     for (name, property) in &element.properties {
         let reason = match (name.as_str(), &property.data_type) {

@@ -3,10 +3,8 @@
 
 mod common;
 
-use antumbra_formats::{
-    LoadOptions, LostPart, SceneFormat, load, load_slice, load_slice_with_attachments,
-};
-use antumbra_scene::{EntityKey, Geometry, Scene, Topology};
+use antumbra_formats::{LoadOptions, SceneFormat, load, load_slice};
+use antumbra_scene::{EntityKey, Geometry, Scene};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use std::path::Path;
@@ -145,128 +143,13 @@ fn every_kind_of_solid_and_surface_is_read() {
         ("MultiSolid", format!("[[{cube}]]")),
         ("CompositeSolid", format!("[[{cube}],[]]")),
     ] {
-        let scene = read(&with_geometry(&format!(
+        let scene = read(&common::bridge(&format!(
             r#"{{"type":"{kind}","lod":"1","boundaries":{boundaries}}}"#
         )));
         assert_eq!(volume(&levels(&scene, "b")[0]).round(), 1000.0, "{kind}");
         let (_, material) = scene.materials().next().unwrap();
         assert_eq!(material.double_sided, kind.ends_with("Surface"), "{kind}");
     }
-}
-
-/// A bridge with this geometry over the vertices of [`common::CITY`].
-fn with_geometry(geometry: &str) -> String {
-    let (head, feature) = common::CITY.split_once('\n').unwrap();
-    let vertices = feature.find(r#""vertices""#).unwrap();
-    format!(
-        "{head}\n{{\"type\":\"CityJSONFeature\",\"CityObjects\":{{\"b\":{{\"type\":\"Bridge\",\"geometry\":[{geometry}]}}}},{}",
-        &feature[vertices..]
-    )
-}
-
-#[test]
-fn what_is_no_surface_is_left_out() {
-    for geometry in [
-        r#"{"type":"MultiTorus","lod":"1","boundaries":[0,1]}"#,
-        r#"{"type":"GeometryInstance","template":0,"boundaries":[0],"transformationMatrix":[1]}"#,
-    ] {
-        let options = LoadOptions::default();
-        let text = with_geometry(geometry);
-        let format = SceneFormat::CityJson;
-        let loaded = load_slice_with_attachments(format, text.as_bytes(), None, &options, &[]);
-        let loaded = loaded.unwrap();
-        let scene = &loaded.scene;
-        assert_eq!((scene.len(), scene.drawable_count()), (1, 0), "{geometry}");
-        let [loss] = loaded.left_out.losses() else {
-            panic!("{geometry}: {}", loaded.left_out)
-        };
-        assert_eq!(
-            (loss.part, loss.count),
-            (LostPart::Geometry, 1),
-            "{geometry}"
-        );
-    }
-    let footprint = r#"{"type":"MultiSurface","lod":"0","boundaries":[[[0,1,2,3]]]}"#;
-    let scene = read(&with_geometry(footprint));
-    assert_eq!(scene.triangle_count(), 2, "there is nothing better");
-}
-
-#[test]
-fn lines_and_points_are_entities_below_their_object() {
-    for (geometry, topology, indices) in [
-        (
-            r#"{"type":"MultiPoint","lod":"1","boundaries":[0,1]}"#,
-            Topology::Points,
-            vec![0, 1],
-        ),
-        (
-            r#"{"type":"MultiLineString","lod":"1","boundaries":[[0,1,2],[2,3]]}"#,
-            Topology::Lines,
-            vec![0, 1, 1, 2, 3, 4],
-        ),
-    ] {
-        let scene = read(&with_geometry(geometry));
-        let (entity, drawable) = scene.drawables().next().unwrap();
-        assert_eq!(scene.parent(entity), Some(named(&scene, "b")));
-        let shown = &scene.mesh(drawable.mesh).unwrap().levels[0];
-        assert_eq!((shown.topology, &shown.indices), (topology, &indices));
-        let world = scene.world(entity).unwrap();
-        let corner = world.transform_point3(Vec3::from(shown.positions[1]).as_dvec3());
-        assert!(
-            corner.abs_diff_eq(DVec3::new(85_010.0, -2.0, -446_000.0), 1e-4),
-            "{corner}"
-        );
-    }
-}
-
-#[test]
-fn templates_are_placed_turned_and_scaled_as_often_as_they_are_named() {
-    // A triangle of a metre to the east and to the north. It is turned by a quarter, east to north, and made thrice as large.
-    let (head, feature) = common::CITY.split_once('\n').unwrap();
-    let head = head.replace(
-        r#""CityObjects":{}"#,
-        r#""CityObjects":{},"geometry-templates":{"templates":[{"type":"MultiSurface","lod":"2","boundaries":[[[0,1,2]]]}],"vertices-templates":[[0,0,0],[1,0,0],[0,1,0.5]]}"#,
-    );
-    let vertices = &feature[feature.find(r#""vertices""#).unwrap()..];
-    let instance = |at: u32, matrix: &str| {
-        format!(
-            r#"{{"type":"SolitaryVegetationObject","geometry":[{{"type":"GeometryInstance","template":0,"boundaries":[{at}],"transformationMatrix":[{matrix}]}}]}}"#
-        )
-    };
-    let text = format!(
-        "{head}\n{{\"type\":\"CityJSONFeature\",\"CityObjects\":{{\"t\":{},\"u\":{}}},{vertices}",
-        instance(1, "0,-3,0,0, 3,0,0,0, 0,0,3,0, 0,0,0,1"),
-        instance(2, "1,0,0,7, 0,1,0,8, 0,0,1,9, 0,0,0,1"),
-    );
-    let scene = read(&text);
-    assert_eq!((scene.mesh_count(), scene.drawable_count()), (1, 2));
-    let corners = |of: &str| -> Vec<DVec3> {
-        let below = |e: &EntityKey| scene.parent(*e) == Some(named(&scene, of));
-        let (entity, drawable) = scene.drawables().find(|(e, _)| below(e)).unwrap();
-        let world = scene.world(entity).unwrap();
-        let positions = &scene.mesh(drawable.mesh).unwrap().levels[0].positions;
-        let place = |p: &[f32; 3]| world.transform_point3(Vec3::from(*p).as_dvec3());
-        positions.iter().map(place).collect()
-    };
-    let close = |found: Vec<DVec3>, wanted: [[f64; 3]; 3]| {
-        for (found, wanted) in found.iter().zip(wanted) {
-            assert!(
-                found.abs_diff_eq(DVec3::from(wanted), 1e-4),
-                "{found} for {wanted:?}"
-            );
-        }
-    };
-    // East, up, south of the world.
-    let [x, y, z] = [85_010.0, -2.0, -446_000.0];
-    close(
-        corners("t"),
-        [[x, y, z], [x, y, z - 3.0], [x - 3.0, y + 1.5, z]],
-    );
-    let [x, y, z] = [85_017.0, 7.0, -446_018.0];
-    close(
-        corners("u"),
-        [[x, y, z], [x + 1.0, y, z], [x, y + 0.5, z - 1.0]],
-    );
 }
 
 #[test]

@@ -209,6 +209,74 @@ fn normals_and_coordinates_that_are_not_finite_cost_no_shape() {
 }
 
 #[test]
+fn cameras_lights_and_levels_without_what_they_need_are_said() {
+    let file = common::scene(
+        r#"{"mesh":0,"extensions":{"MSFT_lod":{"ids":[1]}}},{"name":"empty"}"#,
+        r#","scenes":[{"nodes":[0]}],"extensionsUsed":["MSFT_lod"]"#,
+    );
+    assert_eq!(
+        lost(SceneFormat::Gltf, &file),
+        "1 level of detail (a node that is not there or has no mesh)"
+    );
+    let file = common::scene(
+        r#"{"mesh":0,"camera":0}"#,
+        r#","cameras":[{"type":"perspective"}]"#,
+    );
+    assert_eq!(
+        lost(SceneFormat::Gltf, &file),
+        "1 element (a camera without a projection)"
+    );
+}
+
+#[test]
+fn a_skin_of_several_primitives_is_counted_once() {
+    let primitive = r#"{"attributes":{"POSITION":0},"indices":1}"#;
+    let json = format!(
+        r#"{{"asset":{{"version":"2.0"}},{},"meshes":[{{"primitives":[{primitive},{primitive}]}}],"nodes":[{{"mesh":0,"skin":0,"scale":[1,0,1]}},{{}}],"skins":[{{"joints":[1]}}]}}"#,
+        common::SQUARE
+    );
+    let file = common::glb(&json, &common::square());
+    let words = lost(SceneFormat::Gltf, &file);
+    assert!(words.contains("1 skin ("), "{words}");
+}
+
+#[test]
+fn an_emission_beyond_all_numbers_is_said_and_stays_bright() {
+    let emission = |strength: &str| {
+        gltf(&format!(
+            r#""materials":[{{"emissiveFactor":[1,0.5,0],"extensions":{{"KHR_materials_emissive_strength":{{"emissiveStrength":{strength}}}}}}}],"extensionsUsed":["KHR_materials_emissive_strength"]"#
+        ))
+    };
+    let loaded = loaded(SceneFormat::Gltf, &emission("1e39"));
+    let (_, material) = loaded.scene.materials().next().unwrap();
+    assert_eq!(material.emission, [f32::MAX, f32::MAX, 0.0]);
+    assert_eq!(
+        loaded.left_out.to_string(),
+        "1 shading detail (an emission that is not finite)"
+    );
+    assert_eq!(lost(SceneFormat::Gltf, &emission("1e38")), "");
+}
+
+#[test]
+fn lists_and_colours_of_the_faces_of_a_ply_are_said() {
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0 0 1 0 0 1 255 0 0\n";
+    assert_eq!(
+        lost(SceneFormat::Ply, ply.as_bytes()),
+        "1 vertex attribute (colours of faces), 1 vertex attribute (the list \"texcoord\" of faces)"
+    );
+    assert_eq!(lost(SceneFormat::Ply, &common::ply_binary()), "");
+}
+
+#[test]
+fn materials_of_an_obj_without_a_library_are_said() {
+    let obj = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
+    assert_eq!(
+        lost(SceneFormat::Obj, obj),
+        "1 material (no library has it)"
+    );
+}
+
+#[test]
 fn a_scene_without_anything_to_draw_says_why() {
     let nothing = |format: SceneFormat, bytes: &[u8]| {
         let problem = loaded(format, bytes).drawable().unwrap_err();

@@ -10,11 +10,12 @@ use super::tree::Tree;
 use crate::budget::Budget;
 use crate::error::{LoadProblem, shorten};
 use crate::left_out::LostPart;
-use crate::polygon::{MAX_CORNERS, Triangulator};
-use antumbra_scene::{Drawable, EntityKey, Geometry, Mesh, Scene};
+use crate::polygon::Triangulator;
+use antumbra_scene::{EntityKey, Scene};
 use glam::{DAffine3, DVec3};
 
 mod below;
+mod mesh;
 
 /// Builds a scene from documents.
 pub(super) struct SceneBuilder<'a> {
@@ -182,14 +183,14 @@ impl<'a> SceneBuilder<'a> {
     ) -> Result<(), LoadProblem> {
         let instances = self.instances(context, target, origin);
         let lines = context.lines(target)?;
-        let drawn = shapes.iter().filter(|shape| !shape.surfaces.is_empty());
-        let drawn = drawn.map(|shape| shape.lod).max_by(f64::total_cmp);
+        let levels = self.levels(context, target, shapes, origin)?;
+        let drawn = levels.first().map(|level| level.lod);
         let finest = (drawn.into_iter())
             .chain(instances.iter().map(|instance| instance.lod))
             .chain(lines.iter().map(|lines| lines.lod))
             .max_by(f64::total_cmp);
-        if drawn == finest {
-            self.set_mesh(context, target, shapes, origin)?;
+        if drawn.is_some() && drawn == finest {
+            self.set_mesh(target, shapes, levels)?;
         }
         for instance in instances {
             if Some(instance.lod) == finest {
@@ -204,44 +205,6 @@ impl<'a> SceneBuilder<'a> {
         Ok(())
     }
 
-    /// Sets an entity's mesh. Shapes of the same level of detail are joined, finest first.
-    fn set_mesh(
-        &mut self,
-        context: &DocumentContext<'_>,
-        target: &Target<'_>,
-        shapes: &[Shape],
-        origin: DVec3,
-    ) -> Result<(), LoadProblem> {
-        let mut levels = Vec::new();
-        for shapes in shapes.chunk_by(|a, b| a.lod == b.lod) {
-            let level = self.level(context, target.id, shapes, origin)?;
-            if !level.indices.is_empty() {
-                levels.push(level);
-            }
-        }
-        if levels.is_empty() {
-            return Ok(());
-        }
-        let is_solid = |shape: &Shape| shape.kind == GeometryKind::Solids;
-        let kind = if shapes.iter().all(is_solid) {
-            GeometryKind::Solids
-        } else {
-            GeometryKind::Surfaces
-        };
-        let drawable = Drawable {
-            mesh: self.scene.add_mesh(Mesh {
-                name: target.id.to_owned(),
-                proxy: proxy_of(&levels),
-                levels,
-            })?,
-            material: self
-                .materials
-                .material(&mut self.scene, &target.object.kind, kind),
-        };
-        self.scene.set_drawable(target.entity, drawable)?;
-        Ok(())
-    }
-
     /// Notes a geometry of a kind that does not exist.
     fn note_unread(&mut self, geometry: &Source<'_>, context: &DocumentContext<'_>) {
         let kind = &*geometry.kind;
@@ -251,48 +214,6 @@ impl<'a> SceneBuilder<'a> {
             let left_out = &mut self.budget.left_out;
             left_out.add(LostPart::Geometry, &reason, &example);
         }
-    }
-
-    fn level(
-        &mut self,
-        context: &DocumentContext<'_>,
-        id: &str,
-        shapes: &[Shape],
-        origin: DVec3,
-    ) -> Result<Geometry, LoadProblem> {
-        let surfaces = || shapes.iter().flat_map(|shape| &shape.surfaces);
-        let corners = |surface: &Surface| surface.iter().map(Vec::len).sum::<usize>();
-        let total = surfaces()
-            .map(|tinted| corners(&tinted.surface))
-            .sum::<usize>();
-        self.budget.vertices(total as u64)?;
-        let is_tinted = shapes.iter().any(|shape| shape.is_tinted);
-        let mut level = Geometry::default();
-        for TintedSurface { surface, tint } in surfaces() {
-            if corners(surface) > MAX_CORNERS {
-                let problem = format!(
-                    "a surface has {} corners; at most {MAX_CORNERS} are read: divide it",
-                    corners(surface)
-                );
-                return Err(syntax_error(context.name(id), problem));
-            }
-            self.triangulator.clear();
-            for ring in surface {
-                let corners = ring.iter().filter_map(|vertex| context.point(*vertex));
-                self.triangulator
-                    .ring(corners.map(|corner| corner - origin));
-            }
-            let triangles = self.triangulator.finish(&mut level);
-            if triangles == 0 {
-                let left_out = &mut self.budget.left_out;
-                left_out.add(LostPart::Face, "without an area", &context.name(id));
-            }
-            self.budget.triangles(triangles)?;
-            if is_tinted {
-                level.colours.resize(level.positions.len(), *tint);
-            }
-        }
-        Ok(level)
     }
 }
 
@@ -373,18 +294,4 @@ impl DocumentContext<'_> {
         let middle = low.midpoint(high);
         Ok(DVec3::new(middle.x, low.y, middle.z))
     }
-}
-
-/// The proxy: the coarsest of several levels. Its walls are where the building's are. Those of a simplified mesh are
-/// not, which hides too much in a street.
-fn proxy_of(levels: &[Geometry]) -> Option<Geometry> {
-    let [full, .., coarsest] = levels else {
-        return None;
-    };
-    let is_coarser = coarsest.indices.len() <= full.indices.len();
-    is_coarser.then(|| Geometry {
-        positions: coarsest.positions.clone(),
-        indices: coarsest.indices.clone(),
-        ..Geometry::default()
-    })
 }

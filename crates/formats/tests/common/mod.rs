@@ -104,6 +104,16 @@ pub const CITY: &str = concat!(
     "\n"
 );
 
+/// A CityJSON sequence of the bridge "b" with these geometries over the vertices of [`CITY`].
+pub fn bridge(geometries: &str) -> String {
+    let (head, feature) = CITY.split_once('\n').unwrap();
+    let vertices = feature.find(r#""vertices""#).unwrap();
+    format!(
+        "{head}\n{{\"type\":\"CityJSONFeature\",\"CityObjects\":{{\"b\":{{\"type\":\"Bridge\",\"geometry\":[{geometries}]}}}},{}",
+        &feature[vertices..]
+    )
+}
+
 /// A PNG of 2 x 1 pixels: red, and half-transparent green.
 pub const PNG: &[u8] = &[
     137, 80, 78, 71, 13, 10, 26, 10, 0, 0, 0, 13, 73, 72, 68, 82, 0, 0, 0, 2, 0, 0, 0, 1, 8, 6, 0,
