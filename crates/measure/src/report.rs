@@ -94,7 +94,7 @@ pub struct SceneFacts {
 /// Parts of a scene's file that were left out for one reason.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct MissingParts {
-    /// Their kind: `image`, `animation`, ...
+    /// Their kind, in the singular for any number: `image`, `animation`, ...
     pub part: String,
     /// Their number.
     pub count: u64,
