@@ -67,15 +67,18 @@ pub fn field(file: &Path, reading: &FieldReading<'_>) -> Result<FieldOfFile, Fai
     };
     if is_raster(file) {
         let detail = detail.unwrap_or(RasterDetail::Vertices(VERTICES));
+        scene_file::none(reading.load)?;
         let bar = progress::spin("reading", quiet);
         let raster_options = RasterOptions {
             max_memory: scene_file::options(reading.load).max_memory,
             units: reading.units.unwrap_or_default(),
             latitude: None,
         };
-        let loaded = load_raster_with(file, &raster_options)?;
+        let loaded = load_raster_with(file, &raster_options);
+        bar.finish_and_clear();
+        let loaded = loaded?;
         notes::say(file, &loaded.notes, quiet);
-        bar.set_message("making triangles");
+        let bar = progress::spin("making triangles", quiet);
         let field = Field::from_raster(&loaded.raster, detail);
         bar.finish_and_clear();
         return Ok(FieldOfFile {

@@ -52,6 +52,14 @@ pub fn spin(what: &'static str, quiet: bool) -> ProgressBar {
     bar
 }
 
+/// Shows how much of a bar's work is done, out of how much.
+pub fn count(bar: &ProgressBar) -> impl Fn(u64, u64) {
+    |done, total| {
+        bar.set_length(total);
+        bar.set_position(done);
+    }
+}
+
 fn bar(template: &str, quiet: bool) -> ProgressBar {
     let target = match quiet {
         true => ProgressDrawTarget::hidden(),

@@ -29,6 +29,20 @@ pub fn load(
     Ok(loaded)
 }
 
+/// Refuses what is said of scene files where none is loaded.
+///
+/// # Errors
+/// [`Failure::Usage`] for such an argument.
+pub fn none(args: &LoadArgs) -> Result<(), Failure> {
+    if args.strict || args.no_images || args.verbose {
+        return Err(Failure::Usage(
+            "--strict, --no-images and --verbose are for scene files: what is read here is none"
+                .to_owned(),
+        ));
+    }
+    Ok(())
+}
+
 /// The limits of a load, with what the command line says.
 pub fn options(args: &LoadArgs) -> LoadOptions {
     let usual = LoadOptions::default();

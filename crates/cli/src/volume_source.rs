@@ -30,10 +30,7 @@ pub fn open(
 /// What is wrong with the file.
 pub fn segy(file: &Path, options: &SegyOptions, quiet: bool) -> Result<SegyFile, Failure> {
     let bar = progress::work("reading traces", quiet);
-    let opened = SegyFile::open(file, options, &mut |done, total| {
-        bar.set_length(total);
-        bar.set_position(done);
-    });
+    let opened = SegyFile::open(file, options, &mut progress::count(&bar));
     bar.finish_and_clear();
     let opened = opened?;
     notes::say(file, opened.notes(), quiet);

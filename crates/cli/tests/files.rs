@@ -4,10 +4,9 @@
 mod common;
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use common::{antumbra, refuses, stderr, succeeds};
-use tempfile::TempDir;
+use common::{Folder, antumbra, refuses, stderr, succeeds};
 
 /// An orthographic view of 8 by 10.667 metres from +Z.
 const FRONT: &str = r#"{"projection":{"orthographic":{"height":8.0,"near":0.0,"far":1000.0}},"poses":[{"eye":[0,0,50],"target":[0,0,0]}]}"#;
@@ -15,40 +14,22 @@ const FRONT: &str = r#"{"projection":{"orthographic":{"height":8.0,"near":0.0,"f
 /// A view of the box from -1 to 1 that shows three of its faces.
 const ASIDE: &str = r#"{"projection":{"perspective":{"fov_y_degrees":40,"near":0.1}},"poses":[{"eye":[4,3,5],"target":[0,0,0]}]}"#;
 
-struct Folder(TempDir);
+/// A folder with the two views.
+fn views() -> Folder {
+    let folder = Folder::new();
+    folder.write("front.json", FRONT);
+    folder.write("aside.json", ASIDE);
+    folder
+}
 
-impl Folder {
-    fn new() -> Self {
-        let folder = Self(tempfile::tempdir().unwrap());
-        folder.write("front.json", FRONT);
-        folder.write("aside.json", ASIDE);
-        folder
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn write(&self, name: &str, contents: impl AsRef<[u8]>) -> String {
-        std::fs::write(self.path(name), contents).unwrap();
-        self.path(name).to_str().unwrap().to_owned()
-    }
-
-    /// The number of pixels of each colour of a picture, without the background.
-    fn colours(&self, scene: &str, path: &str) -> BTreeMap<[u8; 3], usize> {
-        let picture = self.path("picture.png");
-        let view = self.path(path);
-        let arguments = ["render", scene, "--path", view.to_str().unwrap()];
-        let more = [
-            "--size",
-            "320x240",
-            "--quiet",
-            "-o",
-            picture.to_str().unwrap(),
-        ];
-        succeeds(&[&arguments[..], &more[..]].concat());
-        colours(&picture)
-    }
+/// The number of pixels of each colour of a picture of a scene, without the background.
+fn drawn(folder: &Folder, scene: &str, path: &str) -> BTreeMap<[u8; 3], usize> {
+    let picture = folder.at("picture.png");
+    let view = folder.at(path);
+    let arguments = ["render", scene, "--path", &view];
+    let more = ["--size", "320x240", "--quiet", "-o", &picture];
+    succeeds(&[&arguments[..], &more[..]].concat());
+    colours(Path::new(&picture))
 }
 
 fn colours(picture: &Path) -> BTreeMap<[u8; 3], usize> {
@@ -78,28 +59,28 @@ fn box_obj() -> String {
 
 #[test]
 fn a_box_without_normals_has_three_shades() {
-    let folder = Folder::new();
+    let folder = views();
     let scene = folder.write("box.obj", box_obj());
-    let colours = folder.colours(&scene, "aside.json");
+    let colours = drawn(&folder, &scene, "aside.json");
     let faces = colours.values().filter(|pixels| **pixels > 1_000);
     assert_eq!(faces.count(), 3, "{colours:?}");
 }
 
 #[test]
 fn a_concave_polygon_covers_what_it_encloses() {
-    let folder = Folder::new();
+    let folder = views();
     let u = "v -3 -3 0\nv 3 -3 0\nv 3 3 0\nv 1 3 0\nv 1 -1 0\nv -1 -1 0\nv -1 3 0\nv -3 3 0\nf 1 2 3 4 5 6 7 8\n";
-    let colours = folder.colours(&folder.write("u.obj", u), "front.json");
+    let colours = drawn(&folder, &folder.write("u.obj", u), "front.json");
     // 28 of 85.33 square metres.
     assert!((share(&colours) - 32.81).abs() < 0.1, "{}", share(&colours));
 }
 
 #[test]
 fn what_glows_is_seen_in_the_dark() {
-    let folder = Folder::new();
+    let folder = views();
     folder.write("m.mtl", "newmtl m\nKd 0 0 0\nKe 0 1 0\n");
     let square = "mtllib m.mtl\nusemtl m\nv -3 -3 0\nv 3 -3 0\nv 3 3 0\nv -3 3 0\nf 1 2 3 4\n";
-    let colours = folder.colours(&folder.write("glow.obj", square), "front.json");
+    let colours = drawn(&folder, &folder.write("glow.obj", square), "front.json");
     assert!((share(&colours) - 42.19).abs() < 0.1, "{}", share(&colours));
     // The rest is the shine of the lamp.
     let green = colours.keys().all(|[r, g, b]| *g == 255 && r.max(b) < &80);
@@ -155,7 +136,12 @@ fn what_is_left_out_is_said_in_a_line_named_or_refused() {
 #[test]
 fn a_report_keeps_what_was_left_out() {
     let folder = Folder::new();
-    let scene = untextured(&folder);
+    folder.write(
+        "m.mtl",
+        "newmtl m\nmap_Kd gone.png\nnewmtl n\nmap_Kd lost.png\n",
+    );
+    let squares = "mtllib m.mtl\nusemtl m\nv -3 -3 0\nv 3 -3 0\nv 3 3 0\nv -3 3 0\nf 1 2 3 4\nusemtl n\nf 4 3 2 1\n";
+    let scene = folder.write("a.obj", squares);
     let out = folder.path("out");
     let shown = succeeds(&[
         "compare",
@@ -170,15 +156,50 @@ fn a_report_keeps_what_was_left_out() {
         out.to_str().unwrap(),
     ]);
     assert!(
-        shown.contains("left out of its file: 1 image (missing)"),
+        shown.contains("left out of its file: 2 images (missing)"),
         "{shown}"
     );
     let report = std::fs::read_to_string(out.join("report.json")).unwrap();
     let report: serde_json::Value = serde_json::from_str(&report).unwrap();
     let left_out = &report["scene"]["left_out"];
     assert_eq!(left_out[0]["part"], "image");
-    assert_eq!(left_out[0]["count"], 1);
+    assert_eq!(left_out[0]["count"], 2);
     assert_eq!(left_out[0]["reason"], "missing");
+}
+
+#[test]
+fn arguments_of_scene_files_are_refused_where_none_is_loaded() {
+    let folder = Folder::new();
+    let raster = folder.write(
+        "dem.asc",
+        "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n0 1\n1 5\n",
+    );
+    let picture = folder.write("a.png", "");
+    let scene = folder.write("a.glb", "");
+    for argument in ["--strict", "--no-images", "--verbose"] {
+        let words = ["--strict, --no-images and --verbose are for scene files"];
+        for shown in [raster.as_str(), "grid:2", "subsurface", "terrain"] {
+            refuses(&["render", shown, argument, "-o", &picture], 2, &words);
+        }
+        for input in [raster.as_str(), "terrain", "subsurface"] {
+            refuses(&["prepare", input, argument, "-o", &scene], 2, &words);
+        }
+        let horizon = [
+            "prepare",
+            &raster,
+            argument,
+            "--as",
+            "subsurface",
+            "-o",
+            &scene,
+        ];
+        refuses(&horizon, 2, &words);
+    }
+    // What the load may take is for all files.
+    let memory = [
+        "prepare", &raster, "--memory", "1GiB", "--quiet", "-o", &scene,
+    ];
+    succeeds(&memory);
 }
 
 #[test]

@@ -6,8 +6,7 @@ mod common;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use common::{names, refuses, succeeds};
-use tempfile::TempDir;
+use common::{Folder, names, refuses, succeeds};
 
 const TRIANGLE: &str = "mtllib sheet.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl sheet\nf 1/1 2/2 3/3\n";
 const SHEET: &str = "newmtl sheet\nmap_Kd sheet.png\n";
@@ -15,45 +14,33 @@ const POSES: &str = r#"{"projection": {"perspective": {"fov_y_degrees": 45, "nea
     "poses": [{"eye": [0, 0, 9], "target": [0, 0, 0]}]}"#;
 
 /// A folder with a scene file and what it refers to, and a path file.
-struct Folder(TempDir);
+fn sheet() -> Folder {
+    let folder = Folder::new();
+    folder.write("sheet.obj", TRIANGLE);
+    folder.write("sheet.mtl", SHEET);
+    let white = image::RgbaImage::from_pixel(2, 2, image::Rgba([255; 4]));
+    white.save(folder.path("sheet.png")).unwrap();
+    folder.write("path.json", POSES);
+    folder
+}
 
-impl Folder {
-    fn new() -> Self {
-        let folder = Self(tempfile::tempdir().unwrap());
-        fs::write(folder.file("sheet.obj"), TRIANGLE).unwrap();
-        fs::write(folder.file("sheet.mtl"), SHEET).unwrap();
-        let white = image::RgbaImage::from_pixel(2, 2, image::Rgba([255; 4]));
-        white.save(folder.file("sheet.png")).unwrap();
-        fs::write(folder.file("path.json"), POSES).unwrap();
-        folder
-    }
+/// Every file's name and contents.
+fn contents(folder: &Folder) -> Vec<(PathBuf, Vec<u8>)> {
+    let entries = fs::read_dir(folder.path("")).unwrap();
+    let mut files: Vec<_> = entries
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.is_file())
+        .map(|path| (path.clone(), fs::read(path).unwrap()))
+        .collect();
+    files.sort();
+    files
+}
 
-    fn file(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn text(&self, name: &str) -> String {
-        self.file(name).to_str().unwrap().to_owned()
-    }
-
-    /// Every file's name and contents.
-    fn contents(&self) -> Vec<(PathBuf, Vec<u8>)> {
-        let entries = fs::read_dir(self.0.path()).unwrap();
-        let mut files: Vec<_> = entries
-            .map(|entry| entry.unwrap().path())
-            .filter(|path| path.is_file())
-            .map(|path| (path.clone(), fs::read(path).unwrap()))
-            .collect();
-        files.sort();
-        files
-    }
-
-    /// The run is refused with these words, and no file has changed.
-    fn keeps(&self, arguments: &[&str], words: &[&str]) {
-        let before = self.contents();
-        refuses(arguments, 2, words);
-        assert!(self.contents() == before, "{arguments:?} changed a file");
-    }
+/// The run is refused with these words, and no file has changed.
+fn keeps(folder: &Folder, arguments: &[&str], words: &[&str]) {
+    let before = contents(folder);
+    refuses(arguments, 2, words);
+    assert!(contents(folder) == before, "{arguments:?} changed a file");
 }
 
 /// `render` with these further arguments, drawn small.
@@ -63,10 +50,11 @@ fn render<'a>(scene: &'a str, more: &[&'a str]) -> Vec<&'a str> {
 
 #[test]
 fn an_image_never_replaces_what_it_is_drawn_from() {
-    let folder = Folder::new();
+    let folder = sheet();
     let [scene, path, image, texture] =
-        ["sheet.obj", "path.json", "image.png", "sheet.png"].map(|name| folder.text(name));
-    folder.keeps(
+        ["sheet.obj", "path.json", "image.png", "sheet.png"].map(|name| folder.at(name));
+    keeps(
+        &folder,
         &render(&scene, &["-o", &scene]),
         &["--output", "the scene", "sheet.obj"],
     );
@@ -76,17 +64,23 @@ fn an_image_never_replaces_what_it_is_drawn_from() {
         (&image, "--output"),
     ] {
         let sketch = ["-o", &image, "--path", &path, "--sketch", onto];
-        folder.keeps(&render(&scene, &sketch), &["--sketch", named, onto]);
+        keeps(
+            &folder,
+            &render(&scene, &sketch),
+            &["--sketch", named, onto],
+        );
     }
     // A file that the scene refers to is known once the scene is read.
-    folder.keeps(
+    keeps(
+        &folder,
         &render(&scene, &["-o", &texture]),
         &["--output", "a file of the scene", "sheet.png"],
     );
-    let volume = folder.text("volume.png");
+    let volume = folder.at("volume.png");
     fs::write(&volume, "no volume").unwrap();
     let asked = ["--volume", &volume, "-o", &volume];
-    folder.keeps(
+    keeps(
+        &folder,
         &render("grid:2", &asked),
         &["--output", "--volume", "volume.png"],
     );
@@ -94,59 +88,68 @@ fn an_image_never_replaces_what_it_is_drawn_from() {
 
 #[test]
 fn names_of_two_eyes_are_held_against_the_inputs_too() {
-    let folder = Folder::new();
-    fs::rename(folder.file("path.json"), folder.file("a-left.png")).unwrap();
-    let [path, image, left] = ["a-left.png", "a.png", "b-right.png"].map(|name| folder.text(name));
+    let folder = sheet();
+    fs::rename(folder.path("path.json"), folder.path("a-left.png")).unwrap();
+    let [path, image, left] = ["a-left.png", "a.png", "b-right.png"].map(|name| folder.at(name));
     let asked = ["--layout", "separate", "--path", &path, "-o", &image];
-    folder.keeps(&render("grid:2", &asked), &["a-left.png", "--path"]);
+    keeps(
+        &folder,
+        &render("grid:2", &asked),
+        &["a-left.png", "--path"],
+    );
     let asked = ["--stereo", "--strategy", "occupancy-map", "-o", &left];
-    let sketch = folder.text("b.png");
+    let sketch = folder.at("b.png");
     let asked = [&asked[..], &["--sketch", &sketch]].concat();
-    folder.keeps(
+    keeps(
+        &folder,
         &render("grid:2", &asked),
         &["--sketch", "--output", "b-right.png"],
     );
     // Side by side there is one image, and its name is its own.
     let asked = ["--stereo", "--path", &path, "-o", &image];
     succeeds(&render("grid:2", &asked));
-    assert!(folder.file("a.png").is_file());
+    assert!(folder.path("a.png").is_file());
 }
 
 #[test]
 fn only_png_images_and_svg_sketches_are_written() {
-    let folder = Folder::new();
+    let folder = sheet();
     for name in ["image.jpg", "image", "image.glb", ".png"] {
-        let image = folder.text(name);
-        folder.keeps(&render("grid:2", &["-o", &image]), &[name, ".png"]);
+        let image = folder.at(name);
+        keeps(&folder, &render("grid:2", &["-o", &image]), &[name, ".png"]);
     }
-    let image = folder.text("image.png");
+    let image = folder.at("image.png");
     for name in ["sketch", "sketch.png", "sketch.glb"] {
-        let sketch = folder.text(name);
+        let sketch = folder.at(name);
         let asked = ["-o", &image, "--sketch", &sketch];
-        folder.keeps(&render("grid:2", &asked), &[name, ".svg"]);
+        keeps(&folder, &render("grid:2", &asked), &[name, ".svg"]);
     }
 }
 
 #[test]
 fn a_report_never_replaces_what_it_is_about() {
-    let folder = Folder::new();
-    let out = folder.text(".");
+    let folder = sheet();
+    let out = folder.at(".");
     for name in ["report.json", "trade.svg", "3-three-pass-worst.png"] {
-        fs::write(folder.file(name), POSES).unwrap();
-        let path = folder.text(name);
+        fs::write(folder.path(name), POSES).unwrap();
+        let path = folder.at(name);
         let asked = ["compare", "grid:2", "--path", &path, "--out", &out];
-        folder.keeps(&asked, &["--out", "--path", name]);
+        keeps(&folder, &asked, &["--out", "--path", name]);
         let sweep = ["--strategy", "three-pass", "--vary", "threshold=1"];
         let asked = ["sweep", "grid:2", "--path", &path, "--out", &out];
-        folder.keeps(&[&asked[..], &sweep].concat(), &["--out", "--path", name]);
+        keeps(
+            &folder,
+            &[&asked[..], &sweep].concat(),
+            &["--out", "--path", name],
+        );
         fs::remove_file(path).unwrap();
     }
-    let file = folder.text("sheet.obj");
+    let file = folder.at("sheet.obj");
     let asked = ["compare", "grid:2", "--out", &file];
-    folder.keeps(&asked, &["--out", "sheet.obj", "folder"]);
-    fs::create_dir(folder.file("report.html")).unwrap();
+    keeps(&folder, &asked, &["--out", "sheet.obj", "folder"]);
+    fs::create_dir(folder.path("report.html")).unwrap();
     let asked = ["compare", "grid:2", "--out", &out];
-    folder.keeps(&asked, &["--out", "report.html", "a folder"]);
+    keeps(&folder, &asked, &["--out", "report.html", "a folder"]);
 }
 
 #[test]
@@ -182,31 +185,35 @@ fn whatever_a_report_writes_is_known_to_the_check() {
 
 #[test]
 fn a_prepared_scene_never_replaces_its_input() {
-    let folder = Folder::new();
-    let [input, other, volume] = ["a.glb", "b.glb", "c.vol"].map(|name| folder.text(name));
+    let folder = sheet();
+    let [input, other, volume] = ["a.glb", "b.glb", "c.vol"].map(|name| folder.at(name));
     for name in [&input, &other, &volume] {
         fs::write(name, "not read").unwrap();
     }
     let asked = ["prepare", &input, "-o", &input];
-    folder.keeps(&asked, &["--output", "the input", "a.glb"]);
+    keeps(&folder, &asked, &["--output", "the input", "a.glb"]);
     let asked = ["prepare", &input, &other, "-o", &other];
-    folder.keeps(&asked, &["--output", "the input", "b.glb"]);
+    keeps(&folder, &asked, &["--output", "the input", "b.glb"]);
     let asked = ["prepare", &input, "--grid", &volume, "-o", &volume];
-    folder.keeps(&asked, &["--output", "--grid", "c.vol"]);
+    keeps(&folder, &asked, &["--output", "--grid", "c.vol"]);
 }
 
 #[test]
 fn a_path_is_followed_to_where_it_leads() {
-    let folder = Folder::new();
-    fs::create_dir(folder.file("deep")).unwrap();
-    let aside = folder.text("deep/../path.json");
-    let [path, image] = ["path.json", "image.png"].map(|name| folder.text(name));
+    let folder = sheet();
+    fs::create_dir(folder.path("deep")).unwrap();
+    let aside = folder.at("deep/../path.json");
+    let [path, image] = ["path.json", "image.png"].map(|name| folder.at(name));
     let sketch = ["-o", &image, "--path", &path, "--sketch", &aside];
-    folder.keeps(&render("grid:2", &sketch), &["--sketch", "--path"]);
+    keeps(&folder, &render("grid:2", &sketch), &["--sketch", "--path"]);
     // Neither exists yet.
-    let other = folder.text("deep/../image.png");
+    let other = folder.at("deep/../image.png");
     let sketch = ["-o", &image, "--sketch", &other];
-    folder.keeps(&render("grid:2", &sketch), &["--sketch", "--output"]);
+    keeps(
+        &folder,
+        &render("grid:2", &sketch),
+        &["--sketch", "--output"],
+    );
 }
 
 #[cfg(unix)]
@@ -217,36 +224,40 @@ mod unix {
     use std::os::unix::net::UnixListener;
 
     fn link(folder: &Folder, to: &Path, name: &str) -> String {
-        symlink(to, folder.file(name)).unwrap();
-        folder.text(name)
+        symlink(to, folder.path(name)).unwrap();
+        folder.at(name)
     }
 
     #[test]
     fn links_are_followed() {
-        let folder = Folder::new();
-        let path = folder.text("path.json");
+        let folder = sheet();
+        let path = folder.at("path.json");
         let soft = link(&folder, Path::new("path.json"), "soft.png");
-        folder.keeps(
+        keeps(
+            &folder,
             &render("grid:2", &["--path", &path, "-o", &soft]),
             &["soft.png", "--path"],
         );
-        let hard = folder.text("hard.png");
+        let hard = folder.at("hard.png");
         fs::hard_link(&path, &hard).unwrap();
-        folder.keeps(
+        keeps(
+            &folder,
             &render("grid:2", &["--path", &path, "-o", &hard]),
             &["hard.png", "--path"],
         );
         // The input may be the link, and a link may lead to where nothing is yet.
         let input = link(&folder, Path::new("plain.png"), "poses.json");
-        let plain = folder.text("plain.png");
+        let plain = folder.at("plain.png");
         fs::write(&plain, POSES).unwrap();
-        folder.keeps(
+        keeps(
+            &folder,
             &render("grid:2", &["--path", &input, "-o", &plain]),
             &["plain.png", "poses.json"],
         );
         let dangling = link(&folder, Path::new("later.png"), "dangling.svg");
-        let later = folder.text("later.png");
-        folder.keeps(
+        let later = folder.at("later.png");
+        keeps(
+            &folder,
             &render("grid:2", &["-o", &later, "--sketch", &dangling]),
             &["later.png", "dangling.svg"],
         );
@@ -257,7 +268,8 @@ mod unix {
         // Through a linked folder.
         let home = link(&folder, Path::new("."), "home");
         let aside = format!("{home}/path.json");
-        folder.keeps(
+        keeps(
+            &folder,
             &render(
                 "grid:2",
                 &["-o", &later, "--path", &path, "--sketch", &aside],
@@ -268,35 +280,46 @@ mod unix {
 
     #[test]
     fn what_is_no_regular_file_stays_what_it_is() {
-        let folder = Folder::new();
-        let socket = folder.text("socket.png");
+        let folder = sheet();
+        let socket = folder.at("socket.png");
         let _listener = UnixListener::bind(&socket).unwrap();
-        folder.keeps(
+        keeps(
+            &folder,
             &render("grid:2", &["-o", &socket]),
             &["socket.png", "a socket"],
         );
-        let inside = folder.text("folder.png");
+        let inside = folder.at("folder.png");
         fs::create_dir(&inside).unwrap();
-        folder.keeps(
+        keeps(
+            &folder,
             &render("grid:2", &["-o", &inside]),
             &["folder.png", "a folder"],
         );
-        let fifo = folder.text("fifo.png");
+        let fifo = folder.at("fifo.png");
         let made = std::process::Command::new("mkfifo").arg(&fifo).status();
         if made.is_ok_and(|status| status.success()) {
-            folder.keeps(&render("grid:2", &["-o", &fifo]), &["fifo.png", "a FIFO"]);
+            keeps(
+                &folder,
+                &render("grid:2", &["-o", &fifo]),
+                &["fifo.png", "a FIFO"],
+            );
         }
         let device = link(&folder, Path::new("/dev/null"), "null.png");
-        folder.keeps(
+        keeps(
+            &folder,
             &render("grid:2", &["-o", &device]),
             &["null.png", "a device"],
         );
-        let sketch = ["-o", &folder.text("image.png"), "--sketch", "/dev/null"];
-        folder.keeps(&render("grid:2", &sketch), &["/dev/null", "a device"]);
+        let sketch = ["-o", &folder.at("image.png"), "--sketch", "/dev/null"];
+        keeps(
+            &folder,
+            &render("grid:2", &sketch),
+            &["/dev/null", "a device"],
+        );
         let null = fs::metadata("/dev/null").unwrap().file_type();
         assert!(null.is_char_device());
         let scene = link(&folder, Path::new("/dev/null"), "null.glb");
         let asked = ["prepare", "terrain:200", "-o", &scene];
-        folder.keeps(&asked, &["null.glb", "a device"]);
+        keeps(&folder, &asked, &["null.glb", "a device"]);
     }
 }

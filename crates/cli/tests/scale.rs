@@ -9,14 +9,13 @@ mod common;
 use std::fmt::Write as _;
 use std::fs;
 use std::io::{Seek as _, SeekFrom, Write as _};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
 use antumbra::subsurface::{BrickSource, SubsurfaceError, VolumeLayout, write_volume};
-use common::{PROGRAM, QUIET_MESA};
+use common::{Folder, PROGRAM, QUIET_MESA};
 use glam::DVec3;
-use tempfile::TempDir;
 
 /// What a run has taken.
 struct Run {
@@ -53,25 +52,6 @@ fn run(arguments: &[&str]) -> Run {
         run.message.trim()
     );
     run
-}
-
-struct Folder(TempDir);
-
-impl Folder {
-    fn new() -> Self {
-        Self(tempfile::tempdir().unwrap())
-    }
-
-    fn file(&self, name: &str, bytes: &[u8]) -> String {
-        let path: PathBuf = self.0.path().join(name);
-        fs::File::create(&path).unwrap().write_all(bytes).unwrap();
-        path.to_str().unwrap().to_owned()
-    }
-
-    fn out(&self, name: &str) -> String {
-        let path: &Path = self.0.path();
-        path.join(name).to_str().unwrap().to_owned()
-    }
 }
 
 const GIB: u64 = 1 << 20;
@@ -118,8 +98,8 @@ fn objects(count: u32) -> String {
 fn a_scene_of_many_small_objects_reaches_the_gpu_in_bounded_memory() {
     let folder = Folder::new();
     // 17 MB of text.
-    let scene = folder.file("many.obj", objects(300_000).as_bytes());
-    let image = folder.out("a.png");
+    let scene = folder.write("many.obj", objects(300_000).as_bytes());
+    let image = folder.at("a.png");
     drawn(&run(&render(&scene, &image)));
     let asked = [&render(&scene, &image)[..], &["--memory", "512MiB"]].concat();
     refused(&run(&asked), &["the object", "512 MiB"]);
@@ -143,7 +123,7 @@ impl BrickSource for Tiny {
 #[ignore = "takes seconds, and GNU time"]
 fn a_volume_of_tiny_bricks_is_drawn_or_refused() {
     let folder = Folder::new();
-    let image = folder.out("a.png");
+    let image = folder.at("a.png");
     for (name, size) in [
         ("drawn.vol", [2048, 2048, 2]),
         ("refused.vol", [1 << 20, 8192, 1]),
@@ -155,7 +135,7 @@ fn a_volume_of_tiny_bricks_is_drawn_or_refused() {
             steps: [DVec3::X, DVec3::Y, DVec3::Z],
             range: [0.0, 1.0],
         });
-        let volume = folder.out(name);
+        let volume = folder.at(name);
         if name == "drawn.vol" {
             write_volume(Path::new(&volume), "tiny", &source, &mut |_, _| ()).unwrap();
             let asked = [&render("grid:2", &image)[..], &["--volume", &volume]].concat();
@@ -187,19 +167,19 @@ fn a_volume_of_tiny_bricks_is_drawn_or_refused() {
 fn a_hundred_thousand_equal_triangles_are_drawn() {
     let folder = Folder::new();
     let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n".to_owned() + &"f 1 2 3\n".repeat(100_000);
-    let scene = folder.file("equal.obj", text.as_bytes());
-    drawn(&run(&render(&scene, &folder.out("a.png"))));
+    let scene = folder.write("equal.obj", text.as_bytes());
+    drawn(&run(&render(&scene, &folder.at("a.png"))));
     let mut text = "GOCAD TSurf 1\nVRTX 1 0 0 0\nVRTX 2 100 0 0\nVRTX 3 0 100 50\n".to_owned();
     text += &"TRGL 1 2 3\n".repeat(100_000);
-    let surface = folder.file("equal.ts", text.as_bytes());
-    drawn(&run(&["prepare", &surface, "-o", &folder.out("a.glb")]));
+    let surface = folder.write("equal.ts", text.as_bytes());
+    drawn(&run(&["prepare", &surface, "-o", &folder.at("a.glb")]));
 }
 
 #[test]
 #[ignore = "takes seconds, and GNU time"]
 fn bombs_are_refused_by_the_program_with_the_part_named() {
     let folder = Folder::new();
-    let out = folder.out("out.glb");
+    let out = folder.at("out.glb");
     // Posts: a strip of 256 KiB for 2^30 of them.
     let tags: [(u16, u16, u32); 8] = [
         (256, 4, 32_768),
@@ -222,7 +202,7 @@ fn bombs_are_refused_by_the_program_with_the_part_named() {
         tiff.extend(value.to_le_bytes());
     }
     tiff.extend([0; 4]);
-    let tiff = folder.file("posts.tif", &tiff);
+    let tiff = folder.write("posts.tif", &tiff);
     for made in ["terrain", "subsurface"] {
         refused(
             &run(&["prepare", &tiff, "--as", made, "-o", &out]),
@@ -238,9 +218,9 @@ fn bombs_are_refused_by_the_program_with_the_part_named() {
             "accessors":[{{"bufferView":0,"componentType":5126,"count":1,"type":"VEC3"}}],
             "meshes":[{{"name":"{name}","primitives":[{primitives}]}}],"nodes":[{{"mesh":0}}]}}"#
     );
-    let gltf = folder.file("names.gltf", gltf.as_bytes());
+    let gltf = folder.write("names.gltf", gltf.as_bytes());
     let mut asked = render(&gltf, &out);
-    let image = folder.out("a.png");
+    let image = folder.at("a.png");
     asked[5] = &image;
     asked.extend(["--memory", "512MiB"]);
     refused(&run(&asked), &["mesh 0", "primitive", "512 MiB"]);
@@ -277,7 +257,7 @@ fn bombs_are_refused_by_the_program_with_the_part_named() {
     roff.extend(heights.to_le_bytes());
     roff.resize(roff.len() + 4 * heights as usize, 0);
     word(&mut roff, &["endtag", "tag", "eof", "endtag"]);
-    let roff = folder.file("layers.roff", &roff);
+    let roff = folder.write("layers.roff", &roff);
     let memory = ["--memory", "2GiB"];
     let asked = [&["prepare", &roff, "-o", &out], &memory[..]].concat();
     refused(&run(&asked), &["3000000 layers"]);

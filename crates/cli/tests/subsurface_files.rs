@@ -9,25 +9,7 @@ mod eclipse;
 #[allow(dead_code)]
 mod segy;
 
-use common::{antumbra, refuses, stderr, succeeds};
-use tempfile::TempDir;
-
-struct Folder(TempDir);
-
-impl Folder {
-    fn new() -> Self {
-        Self(tempfile::tempdir().unwrap())
-    }
-
-    fn at(&self, name: &str) -> String {
-        self.0.path().join(name).to_str().unwrap().to_owned()
-    }
-
-    fn file(&self, name: &str, bytes: &[u8]) -> String {
-        std::fs::write(self.0.path().join(name), bytes).unwrap();
-        self.at(name)
-    }
-}
+use common::{Folder, antumbra, refuses, stderr, succeeds};
 
 /// A hill in degrees, some 300 m wide.
 fn degrees() -> Vec<u8> {
@@ -62,10 +44,10 @@ fn shares(path: &str) -> [f64; 3] {
 #[test]
 fn a_raster_in_degrees_is_a_hill_of_sane_proportions() {
     let folder = Folder::new();
-    let (dem, image) = (folder.file("dem.asc", &degrees()), folder.at("a.png"));
+    let (dem, image) = (folder.write("dem.asc", degrees()), folder.at("a.png"));
     // From the side: as wide as 30 cells of 7.65 m, and 60 m high.
     let side = r#"{"projection": {"orthographic": {"height": 240.0, "near": 0.0, "far": 9000000.0}}, "poses": [{"eye": [612431, 130, 0], "target": [612431, 130, -5170750]}]}"#;
-    let path = folder.file("side.json", side.as_bytes());
+    let path = folder.write("side.json", side.as_bytes());
     let render = [
         "render", &dem, "--path", &path, "--size", "320x240", "-o", &image,
     ];
@@ -94,7 +76,7 @@ fn a_segy_file_is_shown_and_prepared() {
         crosslines: [1, 40, 1],
         ..segy::Segy::new(1)
     };
-    let file = folder.file("cube.segy", &made.write());
+    let file = folder.write("cube.segy", made.write());
     let image = folder.at("a.png");
     let render = [
         "render", "grid:2", "--volume", &file, "-o", &image, "--size", "64x48",
@@ -122,15 +104,15 @@ fn a_segy_file_is_shown_and_prepared() {
         2,
         &["-2500..2500"],
     );
-    let broken = folder.file("broken.sgy", &[0; 5000]);
+    let broken = folder.write("broken.sgy", [0; 5000]);
     refuses(&["prepare", &broken, "-o", &volume], 1, &["sample format"]);
 }
 
 #[test]
 fn a_property_goes_with_its_grid() {
     let folder = Folder::new();
-    let grid = folder.file("FIELD.EGRID", &eclipse::binary());
-    let init = folder.file("FIELD.INIT", &eclipse::results());
+    let grid = folder.write("FIELD.EGRID", eclipse::binary());
+    let init = folder.write("FIELD.INIT", eclipse::results());
     let volume = folder.at("poro.vol");
     let prepare = ["prepare", &init, "-o", &volume];
     refuses(&prepare, 2, &["--grid"]);
@@ -146,7 +128,7 @@ fn a_property_goes_with_its_grid() {
         b"roff-asc\ntag filedata\nint byteswaptest 1\nchar filetype \"parameter\"\nendtag\n"
             .to_vec();
     roff.extend(b"tag eof\nendtag\n");
-    let parameter = folder.file("poro.roff", &roff);
+    let parameter = folder.write("poro.roff", &roff);
     refuses(
         &["prepare", &parameter, "-o", &scene],
         1,
@@ -159,7 +141,7 @@ fn files_with_one_note_share_a_line() {
     let folder = Folder::new();
     let points = "0 0 5\n10 0 6\n0 10 7\n10 10 9\n";
     let files =
-        ["a.xyz", "b.xyz", "c.xyz", "d.xyz"].map(|name| folder.file(name, points.as_bytes()));
+        ["a.xyz", "b.xyz", "c.xyz", "d.xyz"].map(|name| folder.write(name, points.as_bytes()));
     let out = folder.at("out.glb");
     let files: Vec<&str> = files.iter().map(String::as_str).collect();
     let prepare = [&["prepare", "-o", &out, "--tiles", "1"], &files[..]].concat();

@@ -351,11 +351,8 @@ pub fn facts(report: &Report) -> [String; 2] {
             count,
             reason,
         } = parts;
-        format!(
-            "{count} {} ({})",
-            format::clean(part),
-            format::clean(reason)
-        )
+        let parts = format::plural(*count, &format::clean(part));
+        format!("{parts} ({})", format::clean(reason))
     });
     let missing = match missing.collect::<Vec<_>>().join(", ") {
         none if none.is_empty() => none,

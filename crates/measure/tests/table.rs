@@ -6,7 +6,7 @@ mod swept;
 #[path = "common/synthetic.rs"]
 mod synthetic;
 
-use antumbra_measure::report::{Report, StereoFacts};
+use antumbra_measure::report::{MissingParts, Report, StereoFacts};
 use antumbra_measure::summary::{Tone, recommendations, summarise};
 use antumbra_measure::table::{Table, facts};
 
@@ -113,6 +113,25 @@ fn hostile_names_cannot_repaint_a_terminal_or_break_markdown() {
         "{line}"
     );
     assert_eq!(markdown.lines().count(), 2 + 7);
+}
+
+#[test]
+fn parts_that_a_scene_lacks_are_counted_in_words() {
+    let mut report = synthetic::report();
+    let lost = |part: &str, count: u64| MissingParts {
+        part: part.to_owned(),
+        count,
+        reason: "missing".to_owned(),
+    };
+    report.scene.left_out = vec![
+        lost("image", 1),
+        lost("image", 2),
+        lost("geometry", 2),
+        lost("level of detail", 2),
+    ];
+    let [text, _] = facts(&report);
+    let words = "1 image (missing), 2 images (missing), 2 geometries (missing), 2 levels of detail (missing)";
+    assert!(text.contains(words), "{text}");
 }
 
 #[test]

@@ -10,6 +10,7 @@ use crate::failure::Failure;
 use crate::landscape::{is_mesh, is_raster};
 use crate::notes;
 use crate::outputs::Outputs;
+use crate::scene_file;
 
 /// Reads, prepares and writes; prints a summary.
 ///
@@ -46,6 +47,7 @@ pub fn run(args: PrepareArgs) -> Result<(), Failure> {
                 .to_owned(),
         ));
     }
+    scene_file::none(&args.load)?;
     outputs.probe()?;
     if ending.as_deref() == Some("vol") {
         return subsurface::volume(&args);

@@ -92,6 +92,7 @@ impl Found {
                 built_in_names().join(", ")
             )));
         }
+        scene_file::none(&args.load)?;
         let mut words = named.split(':');
         let name = words.next().unwrap_or_default();
         let settings: Vec<SceneSetting<'_>> = words.map(SceneSetting::read).collect();
@@ -171,9 +172,9 @@ impl Found {
             (options.slices, options.lens) = (false, false);
         }
         let bar = progress::work("preparing", args.quiet);
+        let count = progress::count(&bar);
         let built = SubsurfaceScene::new(&options, &|done, total| {
-            bar.set_length(total as u64);
-            bar.set_position(done as u64);
+            count(done as u64, total as u64);
         });
         bar.finish_and_clear();
         let mut built = built?;

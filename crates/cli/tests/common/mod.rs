@@ -3,14 +3,42 @@
 
 use std::ffi::OsStr;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+
+use tempfile::TempDir;
 
 /// The program's path.
 pub const PROGRAM: &str = env!("CARGO_BIN_EXE_antumbra");
 
 /// Keeps Mesa's device selection from complaining on standard error where there is no desktop.
 pub const QUIET_MESA: (&str, &str) = ("NODEVICE_SELECT", "1");
+
+/// A folder for files, removed with all that is in it.
+pub struct Folder(TempDir);
+
+impl Folder {
+    /// An empty one.
+    pub fn new() -> Self {
+        Self(tempfile::tempdir().unwrap())
+    }
+
+    /// The path of a file in it; of the folder itself for an empty name.
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    /// The path of a file in it, as an argument.
+    pub fn at(&self, name: &str) -> String {
+        self.path(name).to_str().unwrap().to_owned()
+    }
+
+    /// Writes a file; its path, as an argument.
+    pub fn write(&self, name: &str, contents: impl AsRef<[u8]>) -> String {
+        fs::write(self.path(name), contents).unwrap();
+        self.at(name)
+    }
+}
 
 /// The program, not yet started. What it prints is caught.
 pub fn program<T: AsRef<OsStr>>(arguments: &[T]) -> Command {

@@ -107,10 +107,7 @@ fn read_surfaces(
         });
     }
     let bar = progress::work("reading", args.quiet);
-    let file = read::surface_file(input, options, &mut |done, total| {
-        bar.set_length(total);
-        bar.set_position(done);
-    });
+    let file = read::surface_file(input, options, &mut progress::count(&bar));
     bar.finish_and_clear();
     Ok(file?)
 }
@@ -179,10 +176,7 @@ pub fn volume(args: &PrepareArgs) -> Result<(), Failure> {
         .samples
         .map_or([wide, wide, 2 * k], |samples| samples.0);
     let bar = progress::work("resampling", args.quiet);
-    let volume = grid.volume(&property, samples, &mut |done, total| {
-        bar.set_length(total);
-        bar.set_position(done);
-    });
+    let volume = grid.volume(&property, samples, &mut progress::count(&bar));
     bar.finish_and_clear();
     let volume = volume?;
     write(args, volume.name(), &volume)
@@ -194,10 +188,7 @@ fn segy(args: &PrepareArgs, input: &FilePath) -> Result<(), Failure> {
     let volume = volume_source::segy(input, &options, args.quiet)?;
     let name = input.file_stem().unwrap_or_default().to_string_lossy();
     let bar = progress::work("writing", args.quiet);
-    let written = volume.write(&args.output, &name, &mut |done, total| {
-        bar.set_length(total);
-        bar.set_position(done);
-    });
+    let written = volume.write(&args.output, &name, &mut progress::count(&bar));
     bar.finish_and_clear();
     written?;
     summarise(args, volume.layout())
@@ -205,10 +196,7 @@ fn segy(args: &PrepareArgs, input: &FilePath) -> Result<(), Failure> {
 
 fn write(args: &PrepareArgs, name: &str, source: &dyn BrickSource) -> Result<(), Failure> {
     let bar = progress::work("writing", args.quiet);
-    let written = write_volume(&args.output, name, source, &mut |done, total| {
-        bar.set_length(total);
-        bar.set_position(done);
-    });
+    let written = write_volume(&args.output, name, source, &mut progress::count(&bar));
     bar.finish_and_clear();
     written?;
     summarise(args, source.layout())

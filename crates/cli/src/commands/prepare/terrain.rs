@@ -12,6 +12,7 @@ use crate::failure::Failure;
 use crate::landscape;
 use crate::outputs::Outputs;
 use crate::print::print;
+use crate::scene_file;
 
 /// Whether a word names the built-in landscape.
 pub fn is_built_in(input: &Path) -> bool {
@@ -29,6 +30,7 @@ pub fn scene(args: &PrepareArgs, outputs: &mut Outputs) -> Result<(), Failure> {
     };
     let stem = args.output.file_stem().unwrap_or_default();
     let mut made = if is_built_in(input) {
+        scene_file::none(&args.load)?;
         built_in(&input.to_string_lossy(), args)?
     } else if landscape::is_raster(input) || landscape::is_mesh(input) {
         PreparedScene::from_terrain(out_of(input, args, outputs)?, "terrain")?
