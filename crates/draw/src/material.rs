@@ -23,6 +23,14 @@ pub struct GpuMaterial {
     padding: f32,
 }
 
+/// A number from 0 to `most`; 0 for one that is no number.
+fn within(most: f32, value: f32) -> f32 {
+    match value.is_nan() {
+        true => 0.0,
+        false => value.clamp(0.0, most),
+    }
+}
+
 impl From<&Material> for GpuMaterial {
     fn from(material: &Material) -> Self {
         let [uv_u, uv_v] = material.uv_transform;
@@ -30,11 +38,7 @@ impl From<&Material> for GpuMaterial {
             AlphaMode::Mask { cutoff } => cutoff,
             AlphaMode::Opaque | AlphaMode::Blend => 0.0,
         };
-        let part = |value: f32| match value.is_nan() {
-            true => 0.0,
-            false => value.clamp(0.0, 1.0),
-        };
-        let roughness = part(material.roughness);
+        let roughness = within(1.0, material.roughness);
         let level = environment::level(roughness);
         Self {
             base_colour: material.base_colour,
@@ -42,20 +46,32 @@ impl From<&Material> for GpuMaterial {
             alpha_cutoff,
             uv_v,
             unlit: u32::from(material.unlit),
-            metallic: part(material.metallic),
+            metallic: within(1.0, material.metallic),
             roughness,
             environment_level: level as f32,
             environment_inset: environment::inset(level),
-            emission: material.emission.map(|light| {
-                if light.is_finite() {
-                    light.max(0.0)
-                } else {
-                    0.0
-                }
-            }),
+            emission: material.emission.map(|light| within(f32::MAX, light)),
             padding: 0.0,
         }
     }
 }
 
 assert_layout!(GpuMaterial, "shaded", "Material", { base_colour, uv_u, alpha_cutoff, uv_v, unlit, metallic, roughness, environment_level, environment_inset, emission, padding });
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn light_is_finite_and_never_negative() {
+        let material = Material {
+            emission: [f32::INFINITY, f32::NAN, -1.0],
+            metallic: f32::INFINITY,
+            roughness: f32::NAN,
+            ..Material::default()
+        };
+        let shown = GpuMaterial::from(&material);
+        assert_eq!(shown.emission, [f32::MAX, 0.0, 0.0]);
+        assert_eq!((shown.metallic, shown.roughness), (1.0, 0.0));
+    }
+}
