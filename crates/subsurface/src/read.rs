@@ -24,7 +24,7 @@ mod delaunay;
 mod eclipse;
 mod faultroom;
 mod format;
-mod frame;
+pub(crate) mod frame;
 mod gocad;
 mod irap;
 mod irap_ascii;

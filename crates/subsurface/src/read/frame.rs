@@ -27,6 +27,11 @@ fn scale(frame: &Frame) -> DVec3 {
     DVec3::new(frame.plan.x, frame.height, frame.plan.y)
 }
 
+/// Whether places of which the file says nothing can only be degrees.
+pub(crate) fn looks_like_degrees(extent: &Extent) -> bool {
+    (extent.high - extent.low).max_element() <= WIDEST && extent.looks_like_degrees(STEEPEST)
+}
+
 /// The frame of what lies in a box of the world.
 fn frame([low, high]: [DVec3; 2], said: Units, options: &ReadOptions) -> Result<Frame, String> {
     let extent = Extent {
@@ -39,8 +44,7 @@ fn frame([low, high]: [DVec3; 2], said: Units, options: &ReadOptions) -> Result<
         &Known {
             named: options.units,
             said,
-            looks_like_degrees: (extent.high - extent.low).max_element() <= WIDEST
-                && extent.looks_like_degrees(STEEPEST),
+            looks_like_degrees: looks_like_degrees(&extent),
             latitude: options.latitude,
         },
     )
