@@ -1,7 +1,7 @@
 //! A file's surfaces or its grid, read in the units of its format and taken to metres.
 
 use antumbra_formats::raster::RawRaster;
-use antumbra_formats::{RasterError, RasterOptions, Units, load_raster_slice_with};
+use antumbra_formats::{RasterError, RasterOptions, SaidUnits, Units, load_raster_slice_with};
 use antumbra_scene::Raster;
 
 use super::budget::ReadBudget;
@@ -40,6 +40,8 @@ pub struct GridFile {
 pub(super) struct Reading<'a> {
     pub(super) stem: &'a str,
     pub(super) bytes: &'a [u8],
+    /// What lies beside the file says of its units.
+    pub(super) beside: SaidUnits,
     pub(super) options: &'a ReadOptions,
     pub(super) budget: &'a mut ReadBudget,
 }
@@ -78,8 +80,10 @@ impl Reading<'_> {
             }
             Format::Raster(format) => {
                 let raster_options = RasterOptions {
-                    max_memory: self.budget.left(),
+                    // The reader takes the file's length, which is taken already.
+                    max_memory: self.budget.left().saturating_add(bytes.len() as u64),
                     units: options.units,
+                    beside: std::mem::take(&mut self.beside),
                     latitude: options.latitude,
                 };
                 let loaded = load_raster_slice_with(format, bytes, &raster_options);
