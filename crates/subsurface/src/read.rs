@@ -14,11 +14,13 @@
 //! | IJXYZ: inline, crossline, x, y, z (`.dat`, `.map`, `.ijxyz`) | its extension; lines of five numbers | a horizon on the grid of the lines |
 //!
 //! x is east, y north. Units are those that [`ReadOptions::units`] names, else the file's; where it names none, metres, or degrees if its places
-//! can be nothing else. [`SurfaceFile::notes`] says what was assumed. Files are treated as hostile: sizes that a file declares are checked against
-//! its length before memory is allocated, and no file above [`MAX_FILE_BYTES`] is read.
+//! can be nothing else. [`SurfaceFile::notes`] says what was assumed. Files are treated as hostile: before memory is allocated, sizes that a file
+//! declares are checked against its length, or, in texts that may repeat a value, against the memory that is allowed. No file above
+//! [`MAX_FILE_BYTES`] is read.
 
 mod budget;
 mod byte_reader;
+mod column_grid;
 mod cps3;
 mod delaunay;
 mod eclipse;
