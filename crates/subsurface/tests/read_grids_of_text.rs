@@ -160,6 +160,38 @@ fn points_need_no_title() {
     refused("a.csv", "a,b,c\n1,2,3\n", "no column");
 }
 
+/// An L of points, 100 apart: its outline is concave.
+const CORNER: &str = "0 0 1\n100 0 1\n200 0 1\n0 100 1\n0 200 1\n100 100 1\n";
+
+#[test]
+fn the_longest_edge_is_in_metres_whatever_the_unit_of_the_points() {
+    let triangles = |name: &str, text: &str, units: &str, longest: f64| {
+        let options = ReadOptions {
+            units: units.parse().unwrap(),
+            longest_edge: Some(longest),
+            ..ReadOptions::default()
+        };
+        let read = read_with(name, text, &options);
+        read.map(|file| file.surfaces[0].geometry.triangle_count())
+    };
+    // Edges of 100 and 141, and no triangle with a longer one.
+    let titled = format!("x,y,z\n{}", CORNER.replace(' ', ","));
+    for (name, text) in [("a.xyz", CORNER), ("a.csv", &titled)] {
+        assert_eq!(triangles(name, text, "m", 150.0).unwrap(), 4);
+        assert_eq!(triangles(name, text, "ft", 50.0).unwrap(), 4);
+        assert_eq!(triangles(name, text, "km", 150_000.0).unwrap(), 4);
+        let none = triangles(name, text, "km", 150.0).unwrap_err();
+        assert!(
+            none.contains("no triangle with edges up to 150 m"),
+            "{none}"
+        );
+        for wrong in [0.0, -1.0, f64::NAN] {
+            let error = triangles(name, text, "m", wrong).unwrap_err();
+            assert!(error.contains("positive"), "{error}");
+        }
+    }
+}
+
 #[test]
 fn surfer_grids_are_horizons() {
     let text = "DSAA\n2 3\n1000 1100\n5000 5200\n10 15\n-12 -15\n-11 -14\n-10 1.70141e38\n";
@@ -260,6 +292,8 @@ fn the_units_of_gocads_axes_are_applied() {
     let file = read_with("a.ts", FEET, &overridden).unwrap();
     has(&file.surfaces[0], DVec3::new(100.0, -1000.0, 0.0));
     assert!(file.notes.is_empty(), "{:?}", file.notes);
+    let time = FEET.replace("\"ft\"", "\"ms\"");
+    says(&read("a.ts", &time), "unit of heights, `ms`, is not known");
     let two = format!("{FEET}{}", FEET.replace("\"ft\"", "\"m\""));
     refused("a.ts", &two, "different units");
     let none = read("a.ts", &FEET.replace("AXIS_UNIT", "AXIS_LESS"));

@@ -4,7 +4,9 @@ use antumbra_formats::Units;
 use antumbra_formats::raster::{Extent, Frame, Known};
 use glam::{DVec2, DVec3, Vec3};
 
+use super::delaunay::PointSet;
 use super::options::ReadOptions;
+use crate::assemble;
 use crate::corner_point::CornerPointGrid;
 use crate::surface::Surface;
 
@@ -50,21 +52,44 @@ fn frame([low, high]: [DVec3; 2], said: Units, options: &ReadOptions) -> Result<
     )
 }
 
+/// Takes sets of points, of which their file says nothing, to metres.
+pub(super) fn points_in_metres(
+    sets: &mut [PointSet],
+    options: &ReadOptions,
+) -> Result<Frame, String> {
+    let points = sets.iter().flat_map(|set| set.points.iter().copied());
+    let frame = frame(box_of(points), Units::default(), options)?;
+    let scale = scale(&frame);
+    for point in sets.iter_mut().flat_map(|set| &mut set.points) {
+        *point *= scale;
+        if !assemble::is_place(*point) {
+            return Err(format!(
+                "its point at {point}, in metres, is no place on Earth"
+            ));
+        }
+    }
+    Ok(frame)
+}
+
+/// The box of points; an empty one without any.
+fn box_of(points: impl Iterator<Item = DVec3>) -> [DVec3; 2] {
+    let empty = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+    points.fold(empty, |[low, high], point| {
+        [low.min(point), high.max(point)]
+    })
+}
+
 /// Takes surfaces to metres. `said` is what their file says of its units.
 pub(super) fn in_metres(
     surfaces: &mut [Surface],
     said: Units,
     options: &ReadOptions,
 ) -> Result<Frame, String> {
-    let empty = [DVec3::INFINITY, DVec3::NEG_INFINITY];
     let points = surfaces.iter().flat_map(|surface| {
         let positions = surface.geometry.positions.iter();
         positions.map(|position| surface.origin + Vec3::from(*position).as_dvec3())
     });
-    let [low, high] = points.fold(empty, |[low, high], point| {
-        [low.min(point), high.max(point)]
-    });
-    let frame = frame([low, high], said, options)?;
+    let frame = frame(box_of(points), said, options)?;
     let scale = scale(&frame);
     if scale != DVec3::ONE {
         for surface in surfaces {
