@@ -349,6 +349,24 @@ fn a_count_of_traces_is_not_taken_for_line_numbers() {
 }
 
 #[test]
+fn dummies_have_no_say_in_where_line_numbers_are() {
+    let made = Segy {
+        numbers: [9, 21],
+        code: |_, crossline| Some(if crossline == 1206 { 3 } else { 1 }),
+        ..Segy::new(5)
+    };
+    let mut bytes = made.write();
+    for line in 0..3 {
+        let at = 3600 + (line * 4 + 3) * 260;
+        bytes[at + 188..at + 192].copy_from_slice(&7_i32.to_be_bytes());
+    }
+    let file = opened(&bytes);
+    let notes = file.notes().join("; ");
+    assert!(notes.contains("bytes 9 and 21"), "{notes}");
+    assert_eq!(file.layout().size[..2], [3, 3]);
+}
+
+#[test]
 fn line_numbers_elsewhere_are_refused_with_what_to_do() {
     let options = SegyOptions {
         // The number of the trace in the file, which is no line.

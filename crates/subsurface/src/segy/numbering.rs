@@ -66,9 +66,16 @@ pub(super) fn numbering(
         let at = header.start + trace * header.trace_bytes();
         take(file, at, &mut bytes, "a trace header")?;
         let read = TraceHeader::new(&bytes, header.order);
+        // The numbers of a dummy are often none.
+        if !read.is_live() {
+            continue;
+        }
         for (bytes, numbers) in TRIED_BYTES.iter().zip(&mut numbers) {
             numbers.push([read.i32(bytes.inline), read.i32(bytes.crossline)]);
         }
+    }
+    if numbers.iter().all(Vec::is_empty) {
+        return Ok(Numbering::Bytes(TraceBytes::STANDARD));
     }
     let distinct = numbers.map(|mut numbers| {
         numbers.sort_unstable();
