@@ -72,7 +72,7 @@ pub fn field(file: &Path, reading: &FieldReading<'_>) -> Result<FieldOfFile, Fai
         let raster_options = RasterOptions {
             max_memory: scene_file::options(reading.load).max_memory,
             units: reading.units.unwrap_or_default(),
-            latitude: None,
+            ..RasterOptions::default()
         };
         let loaded = load_raster_with(file, &raster_options);
         bar.finish_and_clear();

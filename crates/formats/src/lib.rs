@@ -60,4 +60,4 @@ pub use raster::{
     LoadedRaster, RasterError, RasterFormat, RasterOptions, load_raster, load_raster_slice,
     load_raster_slice_with, load_raster_with,
 };
-pub use units::{LengthUnit, PlanUnit, Units};
+pub use units::{LengthUnit, PlanUnit, SaidUnits, Units};

@@ -19,9 +19,10 @@ use thiserror::Error;
 use antumbra_files::{MemoryBudget, OverBudget, default_memory, read_whole_file_within, words};
 use antumbra_scene::Raster;
 
-use crate::units::Units;
+use crate::units::{SaidUnits, Units};
 
 pub use frame::{Extent, Frame, Known, RawRaster};
+pub use projection_file::units_beside;
 
 /// Letters of a problem in a message, since it may quote the file.
 const MOST_LETTERS: usize = 400;
@@ -104,13 +105,16 @@ pub enum RasterError {
 const POST: u64 = 32;
 
 /// How a raster is read.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct RasterOptions {
     /// Bytes of memory of the posts, with what is made of them. By default half of what the machine has free.
     pub max_memory: u64,
     /// Units that replace those that the file names. By default those of the file; where it names none, degrees if its places can only be degrees,
     /// else metres.
     pub units: Units,
+    /// Units of what lies beside the file, for those that the file itself does not name. [`load_raster_with`] asks a `.prj` file where these say nothing;
+    /// whoever reads from memory finds them with [`units_beside`].
+    pub beside: SaidUnits,
     /// The latitude, in degrees, about which degrees are taken to metres. By default the middle of the file's own; rasters that shall lie beside
     /// each other need one.
     pub latitude: Option<f64>,
@@ -121,6 +125,7 @@ impl Default for RasterOptions {
         Self {
             max_memory: default_memory(),
             units: Units::default(),
+            beside: SaidUnits::default(),
             latitude: None,
         }
     }
@@ -159,7 +164,14 @@ pub fn load_raster_with(file: &Path, options: &RasterOptions) -> Result<LoadedRa
         file: file.into(),
         source,
     })?;
-    let beside = projection_file::beside(file);
+    let found;
+    let beside = match options.beside.units == Units::default() {
+        true => {
+            found = units_beside(file);
+            &found
+        }
+        false => &options.beside,
+    };
     read(format, bytes, options, beside).map_err(|problem| RasterError::Format {
         file: Some(file.into()),
         format,
@@ -184,7 +196,7 @@ pub fn load_raster_slice_with(
     bytes: &[u8],
     options: &RasterOptions,
 ) -> Result<LoadedRaster, RasterError> {
-    read(format, bytes, options, Units::default()).map_err(|problem| RasterError::Format {
+    read(format, bytes, options, &options.beside).map_err(|problem| RasterError::Format {
         file: None,
         format,
         problem: words::short(&problem, MOST_LETTERS),
@@ -196,7 +208,7 @@ fn read(
     format: RasterFormat,
     bytes: impl AsRef<[u8]>,
     options: &RasterOptions,
-    beside: Units,
+    beside: &SaidUnits,
 ) -> Result<LoadedRaster, String> {
     let mut memory = MemoryBudget::new(options.max_memory);
     let text = |over: OverBudget| over.to_string();
@@ -211,8 +223,11 @@ fn read(
         RasterFormat::Surfer => surfer::read(contents, &mut memory),
     }?;
     drop(bytes);
+    let said = raw.said.or(beside.units);
+    let notes = beside.notes.iter().cloned().chain(raw.notes);
     let raw = RawRaster {
-        said: raw.said.or(beside),
+        said,
+        notes: notes.collect(),
         ..raw
     };
     let (raster, frame) = raw.in_metres(options.units, options.latitude)?;

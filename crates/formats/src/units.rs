@@ -3,13 +3,16 @@
 use std::fmt;
 use std::str::FromStr;
 
+use antumbra_files::words;
+
 /// The length of a degree on a great circle of the mean Earth, in metres.
 const DEGREE: f64 = 6_371_008.8 * std::f64::consts::PI / 180.0;
 
 /// A unit of length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LengthUnit {
-    name: &'static str,
+    /// Its plural; `None` for a length without a name.
+    name: Option<&'static str>,
     metres: f64,
 }
 
@@ -27,13 +30,16 @@ const fn known(
     names: &'static [&'static str],
 ) -> Known {
     Known {
-        unit: LengthUnit { name, metres },
+        unit: LengthUnit {
+            name: Some(name),
+            metres,
+        },
         code,
         names,
     }
 }
 
-const KNOWN: [Known; 12] = [
+const KNOWN: [Known; 13] = [
     known(
         "metres",
         1.0,
@@ -44,7 +50,13 @@ const KNOWN: [Known; 12] = [
         "feet",
         0.3048,
         9002,
-        &["ft", "foot", "feet", "international foot"],
+        &[
+            "ft",
+            "foot",
+            "feet",
+            "international foot",
+            "international feet",
+        ],
     ),
     known(
         "US survey feet",
@@ -61,7 +73,12 @@ const KNOWN: [Known; 12] = [
             "us survey feet",
         ],
     ),
-    known("Clarke's feet", 0.304_797_265_4, 9005, &["clarke's foot"]),
+    known(
+        "Clarke's feet",
+        0.304_797_265_4,
+        9005,
+        &["clarke's foot", "clarke's feet"],
+    ),
     known("fathoms", 1.8288, 9014, &["fathom", "fathoms"]),
     known(
         "nautical miles",
@@ -69,7 +86,17 @@ const KNOWN: [Known; 12] = [
         9030,
         &["nmi", "nautical mile", "nautical miles"],
     ),
-    known("German metres", 1.000_013_596_5, 9031, &["german metre"]),
+    known(
+        "German legal metres",
+        1.000_013_596_5,
+        9031,
+        &[
+            "german legal metre",
+            "german legal metres",
+            "german metre",
+            "german metres",
+        ],
+    ),
     known(
         "kilometres",
         1000.0,
@@ -78,7 +105,18 @@ const KNOWN: [Known; 12] = [
     ),
     known("miles", 1609.344, 9093, &["mi", "mile", "miles"]),
     known("yards", 0.9144, 9096, &["yd", "yard", "yards"]),
-    known("Indian feet", 0.304_799_51, 9081, &["indian foot"]),
+    known(
+        "Indian feet",
+        0.304_799_510_248_147,
+        9080,
+        &["indian foot", "indian feet"],
+    ),
+    known(
+        "Indian feet of 1937",
+        0.304_798_41,
+        9081,
+        &["indian foot (1937)", "indian feet (1937)"],
+    ),
     known(
         "centimetres",
         0.01,
@@ -119,10 +157,7 @@ impl LengthUnit {
     #[must_use]
     pub fn from_metres(metres: f64) -> Option<Self> {
         let near = |known: &&Known| (known.unit.metres - metres).abs() < 1e-9 * known.unit.metres;
-        let other = Self {
-            name: "units of its own",
-            metres,
-        };
+        let other = Self { name: None, metres };
         let is_length = metres.is_finite() && metres > 0.0;
         is_length.then(|| KNOWN.iter().find(near).map_or(other, |known| known.unit))
     }
@@ -136,7 +171,10 @@ impl LengthUnit {
 
 impl fmt::Display for LengthUnit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name)
+        match self.name {
+            Some(name) => f.write_str(name),
+            None => write!(f, "units of {} m", self.metres),
+        }
     }
 }
 
@@ -177,12 +215,6 @@ pub struct Units {
 }
 
 impl Units {
-    /// Metres in all directions.
-    pub const METRES: Self = Self {
-        plan: Some(PlanUnit::Length(LengthUnit::METRE)),
-        height: Some(LengthUnit::METRE),
-    };
-
     /// These units, and `other`'s where these say nothing.
     #[must_use]
     pub fn or(self, other: Self) -> Self {
@@ -190,6 +222,42 @@ impl Units {
             plan: self.plan.or(other.plan),
             height: self.height.or(other.height),
         }
+    }
+}
+
+/// What a file says of its units, with what of it is not known.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct SaidUnits {
+    /// The units.
+    pub units: Units,
+    /// The units that are named and not known, a line each.
+    pub notes: Vec<String>,
+}
+
+impl SaidUnits {
+    /// The unit of length that a file names for `what`. One that is not known is noted; no word is no unit.
+    pub fn length(&mut self, what: &str, word: &str) -> Option<LengthUnit> {
+        let found = LengthUnit::from_name(word);
+        if found.is_none() && !word.trim().is_empty() {
+            self.unknown(what, word);
+        }
+        found
+    }
+
+    /// As [`Self::length`], by EPSG code.
+    pub fn length_of_code(&mut self, what: &str, code: u16) -> Option<LengthUnit> {
+        let found = LengthUnit::from_code(code);
+        if found.is_none() {
+            self.unknown(what, &format!("EPSG:{code}"));
+        }
+        found
+    }
+
+    fn unknown(&mut self, what: &str, word: &str) {
+        self.notes.push(format!(
+            "its unit of {what}, `{}`, is not known and counts as none (--units)",
+            words::name(word.trim())
+        ));
     }
 }
 
@@ -263,5 +331,34 @@ mod tests {
         assert_eq!(LengthUnit::from_name(" METRES "), Some(LengthUnit::METRE));
         assert_eq!(LengthUnit::from_metres(-1.0), None);
         assert_eq!(LengthUnit::from_metres(f64::NAN), None);
+        let half = LengthUnit::from_metres(0.5).map(|unit| unit.to_string());
+        assert_eq!(half.as_deref(), Some("units of 0.5 m"));
+    }
+
+    #[test]
+    fn indian_feet_are_those_of_the_registry() {
+        let metres = |code| LengthUnit::from_code(code).map(LengthUnit::metres);
+        assert_eq!(metres(9080), Some(0.304_799_510_248_147));
+        assert_eq!(metres(9081), Some(0.304_798_41));
+    }
+
+    #[test]
+    fn plurals_are_names_too() {
+        for plural in ["German legal metres", "Indian feet", "Clarke's feet"] {
+            let found = LengthUnit::from_name(plural).map(|unit| unit.to_string());
+            assert_eq!(found.as_deref(), Some(plural));
+        }
+    }
+
+    #[test]
+    fn units_that_are_not_known_are_quoted() {
+        let mut said = SaidUnits::default();
+        assert_eq!(said.length("heights", " "), None);
+        assert_eq!(said.length("heights", "ft"), Some(LengthUnit::FOOT));
+        assert!(said.notes.is_empty());
+        assert_eq!(said.length("heights", "cubits"), None);
+        assert_eq!(said.length_of_code("places", 9999), None);
+        assert!(said.notes[0].contains("heights, `cubits`"));
+        assert!(said.notes[1].contains("EPSG:9999"));
     }
 }

@@ -3,6 +3,7 @@
 
 use std::io::{Cursor, Write};
 
+use antumbra_formats::raster::units_beside;
 use antumbra_formats::{
     LoadedRaster, RasterFormat, RasterOptions, load_raster_slice_with, load_raster_with,
 };
@@ -101,6 +102,11 @@ fn npy(shape: &str, kind: &str, data: &[u8]) -> Vec<u8> {
 }
 
 fn npz() -> Vec<u8> {
+    npz_with(&[])
+}
+
+/// With further arrays.
+fn npz_with(further: &[(&str, Vec<u8>)]) -> Vec<u8> {
     let data: Vec<u8> = heights().iter().flat_map(|h| h.to_le_bytes()).collect();
     let number = |value: f64| npy("()", "<f8", &value.to_le_bytes());
     let south = NORTH - STEP * f64::from(ROWS - 1);
@@ -114,8 +120,9 @@ fn npz() -> Vec<u8> {
         ("xmin", number(WEST)),
         ("ymin", number(south)),
     ];
+    let further = further.iter().map(|(name, bytes)| (*name, bytes.clone()));
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
-    for (name, bytes) in arrays {
+    for (name, bytes) in arrays.into_iter().chain(further) {
         let options = SimpleFileOptions::default();
         archive.start_file(format!("{name}.npy"), options).unwrap();
         archive.write_all(&bytes).unwrap();
@@ -209,6 +216,32 @@ fn degrees_are_metres_alike_in_every_format() {
 }
 
 #[test]
+fn a_latitude_among_the_arrays_alone_makes_no_degrees() {
+    // The latitude of an origin, beside positions by their step.
+    let origin = npy("()", "<f8", &46.5_f64.to_le_bytes());
+    let loaded = read(RasterFormat::Npz, &npz_with(&[("lat", origin)]));
+    says(&loaded, "can only be degrees");
+    // Positions of all columns and rows are what they are called.
+    let all = |count: u32, from: f64, step: f64| {
+        let values = (0..count).flat_map(|at| (from + step * f64::from(at)).to_le_bytes());
+        npy(&format!("({count},)"), "<f8", &values.collect::<Vec<_>>())
+    };
+    let placed = npz_with(&[
+        ("lon", all(COLUMNS, WEST, STEP)),
+        ("lat", all(ROWS, NORTH, -STEP)),
+    ]);
+    let loaded = read(RasterFormat::Npz, &placed);
+    is_hill(&loaded);
+    says(&loaded, "its places are degrees");
+    let mixed = npz_with(&[
+        ("lon", all(COLUMNS, 0.0, 30.0)),
+        ("y", all(ROWS, 0.0, -30.0)),
+    ]);
+    let loaded = read(RasterFormat::Npz, &mixed);
+    assert_eq!(loaded.raster.step_u, DVec2::new(30.0, 0.0));
+}
+
+#[test]
 fn a_caller_overrides_what_was_guessed_or_said() {
     let metres = read_with(RasterFormat::Esri, &esri(), "m");
     assert!((metres.raster.step_u.x - STEP).abs() < 1e-12);
@@ -249,6 +282,13 @@ fn linear_and_vertical_units_of_a_geotiff_are_applied() {
     };
     let loaded = read(RasterFormat::GeoTiff, &geotiff(30.0, corner, &own));
     assert!((loaded.raster.step_u.x - 15.0).abs() < 1e-9);
+    says(&loaded, "places are units of 0.5 m");
+    assert!(!loaded.notes.iter().any(|note| note.contains("not known")));
+
+    let unknown = Keys::shorts(&[(1024, 1), (3076, 9098), (4099, 9097)]);
+    let loaded = read(RasterFormat::GeoTiff, &geotiff(30.0, corner, &unknown));
+    says(&loaded, "unit of places, `EPSG:9098`, is not known");
+    says(&loaded, "unit of heights, `EPSG:9097`, is not known");
 
     let code = Keys::shorts(&[(1024, 1), (3072, 2263)]);
     let loaded = read(RasterFormat::GeoTiff, &geotiff(30.0, corner, &code));
@@ -268,6 +308,12 @@ fn scale_and_offset_of_a_band_are_applied() {
     let expected = (100.0 * 0.5 + 100.0) * 0.3048;
     assert!((loaded.raster.elevation_at(0, 0).unwrap() - expected).abs() < 1e-3);
     says(&loaded, "times 0.5 plus 100");
+    let cubits = Keys {
+        metadata: "<Item role=\"unittype\">cubits</Item>",
+        ..Keys::NONE
+    };
+    let loaded = read(RasterFormat::GeoTiff, &geotiff(30.0, corner, &cubits));
+    says(&loaded, "`cubits`");
     for broken in [
         "<Item role=\"scale\"",
         "<Item role=\"scale\">nan</Item>",
@@ -294,6 +340,13 @@ fn a_projection_file_beside_a_raster_names_its_units() {
     let loaded = load_raster_with(&file, &RasterOptions::default()).unwrap();
     assert!((loaded.raster.step_u.x - 3.048).abs() < 1e-9);
     says(&loaded, "places are feet");
+    // In memory the same, where the caller asks for it.
+    let options = RasterOptions {
+        beside: units_beside(&file),
+        ..RasterOptions::default()
+    };
+    let in_memory = load_raster_slice_with(RasterFormat::Esri, text.as_bytes(), &options);
+    assert_eq!(in_memory.unwrap(), loaded);
 }
 
 #[test]

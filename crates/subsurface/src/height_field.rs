@@ -176,10 +176,10 @@ mod tests {
     fn triangles_look_up_whichever_way_the_steps_turn() {
         let steps = [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)];
         for (u, v) in steps {
-            let mut turned = field(4, 3, |column, row| (column * row) as f32);
-            turned.step_u = DVec2::new(20.0 * u, 3.0);
-            turned.step_v = DVec2::new(-4.0, 25.0 * v);
-            let surface = Surface::from_raster(&turned, "turned").unwrap();
+            let mut rotated = field(4, 3, |column, row| (column * row) as f32);
+            rotated.step_u = DVec2::new(20.0 * u, 3.0);
+            rotated.step_v = DVec2::new(-4.0, 25.0 * v);
+            let surface = Surface::from_raster(&rotated, "rotated").unwrap();
             assert_eq!(surface.geometry.triangle_count(), 12);
             assert!(normals(&surface).iter().all(|normal| normal.y > 0.0));
             assert!(

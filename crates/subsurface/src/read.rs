@@ -14,17 +14,19 @@
 //! | IJXYZ: inline, crossline, x, y, z (`.dat`, `.map`, `.ijxyz`) | its extension; lines of five numbers | a horizon on the grid of the lines |
 //!
 //! x is east, y north. Units are those that [`ReadOptions::units`] names, else the file's; where it names none, metres, or degrees if its places
-//! can be nothing else. [`SurfaceFile::notes`] says what was assumed. Files are treated as hostile: sizes that a file declares are checked against
-//! its length before memory is allocated, and no file above [`MAX_FILE_BYTES`] is read.
+//! can be nothing else. [`SurfaceFile::notes`] says what was assumed. Files are treated as hostile: before memory is allocated, sizes that a file
+//! declares are checked against its length, or, in texts that may repeat a value, against the memory that is allowed. No file above
+//! [`MAX_FILE_BYTES`] is read.
 
 mod budget;
 mod byte_reader;
+mod column_grid;
 mod cps3;
 mod delaunay;
 mod eclipse;
 mod faultroom;
 mod format;
-mod frame;
+pub(crate) mod frame;
 mod gocad;
 mod irap;
 mod irap_ascii;
@@ -40,6 +42,8 @@ mod zmap;
 use std::path::Path;
 
 use antumbra_files::{default_memory, read_whole_file_within};
+use antumbra_formats::SaidUnits;
+use antumbra_formats::raster::units_beside;
 
 use crate::corner_point::{CellProperty, CornerPointGrid};
 use crate::error::SubsurfaceError;
@@ -89,7 +93,8 @@ pub fn surfaces_from_bytes(
     surface_file_from_bytes(path, bytes, options, progress).map(|file| file.surfaces)
 }
 
-/// Reads the surfaces of a file as [`surfaces`] does, with what was assumed.
+/// Reads the surfaces of a file as [`surfaces`] does, with what was assumed. A `.prj` file beside a raster is asked for units that the raster
+/// itself does not name.
 ///
 /// # Errors
 /// As for [`surfaces`].
@@ -98,12 +103,8 @@ pub fn surface_file(
     options: &ReadOptions,
     progress: ProgressFn<'_>,
 ) -> Result<SurfaceFile, SubsurfaceError> {
-    surface_file_from_bytes(
-        path,
-        &contents(path, options.max_memory)?,
-        options,
-        progress,
-    )
+    let contents = contents(path, options.max_memory)?;
+    surface_file_with(path, &contents, units_beside(path), options, progress)
 }
 
 /// Reads the surfaces of the contents of a file as [`surfaces_from_bytes`] does, with what was assumed.
@@ -116,12 +117,24 @@ pub fn surface_file_from_bytes(
     options: &ReadOptions,
     progress: ProgressFn<'_>,
 ) -> Result<SurfaceFile, SubsurfaceError> {
+    surface_file_with(path, bytes, SaidUnits::default(), options, progress)
+}
+
+/// Reads surfaces, with the units that lie beside the file.
+fn surface_file_with(
+    path: &Path,
+    bytes: &[u8],
+    beside: SaidUnits,
+    options: &ReadOptions,
+    progress: ProgressFn<'_>,
+) -> Result<SurfaceFile, SubsurfaceError> {
     let format = Format::of(path, bytes).ok_or_else(|| unknown(path))?;
     let mut budget =
         ReadBudget::new(options, bytes.len()).map_err(|problem| format.error(path, problem))?;
     let read = Reading {
         stem: &stem(path),
         bytes,
+        beside,
         options,
         budget: &mut budget,
     }
@@ -154,6 +167,7 @@ pub fn grid_file_from_bytes(
         let mut reading = Reading {
             stem: "",
             bytes,
+            beside: SaidUnits::default(),
             options,
             budget: &mut budget,
         };

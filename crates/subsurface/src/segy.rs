@@ -84,7 +84,7 @@ impl SegyFile {
         let bad = |problem: String| SubsurfaceError::Format {
             path: path.into(),
             format: "SEG-Y file",
-            problem: words::clean(&words::shorten(&problem, 400)),
+            problem: words::short(&problem, 400),
         };
         let header = FileHeader::read(&mut file).map_err(bad)?;
         let survey =
@@ -98,12 +98,6 @@ impl SegyFile {
             notes: survey.notes,
             memory: memory.left(),
         })
-    }
-
-    /// The path of the file.
-    #[must_use]
-    pub fn path(&self) -> &Path {
-        &self.path
     }
 
     /// What was found, assumed or left out, a line each.

@@ -26,6 +26,11 @@ impl LineNumbers {
         })
     }
 
+    /// The greatest number.
+    pub fn last(&self) -> f64 {
+        f64::from(self.first) + f64::from(self.step) * (self.count - 1) as f64
+    }
+
     /// The index of a line, from 0; `None` for a number between the lines.
     pub fn index(&self, number: i32) -> Option<u64> {
         let from = (number >= self.first).then(|| number.abs_diff(self.first))?;

@@ -66,6 +66,32 @@ fn feet_are_taken_to_metres_but_the_maps_axes_stay() {
 }
 
 #[test]
+fn axes_on_the_map_are_in_the_unit_that_is_told_or_said_or_in_metres_with_a_note() {
+    let without = text("FEET").replace("MAPUNITS\n'METRES  ' /\n", "");
+    let west = |text: &str, units: &str| {
+        let options = ReadOptions {
+            units: units.parse().unwrap_or_default(),
+            ..ReadOptions::default()
+        };
+        let read = read::grid_file_from_bytes(Path::new("a.grdecl"), text.as_bytes(), &options);
+        let GridFile { grid, notes } = read.unwrap();
+        (grid.corners([0, 0, 1]).unwrap()[4].x, notes.join("; "))
+    };
+    let (x, notes) = west(&without, "");
+    assert!((x - 1000.0).abs() < 1e-3, "{x}");
+    assert!(notes.contains("MAPUNITS"), "{notes}");
+    let (x, notes) = west(&without, "ft");
+    assert!((x - 304.8).abs() < 1e-3, "{x}");
+    assert!(!notes.contains("MAPUNITS"), "{notes}");
+    let feet = text("FEET").replace("'METRES  '", "FEET");
+    assert!((west(&feet, "").0 - 304.8).abs() < 1e-3);
+    // Units that are not known are quoted, once for each keyword.
+    let cubits = text("CUBITS").replace("'METRES  '", "CUBITS");
+    let (_, notes) = west(&cubits, "");
+    assert_eq!(notes.matches("`CUBITS`").count(), 2, "{notes}");
+}
+
+#[test]
 fn a_binary_grid_is_the_same_on_the_map() {
     let of_text = grid("a.grdecl", text("METRES").as_bytes()).unwrap().grid;
     let of_binary = grid("a.EGRID", &binary()).unwrap().grid;
@@ -79,7 +105,7 @@ fn a_binary_grid_is_the_same_on_the_map() {
         }
         assert_eq!(of_text.is_active([i, j, k]), of_binary.is_active([i, j, k]));
     }
-    // All bytes of every number turned around: a little-endian file has the same lengths, but its texts as they are.
+    // The first length of a little-endian file, without the keyword that should follow.
     let little = grid("a.EGRID", &[16, 0, 0, 0]).unwrap_err();
     assert!(little.to_string().contains("keyword"));
 }
@@ -150,6 +176,44 @@ fn properties_go_with_their_cells() {
     let only = "PORO\n12*0.25 /\n";
     let only = property(&grid, "poro.inc", only.as_bytes(), None).unwrap();
     assert_eq!(only.values, [0.25; 12]);
+}
+
+#[test]
+fn keywords_with_words_among_their_values_hide_no_property() {
+    let grid = grid("a.egrid", &binary()).unwrap().grid;
+    let words = "COORDSYS\n 1 2 'INCOMP  ' 3* 'FLAT' /\nPINCH\n 0.001 GAP 1* TOPBOT TOP /\n\
+        JFUNC\n 'WATER' 22.0 /\nPORO\n12*0.25 /\nBOX\n 1 2 1 3 1 x /\n";
+    for wanted in [Some("poro"), None] {
+        let found = property(&grid, "poro.inc", words.as_bytes(), wanted).unwrap();
+        assert_eq!(
+            (found.name.as_str(), &found.values),
+            ("PORO", &vec![0.25; 12])
+        );
+    }
+    // As many values as cells, one of them a word.
+    let wrong = "PORO\n11*0.25 'x' /\n";
+    let error = property(&grid, "poro.inc", wrong.as_bytes(), None).unwrap_err();
+    assert!(error.contains("none with a value"), "{error}");
+    let error = property(&grid, "poro.inc", wrong.as_bytes(), Some("PORO")).unwrap_err();
+    assert!(error.contains("no number"), "{error}");
+}
+
+#[test]
+fn records_hold_whole_values_and_are_paid_for() {
+    let torn = support::keyword("COORD", "REAL", &[vec![0; 3], vec![0; 5]], 1);
+    refused("a.egrid", &torn, "records do not fit");
+    // A record for each value of a keyword that nothing reads.
+    let short = support::keyword("OTHER", "REAL", &support::reals(&[0.0; 100_000]), 1);
+    let options = ReadOptions {
+        max_memory: Some(3 << 20),
+        ..ReadOptions::default()
+    };
+    let error = read::grid_file_from_bytes(Path::new("a.egrid"), &short, &options).unwrap_err();
+    let error = error.to_string();
+    assert!(error.contains("the records of OTHER"), "{error}");
+    let few = support::keyword("OTHER", "REAL", &support::reals(&[0.0; 100_000]), 1000);
+    let error = read::grid_file_from_bytes(Path::new("a.egrid"), &few, &options).unwrap_err();
+    assert!(error.to_string().contains("how many cells"), "{error}");
 }
 
 #[test]

@@ -37,6 +37,11 @@ fn has(surface: &Surface, point: DVec3) {
     assert!(near, "{point} is none of {:?}", points(surface));
 }
 
+fn faces_up(surface: &Surface) -> bool {
+    let mut normals = surface.geometry.normals.iter();
+    normals.all(|normal| normal[1] > 0.0)
+}
+
 fn says(file: &SurfaceFile, word: &str) {
     let said = file.notes.iter().any(|note| note.contains(word));
     assert!(said, "no note says `{word}`: {:?}", file.notes);
@@ -50,13 +55,7 @@ fn assert_grid(surface: &Surface) {
     has(surface, DVec3::new(1000.0, -12.0, -5000.0));
     has(surface, DVec3::new(1100.0, -14.0, -5100.0));
     has(surface, DVec3::new(1100.0, -15.0, -5000.0));
-    assert!(
-        surface
-            .geometry
-            .normals
-            .iter()
-            .all(|normal| normal[1] > 0.0)
-    );
+    assert!(faces_up(surface));
 }
 
 const ZMAP: &str = "! remark\n@top HEADER , GRID, 2\n15, -99999.0000, , 4, 1\n\
@@ -128,13 +127,7 @@ fn ijxyz_is_a_grid_of_lines() {
         has(surface, DVec3::new(1000.0, -1500.0, -5000.0));
         has(surface, DVec3::new(1041.0, -1502.0, -5038.0));
         has(surface, DVec3::new(1024.0, -1501.0, -5007.0));
-        assert!(
-            surface
-                .geometry
-                .normals
-                .iter()
-                .all(|normal| normal[1] > 0.0)
-        );
+        assert!(faces_up(surface));
     }
     refused("a.dat", "1 1 0 0 5\n1 1 0 0 6\n", "span no plan");
     refused(
@@ -165,6 +158,38 @@ fn points_need_no_title() {
     refused("a.xyz", "0 0 1e300\n1 0 0\n0 1 0\n", "span no triangle");
     // A title makes it a table of picks.
     refused("a.csv", "a,b,c\n1,2,3\n", "no column");
+}
+
+/// An L of points, 100 apart: its outline is concave.
+const CORNER: &str = "0 0 1\n100 0 1\n200 0 1\n0 100 1\n0 200 1\n100 100 1\n";
+
+#[test]
+fn the_longest_edge_is_in_metres_whatever_the_unit_of_the_points() {
+    let triangles = |name: &str, text: &str, units: &str, longest: f64| {
+        let options = ReadOptions {
+            units: units.parse().unwrap(),
+            longest_edge: Some(longest),
+            ..ReadOptions::default()
+        };
+        let read = read_with(name, text, &options);
+        read.map(|file| file.surfaces[0].geometry.triangle_count())
+    };
+    // Edges of 100 and 141, and no triangle with a longer one.
+    let titled = format!("x,y,z\n{}", CORNER.replace(' ', ","));
+    for (name, text) in [("a.xyz", CORNER), ("a.csv", &titled)] {
+        assert_eq!(triangles(name, text, "m", 150.0).unwrap(), 4);
+        assert_eq!(triangles(name, text, "ft", 50.0).unwrap(), 4);
+        assert_eq!(triangles(name, text, "km", 150_000.0).unwrap(), 4);
+        let none = triangles(name, text, "km", 150.0).unwrap_err();
+        assert!(
+            none.contains("no triangle with edges up to 150 m"),
+            "{none}"
+        );
+        for wrong in [0.0, -1.0, f64::NAN] {
+            let error = triangles(name, text, "m", wrong).unwrap_err();
+            assert!(error.contains("positive"), "{error}");
+        }
+    }
 }
 
 #[test]
@@ -212,6 +237,39 @@ fn surfer_grids_are_horizons() {
     }
 }
 
+#[test]
+fn a_projection_file_beside_a_raster_names_the_units_of_its_horizon() {
+    let text = "ncols 2\nnrows 3\nxllcenter 1000\nyllcenter 5000\ncellsize 100\n-12 -15\n-11 -14\n-10 -13\n";
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("top.asc");
+    std::fs::write(&path, text).unwrap();
+    std::fs::write(path.with_extension("prj"), "Projection UTM\nUnits FEET\n").unwrap();
+    let file = read::surface_file(&path, &ReadOptions::default(), &mut |_, _| ()).unwrap();
+    has(
+        &file.surfaces[0],
+        DVec3::new(304.8, -12.0, -5200.0 * 0.3048),
+    );
+    says(&file, "places are feet");
+    // From memory nothing lies beside it.
+    has(
+        &read("top.asc", text).surfaces[0],
+        DVec3::new(1000.0, -12.0, -5200.0),
+    );
+}
+
+#[test]
+fn the_length_of_a_raster_is_taken_once() {
+    let grid = "ncols 2\nnrows 3\nxllcenter 1000\nyllcenter 5000\ncellsize 100\n-12 -15\n-11 -14\n-10 -13\n";
+    let text = grid.to_owned() + &" ".repeat(1 << 20);
+    let options = |max_memory| ReadOptions {
+        max_memory: Some(max_memory),
+        ..ReadOptions::default()
+    };
+    read_with("top.asc", &text, &options(3 << 19)).unwrap();
+    let error = read_with("top.asc", &text, &options(1 << 20)).unwrap_err();
+    assert!(error.contains("memory"), "{error}");
+}
+
 const FEET: &str = "GOCAD TSurf 1\nHEADER {\nname:F1\n}\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nNAME Default\n\
     AXIS_NAME \"X\" \"Y\" \"Z\"\nAXIS_UNIT \"m\" \"m\" \"ft\"\nZPOSITIVE Elevation\nEND_ORIGINAL_COORDINATE_SYSTEM\nTFACE\n\
     VRTX 1 0 0 -1000\nVRTX 2 100 0 -1000\nVRTX 3 100 100 -1100\nTRGL 1 2 3\nEND\n";
@@ -234,6 +292,8 @@ fn the_units_of_gocads_axes_are_applied() {
     let file = read_with("a.ts", FEET, &overridden).unwrap();
     has(&file.surfaces[0], DVec3::new(100.0, -1000.0, 0.0));
     assert!(file.notes.is_empty(), "{:?}", file.notes);
+    let time = FEET.replace("\"ft\"", "\"ms\"");
+    says(&read("a.ts", &time), "unit of heights, `ms`, is not known");
     let two = format!("{FEET}{}", FEET.replace("\"ft\"", "\"m\""));
     refused("a.ts", &two, "different units");
     let none = read("a.ts", &FEET.replace("AXIS_UNIT", "AXIS_LESS"));

@@ -109,6 +109,91 @@ fn a_volume_lies_where_its_traces_do() {
     let file = open(&path, &feet).unwrap();
     assert!((file.layout().steps[2].y + 4.0 * 0.3048).abs() < 1e-9);
     assert!((file.layout().origin.x - 152_400.0).abs() < 1e-3);
+    // A velocity says what the samples are, whatever the unit of places.
+    let both = SegyOptions {
+        velocity: Some(3000.0),
+        ..feet
+    };
+    let file = open(&path, &both).unwrap();
+    assert_eq!(file.layout().steps[2], DVec3::new(0.0, -6.0, 0.0));
+    assert!((file.layout().origin.x - 152_400.0).abs() < 1e-3);
+}
+
+/// Degrees of a small survey, and of the same in arc seconds.
+fn on_globe(unit: i16) -> Vec<u8> {
+    let mut bytes = Segy {
+        unit,
+        ..Segy::new(5)
+    }
+    .write();
+    for trace in 0..12_usize {
+        let at = 3600 + trace * 260;
+        // Hundredths of a degree, about 60 degrees north.
+        let step = if unit == 2 { 3600 } else { 1 };
+        let (row, column) = (trace as i32 / 4, trace as i32 % 4);
+        let place = [(500 + column) * step, (6000 + row) * step];
+        bytes[at + 70..at + 72].copy_from_slice(&(-100_i16).to_be_bytes());
+        for (place, value) in [180, 184].into_iter().zip(place) {
+            bytes[at + place..at + place + 4].copy_from_slice(&value.to_be_bytes());
+        }
+    }
+    bytes
+}
+
+#[test]
+fn degrees_are_taken_to_metres_about_their_middle_or_as_told() {
+    let width = |latitude: f64| 0.01 * 111_195.08 * latitude.to_radians().cos();
+    for unit in [2, 3] {
+        let bytes = on_globe(unit);
+        let file = opened(&bytes);
+        let [inline, crossline, _] = file.layout().steps;
+        assert!((crossline.x - width(60.01)).abs() < 0.01, "{crossline}");
+        assert!((inline.z + 1111.95).abs() < 0.01, "{inline}");
+        let (_folder, path) = saved(&bytes);
+        let told = SegyOptions {
+            latitude: Some(10.0),
+            ..SegyOptions::default()
+        };
+        let [_, crossline, _] = open(&path, &told).unwrap().layout().steps;
+        assert!((crossline.x - width(10.0)).abs() < 0.01, "{crossline}");
+    }
+}
+
+#[test]
+fn degrees_without_a_word_are_told_by_their_shape() {
+    // A second of time over the fraction of a unit.
+    let mut bytes = on_globe(0);
+    for trace in 0..12 {
+        let at = 3600 + trace * 260;
+        bytes[at + 70..at + 72].copy_from_slice(&(-1000_i16).to_be_bytes());
+    }
+    let file = opened(&bytes);
+    let notes = file.notes().join("; ");
+    assert!(notes.contains("can only be degrees"), "{notes}");
+    // A survey of usual size that says nothing is one of lengths.
+    let lengths = Segy {
+        unit: 0,
+        ..Segy::new(5)
+    };
+    let file = opened(&lengths.write());
+    assert!((file.layout().steps[0].z + 25.0).abs() < 1e-6);
+}
+
+#[test]
+fn degrees_minutes_and_seconds_in_one_number_are_no_lengths() {
+    let bytes = Segy {
+        unit: 4,
+        ..Segy::new(5)
+    }
+    .write();
+    refused(&bytes, &SegyOptions::default(), "--units m");
+    let (_folder, path) = saved(&bytes);
+    let options = SegyOptions {
+        units: "m".parse().unwrap(),
+        ..SegyOptions::default()
+    };
+    let file = open(&path, &options).unwrap();
+    assert!((file.layout().steps[0].z + 25.0).abs() < 1e-6);
 }
 
 #[test]
@@ -171,6 +256,31 @@ fn missing_and_dead_traces_have_no_value() {
 }
 
 #[test]
+fn traces_that_are_not_live_move_no_grid() {
+    let live = Segy::new(1);
+    let made = Segy {
+        crosslines: [1200, 5, 2],
+        code: |_, crossline| Some(if crossline == 1208 { 3 } else { 1 }),
+        ..Segy::new(1)
+    };
+    let mut bytes = made.write();
+    // Dummies at the end of each line, without numbers or a place.
+    for line in 0..3 {
+        let at = 3600 + (line * 5 + 4) * 260;
+        bytes[at + 180..at + 184].copy_from_slice(&7_i32.to_be_bytes());
+        bytes[at + 184..at + 188].copy_from_slice(&9_i32.to_be_bytes());
+        bytes[at + 188..at + 196].fill(0);
+    }
+    let file = opened(&bytes);
+    assert_values(&file, &live);
+    let layout = file.layout();
+    assert!(layout.steps[0].distance(DVec3::new(0.0, 0.0, -25.0)) < 1e-6);
+    let notes = file.notes().join("; ");
+    assert!(notes.contains("3 traces are dead"), "{notes}");
+    assert!(!notes.contains("positions of the grid"), "{notes}");
+}
+
+#[test]
 fn samples_that_are_no_number_have_no_value() {
     let made = Segy {
         value: |_, crossline, sample| match (crossline, sample) {
@@ -218,6 +328,45 @@ fn line_numbers_are_found_where_they_are() {
 }
 
 #[test]
+fn a_count_of_traces_is_not_taken_for_line_numbers() {
+    let made = Segy {
+        counts: true,
+        ..Segy::new(5)
+    };
+    let bytes = made.write();
+    assert_values(&opened(&bytes), &made);
+    // The last trace again, at the same position.
+    let mut twice = bytes.clone();
+    let again = twice.len() - 260;
+    twice.extend_from_within(again..);
+    let at = twice.len() - 260 + 4;
+    twice[at..at + 4].copy_from_slice(&13_i32.to_be_bytes());
+    let file = opened(&twice);
+    assert_values(&file, &made);
+    let notes = file.notes().join("; ");
+    assert!(notes.contains("1 traces share"), "{notes}");
+    assert!(!notes.contains("bytes 5 and 21"), "{notes}");
+}
+
+#[test]
+fn dummies_have_no_say_in_where_line_numbers_are() {
+    let made = Segy {
+        numbers: [9, 21],
+        code: |_, crossline| Some(if crossline == 1206 { 3 } else { 1 }),
+        ..Segy::new(5)
+    };
+    let mut bytes = made.write();
+    for line in 0..3 {
+        let at = 3600 + (line * 4 + 3) * 260;
+        bytes[at + 188..at + 192].copy_from_slice(&7_i32.to_be_bytes());
+    }
+    let file = opened(&bytes);
+    let notes = file.notes().join("; ");
+    assert!(notes.contains("bytes 9 and 21"), "{notes}");
+    assert_eq!(file.layout().size[..2], [3, 3]);
+}
+
+#[test]
 fn line_numbers_elsewhere_are_refused_with_what_to_do() {
     let options = SegyOptions {
         // The number of the trace in the file, which is no line.
@@ -256,6 +405,26 @@ fn further_texts_and_offsets_are_skipped() {
     last[..16].copy_from_slice(b"((SEG: EndText))");
     bytes.splice(3600..3600, [text, last].concat());
     assert_values(&opened(&bytes), &made);
+}
+
+#[test]
+fn a_stated_offset_of_the_first_trace_counts() {
+    for is_little in [false, true] {
+        let made = Segy {
+            revision: 2,
+            is_little,
+            ..Segy::new(5)
+        };
+        let mut bytes = made.write();
+        bytes.splice(3600..3600, [0x55; 100]);
+        // The standard's bytes 3521 to 3528.
+        let mut offset = 3700_u64.to_be_bytes();
+        if is_little {
+            offset.reverse();
+        }
+        bytes[3520..3528].copy_from_slice(&offset);
+        assert_values(&opened(&bytes), &made);
+    }
 }
 
 #[test]
@@ -400,7 +569,7 @@ fn what_is_no_segy_is_refused_with_what_is_wrong() {
         code: |_, _| Some(2),
         ..Segy::new(5)
     };
-    refused(&dead.write(), &options, "none of its live traces");
+    refused(&dead.write(), &options, "no live trace");
 }
 
 proptest! {

@@ -52,7 +52,7 @@ impl Landscape {
         let triangles: Vec<u32> = (0..field.triangles().len() as u32).collect();
         for (number, triangles) in triangles.chunks(TRIANGLES).enumerate() {
             let entity = scene.spawn(Some(root), DAffine3::IDENTITY)?;
-            let name = format!("part {number}");
+            let name = format!("tile {number}");
             scene.set_entity_name(entity, name.as_str())?;
             let mesh = scene.add_mesh(Mesh::new(name, geometry(field, &normals, triangles)))?;
             scene.set_drawable(entity, Drawable { mesh, material })?;

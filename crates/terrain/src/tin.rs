@@ -27,7 +27,7 @@ const TRIES: usize = 24;
 const CLOSE: f64 = 0.005;
 /// The error that a search begins with, as a share of the relief: few vertices, and so a fast run.
 const COARSE: f64 = 0.02;
-/// How fast the number of vertices falls with the error, as powers of each other: what natural terrains have.
+/// How fast the number of vertices falls with the error, as powers of each other: a guess, which only decides how many runs a search takes.
 const FALL: f64 = 1.4;
 /// The greatest step of an error, as a logarithm.
 const FARTHEST: f64 = 1.6;
@@ -305,4 +305,40 @@ struct Run {
     /// How many vertices more or fewer than wanted are left.
     missed: usize,
     mesh: GreedyMesh,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn raster(columns: u32, rows: u32) -> Raster {
+        Raster {
+            columns,
+            rows,
+            origin: DVec2::new(500.0, 4000.0),
+            step_u: DVec2::new(10.0, 0.0),
+            step_v: DVec2::new(0.0, -20.0),
+            elevation: (0..columns * rows).map(|at| at as f32).collect(),
+        }
+    }
+
+    #[test]
+    fn many_posts_are_tried_few_at_a_time_first() {
+        let whole = raster(1301, 1200);
+        let greedy = Greedy::new(&whole);
+        let Some(pilot) = greedy.pilot(8000) else {
+            panic!("no pilot");
+        };
+        assert_eq!((pilot.columns, pilot.rows), (651, 600));
+        assert!(pilot.elevation.len() <= PILOT);
+        for (column, row) in [(0, 0), (1, 0), (0, 1), (650, 599)] {
+            let of_whole = whole.elevation_at(2 * column, 2 * row);
+            assert_eq!(pilot.elevation_at(column, row), of_whole);
+            let place = whole.plan_position(2 * column, 2 * row);
+            assert_eq!(pilot.plan_position(column, row), place);
+        }
+        // Too few posts would be left to tell, and few are fast as they are.
+        assert!(greedy.pilot(pilot.elevation.len() / 4 + 1).is_none());
+        assert!(Greedy::new(&raster(700, 800)).pilot(8000).is_none());
+    }
 }

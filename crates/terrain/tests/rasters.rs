@@ -165,8 +165,8 @@ fn rasters_without_a_surface_are_refused() {
 }
 
 #[test]
-fn many_posts_are_tried_few_at_a_time_first() {
-    // More posts than a search begins with: hills of several sizes, with a hole.
+fn a_number_of_vertices_is_met_over_more_posts_than_a_search_begins_with() {
+    // Hills of several sizes, with a hole.
     let (columns, rows) = (1300, 1200);
     let height = |at: u32| {
         let (x, y) = (f64::from(at % columns), f64::from(at / columns));

@@ -27,6 +27,7 @@ impl SegyArgs {
         SegyOptions {
             trace_bytes: self.trace_bytes,
             units: units.unwrap_or_default(),
+            latitude: None,
             velocity: self.velocity,
             range: self.range.map(|range| range.0),
             max_memory: memory,

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::frame::RawRaster;
-use super::text::{Tokens, decode, parse_number};
+use super::text::{Tokens, decode, parse_number, whole_number};
 use crate::units::Units;
 use antumbra_files::MemoryBudget;
 use antumbra_files::words::name;
@@ -70,10 +70,7 @@ impl Header<'_> {
         let value = self
             .get(key)
             .ok_or_else(|| format!("there is no line `{key}`"))?;
-        if value.fract() != 0.0 || !(0.0..=f64::from(u32::MAX)).contains(&value) {
-            return Err(format!("{key} is {value}, no count"));
-        }
-        Ok(value as u32)
+        whole_number(value).ok_or_else(|| format!("{key} is {value}, no count"))
     }
 }
 

@@ -27,11 +27,13 @@ impl Extent {
     #[must_use]
     pub fn looks_like_degrees(&self, steeper: f64) -> bool {
         let side = (self.high - self.low).max_element();
-        self.is_on_globe() && side > 0.0 && self.relief > steeper * side
+        self.is_on_globe(1.0) && side > 0.0 && self.relief > steeper * side
     }
 
-    fn is_on_globe(&self) -> bool {
-        let far = self.low.abs().max(self.high.abs());
+    /// Whether places in units of so many degrees are a longitude and a latitude.
+    #[must_use]
+    pub fn is_on_globe(&self, degrees: f64) -> bool {
+        let far = self.low.abs().max(self.high.abs()) * degrees;
         // Half a cell may lie beyond a pole.
         far.x <= 361.0 && far.y <= 91.0
     }

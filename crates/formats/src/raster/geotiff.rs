@@ -8,7 +8,7 @@ use tiff::tags::Tag;
 
 use super::frame::RawRaster;
 use super::text::{node_count, parse_number};
-use crate::units::{LengthUnit, PlanUnit, Units};
+use crate::units::{LengthUnit, PlanUnit, SaidUnits, Units};
 use antumbra_files::MemoryBudget;
 use antumbra_files::words::shorten;
 use antumbra_scene::Raster;
@@ -32,6 +32,8 @@ const LINEAR_UNITS: u16 = 3076;
 const LINEAR_UNIT_SIZE: u16 = 3077;
 const VERTICAL_SYSTEM: u16 = 4096;
 const VERTICAL_UNITS: u16 = 4099;
+/// The codes of units that are undefined, or of the file's own size.
+const OWN_UNITS: [u16; 2] = [0, 32767];
 
 /// GDAL's own tag of metadata: XML with an item for the scale, the offset and the unit of the band.
 const GDAL_METADATA: Tag = Tag::Unknown(42112);
@@ -85,7 +87,18 @@ pub(super) fn read(bytes: &[u8], memory: &mut MemoryBudget) -> Result<RawRaster,
             band.scale, band.offset
         ));
     }
-    let said = keys.units();
+    let SaidUnits {
+        units: said,
+        notes: unknown,
+    } = keys.units();
+    notes.extend(unknown);
+    let band_unit = || {
+        let mut said = SaidUnits::default();
+        let unit = said.length("heights", &band.unit);
+        notes.extend(said.notes);
+        unit
+    };
+    let height = said.height.or_else(band_unit);
     if let (None, Some(code)) = (said.plan, keys.short(PROJECTED_SYSTEM)) {
         notes.push(format!(
             "it names the projection EPSG:{code} and not its unit, which may be feet"
@@ -100,10 +113,7 @@ pub(super) fn read(bytes: &[u8], memory: &mut MemoryBudget) -> Result<RawRaster,
             step_v: placed.step_v,
             elevation,
         },
-        said: Units {
-            height: said.height.or(band.unit),
-            ..said
-        },
+        said: Units { height, ..said },
         is_placed: true,
         notes,
     })
@@ -141,19 +151,31 @@ impl GeoKeys {
         self.doubles.get(usize::from(*index)).copied()
     }
 
-    fn units(&self) -> Units {
-        let length = |key| self.short(key).and_then(LengthUnit::from_code);
+    fn units(&self) -> SaidUnits {
+        let mut said = SaidUnits::default();
+        let code = |key| self.short(key).filter(|code| !OWN_UNITS.contains(code));
         let plan = if self.short(MODEL_TYPE) == Some(GEOGRAPHIC) {
-            Some(PlanUnit::Angle(match self.short(ANGULAR_UNITS) {
+            Some(PlanUnit::Angle(match code(ANGULAR_UNITS) {
                 Some(9101) => 1_f64.to_degrees(),
                 Some(9103) => 1.0 / 60.0,
                 Some(9104) => 1.0 / 3600.0,
                 Some(9105 | 9106) => 0.9,
-                _ => 1.0,
+                None | Some(9102 | 9122) => 1.0,
+                Some(code) => {
+                    said.notes.push(format!(
+                        "its unit of angles, EPSG:{code}, is not known: taken as degrees (--units)"
+                    ));
+                    1.0
+                }
             }))
         } else {
             let own = || LengthUnit::from_metres(self.double(LINEAR_UNIT_SIZE)?);
-            length(LINEAR_UNITS).or_else(own).map(PlanUnit::Length)
+            let named = code(LINEAR_UNITS).filter(|code| {
+                // A size says it too.
+                LengthUnit::from_code(*code).is_some() || own().is_none()
+            });
+            let named = named.and_then(|code| said.length_of_code("places", code));
+            named.or_else(own).map(PlanUnit::Length)
         };
         // Heights over NAVD 88 in US survey feet and in feet are systems of their own.
         let of_system = || match self.short(VERTICAL_SYSTEM)? {
@@ -161,10 +183,12 @@ impl GeoKeys {
             8228 => Some(LengthUnit::FOOT),
             _ => None,
         };
-        Units {
+        let height = code(VERTICAL_UNITS).and_then(|code| said.length_of_code("heights", code));
+        said.units = Units {
             plan,
-            height: length(VERTICAL_UNITS).or_else(of_system),
-        }
+            height: height.or_else(of_system),
+        };
+        said
     }
 }
 
@@ -172,7 +196,8 @@ impl GeoKeys {
 struct Band {
     scale: f64,
     offset: f64,
-    unit: Option<LengthUnit>,
+    /// Empty where it has none.
+    unit: String,
 }
 
 impl Band {
@@ -194,7 +219,7 @@ impl Band {
         Self {
             scale: number("scale").filter(|scale| *scale != 0.0).unwrap_or(1.0),
             offset: number("offset").unwrap_or_default(),
-            unit: item("unittype").and_then(LengthUnit::from_name),
+            unit: item("unittype").unwrap_or_default().to_owned(),
         }
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! The array with two dimensions is the elevation, its first row the northernmost. Its position is given by other
 //! arrays with customary names: `dx` and `dy`, the cells' size, with `xmin` and `ymin` (or `ymax`), or `longitude`
-//! (`x`) and `latitude` (`y`), one number per column and row. Longitude and latitude are degrees. Without any of these
-//! a cell is a metre wide.
+//! (`x`) and `latitude` (`y`), one number per column and row. Positions by longitude and latitude are degrees. Without
+//! any of these a cell is a metre wide.
 
 use std::io::{Cursor, Read};
 
@@ -207,11 +207,25 @@ fn raster(arrays: &[(String, Array)]) -> Result<RawRaster, String> {
     let single = |name: &str| single(name).map(|array| array.values[0]);
     // The positions of the first and the last node along an axis.
     let ends = |names: &[&str], count: u32| {
-        let array = named(names).filter(|array| array.values.len() == count as usize);
-        array.map(|array| [array.values[0], array.values[count as usize - 1]])
+        let mut all = arrays.iter().filter(|(name, array)| {
+            names.iter().any(|known| known.eq_ignore_ascii_case(name))
+                && array.values.len() == count as usize
+        });
+        let (name, array) = all.next()?;
+        Some(Ends {
+            positions: [array.values[0], array.values[count as usize - 1]],
+            are_degrees: !names
+                .last()
+                .is_some_and(|plain| plain.eq_ignore_ascii_case(name)),
+        })
     };
+    let along_x = ends(&["longitude", "lon", "x"], columns);
+    let along_y = ends(&["latitude", "lat", "y"], rows);
+    let are_degrees = |ends: &Option<Ends>| ends.as_ref().is_some_and(|ends| ends.are_degrees);
+    let is_geographic = are_degrees(&along_x) && are_degrees(&along_y);
+    let is_placed = along_x.is_some() || named(&["dx"]).is_some();
     let (x, dx) = Axis {
-        ends: ends(&["longitude", "lon", "x"], columns),
+        ends: along_x.map(|ends| ends.positions),
         step: single("dx"),
         low: single("xmin"),
         high: single("xmax"),
@@ -220,7 +234,7 @@ fn raster(arrays: &[(String, Array)]) -> Result<RawRaster, String> {
     }
     .first_and_step();
     let (y, dy) = Axis {
-        ends: ends(&["latitude", "lat", "y"], rows),
+        ends: along_y.map(|ends| ends.positions),
         step: single("dy"),
         low: single("ymin"),
         high: single("ymax"),
@@ -228,8 +242,6 @@ fn raster(arrays: &[(String, Array)]) -> Result<RawRaster, String> {
         direction: Direction::Descending,
     }
     .first_and_step();
-    let geographic = [&["longitude", "lon"], &["latitude", "lat"]];
-    let is_geographic = geographic.iter().any(|names| named(*names).is_some());
     Ok(RawRaster {
         raster: Raster {
             columns,
@@ -243,9 +255,16 @@ fn raster(arrays: &[(String, Array)]) -> Result<RawRaster, String> {
             plan: is_geographic.then_some(PlanUnit::DEGREES),
             height: None,
         },
-        is_placed: named(&["dx", "x"]).is_some(),
+        is_placed,
         notes: Vec::new(),
     })
+}
+
+/// The positions of the first and the last node along an axis, as an array has them.
+struct Ends {
+    positions: [f64; 2],
+    /// Whether the array is called a longitude or a latitude.
+    are_degrees: bool,
 }
 
 /// What a file specifies about an axis.

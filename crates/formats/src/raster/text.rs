@@ -19,6 +19,13 @@ pub fn parse_number(word: &str) -> Option<f64> {
     word.trim().parse().ok()
 }
 
+/// A number as a count; `None` for one that is not whole or does not fit.
+#[must_use]
+pub fn whole_number(value: f64) -> Option<u32> {
+    let is_whole = value.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&value);
+    is_whole.then_some(value as u32)
+}
+
 /// The tokens of a text, separated by white space.
 #[derive(Debug)]
 pub struct Tokens<'a> {
@@ -68,10 +75,8 @@ impl<'a> Tokens<'a> {
     /// As for [`Tokens::number`].
     pub fn count(&mut self, what: &str) -> Result<u32, String> {
         let value = self.number(what)?;
-        if value.fract() != 0.0 || !(0.0..=f64::from(u32::MAX)).contains(&value) {
-            return Err(format!("line {}: {what} is {value}, no count", self.line));
-        }
-        Ok(value as u32)
+        whole_number(value)
+            .ok_or_else(|| format!("line {}: {what} is {value}, no count", self.line))
     }
 
     /// The remaining tokens as `columns * rows` values. Undefined values become NaN.

@@ -1,11 +1,12 @@
 //! CPS-3 grids in ASCII: lines that begin with `FS` for the value of "no value", the box, the size and the steps, then the values from north to
 //! south, one column after the other from west to east.
 
-use antumbra_formats::raster::text::{Tokens, decode, node_count, parse_number};
+use antumbra_formats::raster::text::{decode, parse_number, whole_number};
 use antumbra_scene::Raster;
 use glam::DVec2;
 
 use super::budget::ReadBudget;
+use super::column_grid::ColumnGrid;
 use super::options::ZPositive;
 
 /// The value of "no value" where none is named.
@@ -37,20 +38,14 @@ pub(super) fn read(
     }
     let [west, east, south, north] = limits.ok_or("no line FSLIMI has its four limits")?;
     let [rows, columns] = size.ok_or("no line FSNROW has its two counts")?;
-    node_count(columns, rows, rest.len() / 2 + 1)?;
-    budget.horizon(columns, rows)?;
-    let is_nothing = |value: f64| value as f32 == nothing as f32 || value >= NOTHING;
-    let values = Tokens::new(rest).grid(columns, rows, rest.len(), is_nothing)?;
-    let steps = DVec2::new(f64::from(columns - 1), f64::from(rows - 1));
-    let step = DVec2::new(east - west, north - south) / steps;
-    Ok(Raster {
-        // The file's columns are the raster's rows.
-        columns: rows,
-        rows: columns,
-        origin: DVec2::new(west, north),
-        step_u: DVec2::new(0.0, -step.y),
-        step_v: DVec2::new(step.x, 0.0),
-        elevation: values.into_iter().map(|z| positive.up(z) as f32).collect(),
+    let grid = ColumnGrid {
+        columns,
+        rows,
+        low: DVec2::new(west, south),
+        high: DVec2::new(east, north),
+    };
+    grid.read(rest, positive, budget, |value| {
+        value as f32 == nothing as f32 || value >= NOTHING
     })
 }
 
@@ -64,8 +59,6 @@ fn four(mut numbers: impl Iterator<Item = f64>) -> Option<[f64; 4]> {
 }
 
 fn two(numbers: impl Iterator<Item = f64>) -> Option<[u32; 2]> {
-    let is_count =
-        |value: &f64| value.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(value);
-    let mut counts = numbers.filter(is_count).map(|value| value as u32);
+    let mut counts = numbers.filter_map(whole_number);
     Some([counts.next()?, counts.next()?])
 }

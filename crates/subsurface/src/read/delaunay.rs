@@ -6,15 +6,54 @@ use glam::{DVec2, DVec3};
 
 use super::triangles::normalised;
 use crate::assemble;
+use crate::progress::ProgressFn;
 use crate::surface::{Surface, SurfaceKind};
 
 /// The default limit of an edge, as a multiple of the median of the triangles' longest edges.
 const USUAL: f64 = 4.0;
 
-/// The horizon over these points. All points must be valid ([`assemble::is_place`]).
-pub(super) fn surface(
-    name: String,
-    points: Vec<DVec3>,
+/// The points of a horizon, in the world.
+pub(super) struct PointSet {
+    pub(super) name: String,
+    pub(super) points: Vec<DVec3>,
+}
+
+/// The horizons over sets of points, in metres. All points must be valid ([`assemble::is_place`]). Sets that span no triangle are left out, unless
+/// all do.
+pub(super) fn surfaces(
+    sets: Vec<PointSet>,
+    longest_edge: Option<f64>,
+    progress: ProgressFn<'_>,
+) -> Result<Vec<Surface>, String> {
+    if let Some(longest) = longest_edge
+        && (longest <= 0.0 || longest.is_nan())
+    {
+        return Err(format!(
+            "a longest edge of {longest} m leaves no triangle; give a positive length"
+        ));
+    }
+    let mut surfaces = Vec::new();
+    let (mut done, count) = (0, sets.len() as u64);
+    let mut last_problem = String::new();
+    for set in sets {
+        progress(done, count);
+        match surface(set, longest_edge) {
+            Ok(surface) => surfaces.push(surface),
+            Err(problem) => {
+                tracing::warn!("{problem}; it is left out");
+                last_problem = problem;
+            }
+        }
+        done += 1;
+    }
+    if surfaces.is_empty() {
+        return Err(last_problem);
+    }
+    Ok(surfaces)
+}
+
+fn surface(
+    PointSet { name, points }: PointSet,
     longest_edge: Option<f64>,
 ) -> Result<Surface, String> {
     let count = points.len();

@@ -9,7 +9,7 @@ mod text;
 
 use antumbra_files::words::name;
 use antumbra_formats::raster::{Extent, Frame, Known};
-use antumbra_formats::{LengthUnit, PlanUnit, Units};
+use antumbra_formats::{LengthUnit, PlanUnit, SaidUnits, Units};
 use glam::{DVec2, DVec3};
 
 use super::budget::ReadBudget;
@@ -19,6 +19,10 @@ use crate::corner_point::{CellProperty, CornerPointGrid, Pillar};
 /// Numbers of a pillar, and depths of a cell's corners.
 const PILLAR: usize = 6;
 const CORNERS: usize = 8;
+
+/// The most notes about a grid, and the words of a keyword that names a unit which are read.
+const MOST_NOTES: usize = 64;
+const UNIT_WORDS: usize = 8;
 
 /// The layouts of such files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -140,17 +144,13 @@ impl Axes {
         y: DVec2::Y,
     };
 
-    /// Axes through a point on y, the origin, and a point on x; the map's own where those are one point.
-    fn of([y1, y2, o1, o2, x1, x2]: [f64; 6], metres: f64) -> Self {
-        let origin = DVec2::new(o1, o2);
-        let x = (DVec2::new(x1, x2) - origin).try_normalize();
-        let y = (DVec2::new(y1, y2) - origin).try_normalize();
+    /// Axes through a point on y, the origin, and a point on x, in units of so many metres east and north; the map's own where those are one point.
+    fn of([y1, y2, o1, o2, x1, x2]: [f64; 6], metres: DVec2) -> Self {
+        let origin = DVec2::new(o1, o2) * metres;
+        let x = (DVec2::new(x1, x2) * metres - origin).try_normalize();
+        let y = (DVec2::new(y1, y2) * metres - origin).try_normalize();
         match x.zip(y) {
-            Some((x, y)) => Self {
-                origin: origin * metres,
-                x,
-                y,
-            },
+            Some((x, y)) => Self { origin, x, y },
             None => Self::MAP,
         }
     }
@@ -161,6 +161,40 @@ impl Axes {
 }
 
 impl Parts {
+    fn note(&mut self, note: String) {
+        if self.notes.len() < MOST_NOTES && !self.notes.contains(&note) {
+            self.notes.push(note);
+        }
+    }
+
+    /// The words of `MAPUNITS`.
+    fn take_map_unit<'a>(&mut self, words: impl IntoIterator<Item = &'a str>) {
+        self.map_unit = self.unit("axes on the map", words);
+    }
+
+    /// The words of `GRIDUNIT`: a unit, and `MAP` where places are on the map.
+    fn take_grid_unit<'a>(&mut self, words: impl IntoIterator<Item = &'a str>) {
+        let (map, unit): (Vec<_>, Vec<_>) = (words.into_iter().take(UNIT_WORDS))
+            .partition(|word| word.trim().eq_ignore_ascii_case("MAP"));
+        self.is_on_map = !map.is_empty();
+        self.grid_unit = self.unit("cells", unit);
+    }
+
+    /// The first unit among words.
+    fn unit<'a>(
+        &mut self,
+        what: &str,
+        words: impl IntoIterator<Item = &'a str>,
+    ) -> Option<LengthUnit> {
+        let mut said = SaidUnits::default();
+        let mut words = words.into_iter().take(UNIT_WORDS);
+        let unit = words.find_map(|word| said.length(what, word));
+        for note in said.notes {
+            self.note(note);
+        }
+        unit
+    }
+
     fn grid(self, options: &ReadOptions) -> Result<EclipseGrid, String> {
         let size = self
             .size
@@ -181,14 +215,8 @@ impl Parts {
                 ));
             }
         }
-        let frame = self.frame(options)?;
-        let axes = match self.map_axes {
-            Some(axes) if !self.is_on_map => {
-                let unit = self.map_unit.unwrap_or(LengthUnit::METRE);
-                Axes::of(axes, unit.metres())
-            }
-            _ => Axes::MAP,
-        };
+        let mut frame = self.frame(options)?;
+        let axes = self.axes(&mut frame, options);
         let positive = options.z_positive.unwrap_or(ZPositive::Down);
         let height = |z: f32| positive.up(f64::from(z)) * frame.height;
         let [nx, ny, nz] = size.map(|side| side as usize);
@@ -236,6 +264,24 @@ impl Parts {
             grid: CornerPointGrid::new(size, pillars, corners, active),
             notes,
         })
+    }
+
+    /// Where the grid's own axes lie. Their unit is that of the map, of which a file may say nothing although it names that of its cells.
+    fn axes(&self, frame: &mut Frame, options: &ReadOptions) -> Axes {
+        let Some(axes) = self.map_axes.filter(|_| !self.is_on_map) else {
+            return Axes::MAP;
+        };
+        let named = options.units.plan.map(|_| frame.plan);
+        let said = self.map_unit.map(|unit| DVec2::splat(unit.metres()));
+        let unit = named.or(said);
+        let axes = Axes::of(axes, unit.unwrap_or(DVec2::ONE));
+        if unit.is_none() && axes.origin != DVec2::ZERO {
+            frame.notes.push(
+                "it names no unit of its axes on the map (MAPUNITS): taken as metres (--units)"
+                    .to_owned(),
+            );
+        }
+        axes
     }
 
     fn frame(&self, options: &ReadOptions) -> Result<Frame, String> {

@@ -4,7 +4,9 @@ use antumbra_formats::Units;
 use antumbra_formats::raster::{Extent, Frame, Known};
 use glam::{DVec2, DVec3, Vec3};
 
+use super::delaunay::PointSet;
 use super::options::ReadOptions;
+use crate::assemble;
 use crate::corner_point::CornerPointGrid;
 use crate::surface::Surface;
 
@@ -27,6 +29,11 @@ fn scale(frame: &Frame) -> DVec3 {
     DVec3::new(frame.plan.x, frame.height, frame.plan.y)
 }
 
+/// Whether places of which the file says nothing can only be degrees.
+pub(crate) fn looks_like_degrees(extent: &Extent) -> bool {
+    (extent.high - extent.low).max_element() <= WIDEST && extent.looks_like_degrees(STEEPEST)
+}
+
 /// The frame of what lies in a box of the world.
 fn frame([low, high]: [DVec3; 2], said: Units, options: &ReadOptions) -> Result<Frame, String> {
     let extent = Extent {
@@ -39,11 +46,37 @@ fn frame([low, high]: [DVec3; 2], said: Units, options: &ReadOptions) -> Result<
         &Known {
             named: options.units,
             said,
-            looks_like_degrees: (extent.high - extent.low).max_element() <= WIDEST
-                && extent.looks_like_degrees(STEEPEST),
+            looks_like_degrees: looks_like_degrees(&extent),
             latitude: options.latitude,
         },
     )
+}
+
+/// Takes sets of points, of which their file says nothing, to metres.
+pub(super) fn points_in_metres(
+    sets: &mut [PointSet],
+    options: &ReadOptions,
+) -> Result<Frame, String> {
+    let points = sets.iter().flat_map(|set| set.points.iter().copied());
+    let frame = frame(box_of(points), Units::default(), options)?;
+    let scale = scale(&frame);
+    for point in sets.iter_mut().flat_map(|set| &mut set.points) {
+        *point *= scale;
+        if !assemble::is_place(*point) {
+            return Err(format!(
+                "its point at {point}, in metres, is no place on Earth"
+            ));
+        }
+    }
+    Ok(frame)
+}
+
+/// The box of points; an empty one without any.
+fn box_of(points: impl Iterator<Item = DVec3>) -> [DVec3; 2] {
+    let empty = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+    points.fold(empty, |[low, high], point| {
+        [low.min(point), high.max(point)]
+    })
 }
 
 /// Takes surfaces to metres. `said` is what their file says of its units.
@@ -52,15 +85,11 @@ pub(super) fn in_metres(
     said: Units,
     options: &ReadOptions,
 ) -> Result<Frame, String> {
-    let empty = [DVec3::INFINITY, DVec3::NEG_INFINITY];
     let points = surfaces.iter().flat_map(|surface| {
         let positions = surface.geometry.positions.iter();
         positions.map(|position| surface.origin + Vec3::from(*position).as_dvec3())
     });
-    let [low, high] = points.fold(empty, |[low, high], point| {
-        [low.min(point), high.max(point)]
-    });
-    let frame = frame([low, high], said, options)?;
+    let frame = frame(box_of(points), said, options)?;
     let scale = scale(&frame);
     if scale != DVec3::ONE {
         for surface in surfaces {

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use antumbra_formats::raster::text::{decode, parse_number};
-use antumbra_formats::{LengthUnit, PlanUnit, Units};
+use antumbra_formats::{PlanUnit, SaidUnits, Units};
 use glam::DVec3;
 
 use super::budget::ReadBudget;
@@ -15,7 +15,7 @@ use crate::surface::{Surface, SurfaceKind};
 pub(super) struct Objects {
     pub(super) surfaces: Vec<Surface>,
     /// What the file says of its units.
-    pub(super) said: Units,
+    pub(super) said: SaidUnits,
 }
 
 pub(super) fn read(
@@ -26,18 +26,18 @@ pub(super) fn read(
     budget: &mut ReadBudget,
 ) -> Result<Objects, String> {
     let text = decode(bytes);
-    let mut said = None;
+    let mut said: Option<SaidUnits> = None;
     let mut surfaces = Vec::new();
     let mut open: Option<Object> = None;
     for (line, words) in text.lines().enumerate() {
         if let Some(units) = units_in(words) {
-            if said.is_some_and(|said| said != units) {
+            if (said.as_ref()).is_some_and(|said| said.units != units.units) {
                 return Err(format!(
                     "line {}: its objects have different units; write each to a file of its own",
                     line + 1
                 ));
             }
-            said = Some(units);
+            said.get_or_insert(units);
         }
         let at = |problem: String| format!("line {}: {problem}", line + 1);
         let words = words.trim();
@@ -79,8 +79,8 @@ pub(super) fn read(
     })
 }
 
-/// The units in a line `AXIS_UNIT "m" "m" "ft"`. A unit that is no length, such as a time, says nothing.
-fn units_in(line: &str) -> Option<Units> {
+/// The units in a line `AXIS_UNIT "m" "m" "ft"`. A unit that is no length, such as a time, counts as none.
+fn units_in(line: &str) -> Option<SaidUnits> {
     let line = line.trim();
     let (keyword, rest) = line.split_once(char::is_whitespace)?;
     if !keyword.eq_ignore_ascii_case("AXIS_UNIT") {
@@ -91,17 +91,18 @@ fn units_in(line: &str) -> Option<Units> {
         true => rest.split_whitespace().collect(),
         false => quoted,
     };
-    let unit = |at: usize| words.get(at).and_then(|word| LengthUnit::from_name(word));
+    let mut said = SaidUnits::default();
+    let mut unit = |what, at: usize| said.length(what, words.get(at)?);
     let is_degrees = words
         .first()
         .is_some_and(|word| word.trim().to_ascii_lowercase().starts_with("deg"));
-    Some(Units {
-        plan: match is_degrees {
-            true => Some(PlanUnit::DEGREES),
-            false => unit(0).map(PlanUnit::Length),
-        },
-        height: unit(2),
-    })
+    let plan = match is_degrees {
+        true => Some(PlanUnit::DEGREES),
+        false => unit("places", 0).map(PlanUnit::Length),
+    };
+    let height = unit("heights", 2);
+    said.units = Units { plan, height };
+    Some(said)
 }
 
 struct Object {

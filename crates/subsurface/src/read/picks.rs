@@ -7,11 +7,9 @@ use antumbra_formats::raster::text::{decode, parse_number};
 use glam::DVec3;
 
 use super::budget::ReadBudget;
-use super::delaunay;
+use super::delaunay::PointSet;
 use super::options::{ReadOptions, ZPositive};
 use crate::assemble;
-use crate::progress::ProgressFn;
-use crate::surface::Surface;
 
 const EAST: [&str; 6] = ["x", "easting", "east", "x_utme", "utm_x", "x_coord"];
 const NORTH: [&str; 6] = ["y", "northing", "north", "y_utmn", "utm_y", "y_coord"];
@@ -26,20 +24,13 @@ const SURFACE: [&str; 6] = [
     "val",
 ];
 
+/// The picks of each surface that is named, in the file's order and units.
 pub(super) fn read(
     bytes: &[u8],
     stem: &str,
     options: &ReadOptions,
     budget: &mut ReadBudget,
-    progress: ProgressFn<'_>,
-) -> Result<Vec<Surface>, String> {
-    if let Some(longest) = options.longest_edge
-        && (longest <= 0.0 || longest.is_nan())
-    {
-        return Err(format!(
-            "a longest edge of {longest} m leaves no triangle; give a positive length"
-        ));
-    }
+) -> Result<Vec<PointSet>, String> {
     let text = decode(bytes);
     let mut table = csv::ReaderBuilder::new()
         .delimiter(separator(&text))
@@ -48,7 +39,7 @@ pub(super) fn read(
         .from_reader(text.as_bytes());
     let headers = table.headers().map_err(|error| error.to_string())?;
     let columns = Columns::of(headers, options)?;
-    let mut picks: Vec<(String, Vec<DVec3>)> = Vec::new();
+    let mut picks: Vec<PointSet> = Vec::new();
     let mut named: HashMap<String, usize> = HashMap::new();
     let mut row = csv::StringRecord::new();
     while table
@@ -61,38 +52,24 @@ pub(super) fn read(
         budget.vertex(|| format!("the picks up to the one of '{}'", name(&surface)))?;
         let known = named.len();
         let at = *named.entry(surface).or_insert_with_key(|name| {
-            picks.push((name.clone(), Vec::new()));
+            let name = if name.is_empty() { stem } else { name.as_str() };
+            picks.push(PointSet {
+                name: name.to_owned(),
+                points: Vec::new(),
+            });
             picks.len() - 1
         });
         if named.len() > known {
             budget.surfaces(1, 0, || format!("its {} surfaces", named.len()))?;
         }
-        if let Some((_, points)) = picks.get_mut(at) {
-            points.push(point);
+        if let Some(set) = picks.get_mut(at) {
+            set.points.push(point);
         }
     }
     if picks.is_empty() {
         return Err("it has no pick; there is nothing to show".into());
     }
-    let mut surfaces = Vec::new();
-    let (mut done, count) = (0, picks.len() as u64);
-    let mut last_problem = String::new();
-    for (name, points) in picks {
-        progress(done, count);
-        let name = if name.is_empty() { stem.into() } else { name };
-        match delaunay::surface(name, points, options.longest_edge) {
-            Ok(surface) => surfaces.push(surface),
-            Err(problem) => {
-                tracing::warn!("{problem}; it is left out");
-                last_problem = problem;
-            }
-        }
-        done += 1;
-    }
-    if surfaces.is_empty() {
-        return Err(last_problem);
-    }
-    Ok(surfaces)
+    Ok(picks)
 }
 
 /// The separator that occurs most often in the first line.

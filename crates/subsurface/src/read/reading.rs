@@ -1,16 +1,16 @@
 //! A file's surfaces or its grid, read in the units of its format and taken to metres.
 
 use antumbra_formats::raster::RawRaster;
-use antumbra_formats::{RasterError, RasterOptions, Units, load_raster_slice_with};
+use antumbra_formats::{RasterError, RasterOptions, SaidUnits, Units, load_raster_slice_with};
 use antumbra_scene::Raster;
 
 use super::budget::ReadBudget;
+use super::delaunay::{self, PointSet};
 use super::format::Format;
 use super::numbered::Columns;
 use super::options::{ReadOptions, ZPositive};
 use super::{
-    cps3, delaunay, eclipse, faultroom, frame, gocad, irap, irap_ascii, numbered, picks, roff_grid,
-    zmap,
+    cps3, eclipse, faultroom, frame, gocad, irap, irap_ascii, numbered, picks, roff_grid, zmap,
 };
 use crate::corner_point::CornerPointGrid;
 use crate::progress::ProgressFn;
@@ -40,6 +40,8 @@ pub struct GridFile {
 pub(super) struct Reading<'a> {
     pub(super) stem: &'a str,
     pub(super) bytes: &'a [u8],
+    /// What lies beside the file says of its units.
+    pub(super) beside: SaidUnits,
     pub(super) options: &'a ReadOptions,
     pub(super) budget: &'a mut ReadBudget,
 }
@@ -78,8 +80,10 @@ impl Reading<'_> {
             }
             Format::Raster(format) => {
                 let raster_options = RasterOptions {
-                    max_memory: self.budget.left(),
+                    // The reader takes the file's length, which is taken already.
+                    max_memory: self.budget.left().saturating_add(bytes.len() as u64),
                     units: options.units,
+                    beside: std::mem::take(&mut self.beside),
                     latitude: options.latitude,
                 };
                 let loaded = load_raster_slice_with(format, bytes, &raster_options);
@@ -102,8 +106,11 @@ impl Reading<'_> {
             }
             Format::Numbered(Columns::Points) => {
                 let points = numbered::points(bytes, up, self.budget)?;
-                let surface = delaunay::surface(self.stem.into(), points, options.longest_edge)?;
-                let mut file = self.in_metres(vec![surface], Units::default())?;
+                let set = PointSet {
+                    name: self.stem.into(),
+                    points,
+                };
+                let mut file = self.triangulated(vec![set], progress)?;
                 if options.z_positive.is_none() {
                     let said = "it has no title: its columns are taken as x, y and a z that grows upwards (--positive down)";
                     file.notes.insert(0, said.to_owned());
@@ -132,11 +139,11 @@ impl Reading<'_> {
             }
             Format::Faultroom => {
                 let surfaces = faultroom::read(bytes, down, kind, self.budget)?;
-                self.in_metres(surfaces, Units::default())
+                self.in_metres(surfaces, SaidUnits::default())
             }
             Format::Picks => {
-                let surfaces = picks::read(bytes, self.stem, options, self.budget, progress)?;
-                self.in_metres(surfaces, Units::default())
+                let picks = picks::read(bytes, self.stem, options, self.budget)?;
+                self.triangulated(picks, progress)
             }
         }
     }
@@ -163,10 +170,25 @@ impl Reading<'_> {
         surface.map(|surface| vec![surface])
     }
 
-    fn in_metres(self, mut surfaces: Vec<Surface>, said: Units) -> Result<SurfaceFile, String> {
-        let frame = frame::in_metres(&mut surfaces, said, self.options)?;
+    fn in_metres(self, mut surfaces: Vec<Surface>, said: SaidUnits) -> Result<SurfaceFile, String> {
+        let frame = frame::in_metres(&mut surfaces, said.units, self.options)?;
+        let notes = said.notes.into_iter().chain(frame.notes);
         Ok(SurfaceFile {
             surfaces,
+            latitude: frame.latitude,
+            notes: notes.collect(),
+        })
+    }
+
+    /// The horizons over points in the file's units. They are taken to metres first, in which edges are measured.
+    fn triangulated(
+        self,
+        mut sets: Vec<PointSet>,
+        progress: ProgressFn<'_>,
+    ) -> Result<SurfaceFile, String> {
+        let frame = frame::points_in_metres(&mut sets, self.options)?;
+        Ok(SurfaceFile {
+            surfaces: delaunay::surfaces(sets, self.options.longest_edge, progress)?,
             latitude: frame.latitude,
             notes: frame.notes,
         })

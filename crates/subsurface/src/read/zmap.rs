@@ -4,11 +4,12 @@
 //! or its text, decimals, first column; rows, columns and the box. Values go from north to south, one column after the other from west to east, and
 //! every column begins on a new line.
 
-use antumbra_formats::raster::text::{Tokens, decode, node_count, parse_number};
+use antumbra_formats::raster::text::{decode, parse_number, whole_number};
 use antumbra_scene::Raster;
 use glam::DVec2;
 
 use super::budget::ReadBudget;
+use super::column_grid::ColumnGrid;
 use super::options::ZPositive;
 
 pub(super) fn read(
@@ -63,33 +64,22 @@ pub(super) fn read(
     };
     let count = |at: usize, what: &str| {
         let value = number(at, what)?;
-        match value.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&value) {
-            true => Ok(value as u32),
-            false => Err(format!("its header has {value} as {what}")),
-        }
+        whole_number(value).ok_or_else(|| format!("its header has {value} as {what}"))
     };
     let (rows, columns) = (count(0, "number of rows")?, count(1, "number of columns")?);
-    let low = DVec2::new(number(2, "least x")?, number(4, "least y")?);
-    let high = DVec2::new(number(3, "greatest x")?, number(5, "greatest y")?);
-    node_count(columns, rows, rest.len() / 2 + 1)?;
-    budget.horizon(columns, rows)?;
+    let grid = ColumnGrid {
+        columns,
+        rows,
+        low: DVec2::new(number(2, "least x")?, number(4, "least y")?),
+        high: DVec2::new(number(3, "greatest x")?, number(5, "greatest y")?),
+    };
     // Some writers put a remark between the header and the values.
     while let Some((line, after)) = rest.split_once('\n')
         && (line.split_whitespace().next()).is_none_or(|word| parse_number(word).is_none())
     {
         rest = after;
     }
-    let values = Tokens::new(rest).grid(columns, rows, rest.len(), |value| {
+    grid.read(rest, positive, budget, |value| {
         nothing.is_some_and(|nothing| nothing as f32 == value as f32)
-    })?;
-    let step = (high - low) / DVec2::new(f64::from(columns - 1), f64::from(rows - 1));
-    Ok(Raster {
-        // The file's columns are the raster's rows.
-        columns: rows,
-        rows: columns,
-        origin: DVec2::new(low.x, high.y),
-        step_u: DVec2::new(0.0, -step.y),
-        step_v: DVec2::new(step.x, 0.0),
-        elevation: values.into_iter().map(|z| positive.up(z) as f32).collect(),
     })
 }

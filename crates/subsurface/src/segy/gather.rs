@@ -25,6 +25,7 @@ pub(super) struct Gathered {
     pub(super) delay: Option<f64>,
     pub(super) delays_differ: bool,
 }
+
 /// Reads all headers, and the samples of some traces, from the first byte to the last.
 pub(super) fn gather(
     file: &mut File,
@@ -41,7 +42,7 @@ pub(super) fn gather(
         live: Vec::with_capacity(count as usize),
         fit: GridFit::default(),
         amplitudes: Amplitudes::new(),
-        unit: PositionUnit::Length,
+        unit: PositionUnit::Unsaid,
         interval: 0.0,
         delay: None,
         delays_differ: false,
@@ -87,19 +88,24 @@ pub(super) fn gather(
 impl Gathered {
     fn note(&mut self, trace: u64, header: &TraceHeader<'_>, numbering: Numbering) {
         let [inline, crossline] = numbering.of(trace, header);
-        if let Some(place) = header.position(&numbering.position_bytes()) {
-            self.fit.add(inline.into(), crossline.into(), place);
-        }
         let is_live = header.is_live();
         self.numbers.push([inline, crossline]);
         self.live.push(is_live);
-        if trace == 0 {
-            self.unit = header.position_unit();
-            self.interval = header.interval();
+        if !is_live {
+            return;
         }
-        if is_live {
-            let delay = header.delay();
-            self.delays_differ |= *self.delay.get_or_insert(delay) != delay;
+        if let Some(place) = header.position(&numbering.position_bytes()) {
+            self.fit.add(inline.into(), crossline.into(), place);
+        }
+        let delay = header.delay();
+        match self.delay {
+            Some(first) => self.delays_differ |= first != delay,
+            // The first live trace speaks for all.
+            None => {
+                self.delay = Some(delay);
+                self.unit = header.position_unit();
+                self.interval = header.interval();
+            }
         }
     }
 }

@@ -63,7 +63,7 @@ impl FileHeader {
         };
         if major >= 2 {
             header.more_headers = u64::try_from(fields.i32(header.order, 3507)).unwrap_or_default();
-            let first = fields.u64(header.order, 3523);
+            let first = fields.u64(header.order, 3521);
             if first > header.start {
                 header.start = first;
             }
@@ -122,7 +122,7 @@ impl Fields<'_> {
     }
 
     fn u64(&self, order: ByteOrder, from: usize) -> u64 {
-        order.f64(self.bytes(from)).to_bits()
+        order.u64(self.bytes(from))
     }
 
     fn header(&self) -> Option<FileHeader> {

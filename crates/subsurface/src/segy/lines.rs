@@ -21,18 +21,20 @@ impl Lines {
         memory: &mut MemoryBudget,
         numbering: Numbering,
     ) -> Result<Self, String> {
-        let numbers = |axis: usize| {
-            let all = gathered.numbers.iter();
-            LineNumbers::of(all.map(move |numbers| numbers[axis]))
+        // The numbers of traces that are not live are often those of nowhere.
+        let live = || {
+            let all = gathered.numbers.iter().zip(&gathered.live);
+            all.filter_map(|(numbers, is_live)| is_live.then_some(numbers))
         };
+        let numbers = |axis: usize| LineNumbers::of(live().map(move |numbers| numbers[axis]));
         let [Some(inline), Some(crossline)] = [numbers(0), numbers(1)] else {
-            return Err("it has no trace".to_owned());
+            return Err("it has no live trace: all are dead or dummies".to_owned());
         };
         let cells = inline.count.saturating_mul(crossline.count);
-        let traces = gathered.numbers.len() as u64;
+        let traces = live().count() as u64;
         if cells > traces.saturating_mul(SPARSE).saturating_add(1024) {
             return Err(format!(
-                "its {traces} traces lie on a grid of {} inlines and {} crosslines, almost all of it empty: the line numbers are elsewhere than in bytes {} (--trace-bytes)",
+                "its {traces} live traces lie on a grid of {} inlines and {} crosslines, almost all of it empty: the line numbers are elsewhere than in bytes {} (--trace-bytes)",
                 inline.count,
                 crossline.count,
                 numbering.position_bytes()
@@ -47,7 +49,7 @@ impl Lines {
     pub(super) fn traces(&self, gathered: &Gathered, notes: &mut Vec<String>) -> Vec<u32> {
         let cells = (self.inline.count * self.crossline.count) as usize;
         let mut traces = vec![0; cells];
-        let (mut dead, mut further) = (0_u64, 0_u64);
+        let (mut dead, mut dead_within, mut further) = (0_u64, 0_u64, 0_u64);
         let all = gathered.numbers.iter().zip(&gathered.live);
         for (trace, (&[inline, crossline], is_live)) in (1..).zip(all) {
             let place = self
@@ -58,12 +60,16 @@ impl Lines {
                 traces.get_mut((crossline * self.inline.count + inline) as usize)
             });
             match slot {
-                _ if !is_live => dead += 1,
+                _ if !is_live => {
+                    dead += 1;
+                    dead_within += u64::from(slot.is_some());
+                }
                 Some(slot) if *slot == 0 => *slot = trace,
                 _ => further += 1,
             }
         }
-        let missing = cells as u64 - (gathered.numbers.len() as u64 - further).min(cells as u64);
+        let live = gathered.numbers.len() as u64 - dead - further;
+        let missing = (cells as u64).saturating_sub(live + dead_within);
         for (count, what) in [
             (dead, "traces are dead and have no value"),
             (missing, "positions of the grid have no trace and no value"),

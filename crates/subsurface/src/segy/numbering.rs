@@ -66,21 +66,25 @@ pub(super) fn numbering(
         let at = header.start + trace * header.trace_bytes();
         take(file, at, &mut bytes, "a trace header")?;
         let read = TraceHeader::new(&bytes, header.order);
+        // The numbers of a dummy are often none.
+        if !read.is_live() {
+            continue;
+        }
         for (bytes, numbers) in TRIED_BYTES.iter().zip(&mut numbers) {
             numbers.push([read.i32(bytes.inline), read.i32(bytes.crossline)]);
         }
     }
+    if numbers.iter().all(Vec::is_empty) {
+        return Ok(Numbering::Bytes(TraceBytes::STANDARD));
+    }
     let distinct = numbers.map(|mut numbers| {
         numbers.sort_unstable();
         numbers.dedup();
-        numbers.len() as u64
+        numbers.len()
     });
-    // All positions differ, or, in a file of several traces a position, most do.
+    // Not those that differ most: bytes 5 to 8 are often a mere count, which differs more than the numbers of traces that share a position.
     let mut order = TRIED_BYTES.iter().zip(distinct);
-    let found = order
-        .clone()
-        .find(|(_, distinct)| *distinct == tried)
-        .or_else(|| order.find(|(_, distinct)| *distinct > 1));
+    let found = order.find(|(_, distinct)| *distinct > 1);
     match found {
         Some((bytes, _)) if *bytes == TraceBytes::STANDARD => Ok(Numbering::Bytes(*bytes)),
         Some((bytes, _)) => {

@@ -79,8 +79,11 @@ pub struct SegyOptions {
     /// Where a trace header has its line numbers and its position. `None` tries the standard's bytes and, where those hold the same numbers in
     /// all traces, bytes that were usual before the standard.
     pub trace_bytes: Option<TraceBytes>,
-    /// Units that replace those of the file. A unit of heights makes the samples depths.
+    /// Units that replace those of the file. A unit of heights makes the samples depths, unless there is a velocity.
     pub units: Units,
+    /// The latitude, in degrees, about which degrees are taken to metres. `None` means the middle of the file's own; a volume that shall lie among
+    /// other files needs one.
+    pub latitude: Option<f64>,
     /// The velocity in metres a second with which two-way times become depths. `None` draws a millisecond as a metre.
     pub velocity: Option<f64>,
     /// The values that become the least and the greatest sample; those beyond are clamped. `None` finds them: all but the largest thousandth.

@@ -1,5 +1,6 @@
 //! Where a SEG-Y file's volume lies, and what its samples mean.
 
+use antumbra_formats::raster::{Extent, Frame, Known};
 use antumbra_formats::{LengthUnit, PlanUnit, Units};
 use glam::{DVec2, DVec3};
 
@@ -8,6 +9,8 @@ use super::header::FileHeader;
 use super::lines::Lines;
 use super::options::SegyOptions;
 use super::trace::PositionUnit;
+use crate::read::frame;
+use crate::survey::{LineNumbers, PlanGrid};
 use crate::volume::VolumeLayout;
 
 /// The step between traces of a file without positions, in metres.
@@ -27,11 +30,15 @@ impl Gathered {
         notes: &mut Vec<String>,
     ) -> Result<VolumeLayout, String> {
         let grid = self.fit.grid();
+        let interval = self.milliseconds(header, notes);
         let numbers = [lines.inline.step, lines.crossline.step].map(f64::from);
         let (corner, [inline, crossline]) = match grid {
             Some(grid) => {
+                // A millisecond as a metre.
+                let depth = f64::from(header.samples) * interval;
+                let extent = extent(&grid, lines, depth);
+                let scale = self.plan_scale(header, &extent, options, notes)?;
                 let corner = grid.place(lines.inline.first.into(), lines.crossline.first.into());
-                let scale = self.plan_scale(header, options, corner, notes)?;
                 let inline = grid.inline * scale * numbers[0];
                 let crossline = grid.crossline * scale * numbers[1];
                 let off = grid.off * scale.max_element();
@@ -52,7 +59,7 @@ impl Gathered {
                 )
             }
         };
-        let depth = self.depths(header, options, notes);
+        let depth = self.depths(interval, options, notes);
         let range = match options.range {
             Some(range) => range,
             None => {
@@ -79,12 +86,12 @@ impl Gathered {
         })
     }
 
-    /// Metres of a unit of positions.
+    /// Metres of a unit of positions within `extent`.
     fn plan_scale(
         &self,
         header: &FileHeader,
+        extent: &Extent,
         options: &SegyOptions,
-        corner: DVec2,
         notes: &mut Vec<String>,
     ) -> Result<DVec2, String> {
         let length = match header.is_feet {
@@ -92,57 +99,55 @@ impl Gathered {
             false => LengthUnit::METRE,
         };
         let said = match self.unit {
-            PositionUnit::ArcSeconds => PlanUnit::Angle(1.0 / 3600.0),
-            PositionUnit::Degrees => PlanUnit::DEGREES,
-            PositionUnit::Length => PlanUnit::Length(length),
+            PositionUnit::Unsaid if frame::looks_like_degrees(extent) => None,
+            PositionUnit::Unsaid | PositionUnit::Length => Some(PlanUnit::Length(length)),
+            PositionUnit::ArcSeconds => Some(PlanUnit::Angle(1.0 / 3600.0)),
+            PositionUnit::Degrees => Some(PlanUnit::DEGREES),
+            PositionUnit::Sexagesimal if options.units.plan.is_some() => None,
+            PositionUnit::Sexagesimal => {
+                return Err(
+                    "its places are degrees, minutes and seconds in one number, which are not read: convert them to degrees or to lengths, or, if they are something else, name their unit (--units m)"
+                        .to_owned(),
+                );
+            }
         };
-        let is_on_globe = |plan| match plan {
-            PlanUnit::Angle(degrees) => (corner.y * degrees).abs() <= 91.0,
-            PlanUnit::Length(_) => true,
-        };
-        let plan = match options.units.plan {
-            Some(named) => named,
-            None if is_on_globe(said) => said,
-            // The field is often filled in wrongly.
-            None => {
+        let said = match said {
+            // The field is often filled in wrongly. A caller who names degrees means it.
+            Some(PlanUnit::Angle(degrees))
+                if options.units.plan.is_none() && !extent.is_on_globe(degrees) =>
+            {
                 notes.push(format!(
                     "it says that its places are degrees, but they are on no globe: taken as {length}"
                 ));
-                PlanUnit::Length(length)
+                Some(PlanUnit::Length(length))
             }
+            said => said,
         };
-        let latitude = match plan {
-            PlanUnit::Length(unit) => {
-                if unit != LengthUnit::METRE {
-                    notes.push(format!("its places are {unit}, taken to metres"));
-                }
-                0.0
-            }
-            PlanUnit::Angle(degrees) => {
-                let latitude = corner.y * degrees;
-                if latitude.abs() > 91.0 {
-                    return Err(format!(
-                        "its places are degrees, but have a latitude of {latitude}: name their unit (--units m)"
-                    ));
-                }
-                notes.push(format!(
-                    "its places are degrees: taken to metres about latitude {latitude:.4} (--units overrides)"
-                ));
-                latitude
-            }
-        };
-        Ok(DVec2::from_array(plan.metres(latitude)))
+        let frame = Frame::of(
+            extent,
+            &Known {
+                named: Units {
+                    plan: options.units.plan,
+                    height: None,
+                },
+                said: Units {
+                    plan: said,
+                    // Of depths other notes say more.
+                    height: Some(LengthUnit::METRE),
+                },
+                looks_like_degrees: said.is_none(),
+                latitude: options.latitude,
+            },
+        )?;
+        notes.extend(frame.notes);
+        Ok(frame.plan)
     }
 
-    fn depths(
-        &self,
-        header: &FileHeader,
-        options: &SegyOptions,
-        notes: &mut Vec<String>,
-    ) -> Depths {
+    /// Milliseconds, or units of depth, between samples.
+    fn milliseconds(&self, header: &FileHeader, notes: &mut Vec<String>) -> f64 {
         let intervals = [header.interval, self.interval];
         let interval = intervals.into_iter().find(|interval| *interval > 0.0);
-        let interval = interval.map_or_else(
+        interval.map_or_else(
             || {
                 notes.push(format!(
                     "it does not say how far its samples are apart: taken as {PLAIN_INTERVAL} ms"
@@ -150,22 +155,20 @@ impl Gathered {
                 PLAIN_INTERVAL
             },
             |microseconds| microseconds / 1000.0,
-        );
+        )
+    }
+
+    fn depths(&self, interval: f64, options: &SegyOptions, notes: &mut Vec<String>) -> Depths {
         if self.delays_differ {
             notes.push(
                 "its traces begin at different times: all are drawn as the first begins".to_owned(),
             );
         }
-        let metres = match (options.units, options.velocity) {
-            (
-                Units {
-                    height: Some(unit), ..
-                },
-                _,
-            ) => unit.metres(),
+        let metres = match (options.velocity, options.units.height) {
             // There and back again.
-            (_, Some(velocity)) => velocity / 2000.0,
-            (_, None) => {
+            (Some(velocity), _) => velocity / 2000.0,
+            (None, Some(unit)) => unit.metres(),
+            (None, None) => {
                 notes.push(
                     "a millisecond of its traces is drawn as a metre, as is right for depths in metres (--velocity, --units)"
                         .to_owned(),
@@ -179,8 +182,25 @@ impl Gathered {
         }
     }
 }
+
 /// The depth of the first sample, and the distance of samples, in metres.
 struct Depths {
     first: f64,
     step: f64,
+}
+
+/// The box of a survey's corners in the plan, in the file's units.
+fn extent(grid: &PlanGrid, lines: &Lines, relief: f64) -> Extent {
+    let ends = |numbers: &LineNumbers| [numbers.first.into(), numbers.last()];
+    let [inlines, crosslines] = [ends(&lines.inline), ends(&lines.crossline)];
+    let corners = inlines.map(|inline| crosslines.map(|crossline| grid.place(inline, crossline)));
+    let corners = corners.as_flattened();
+    Extent {
+        low: corners.iter().copied().fold(DVec2::INFINITY, DVec2::min),
+        high: corners
+            .iter()
+            .copied()
+            .fold(DVec2::NEG_INFINITY, DVec2::max),
+        relief,
+    }
 }

@@ -26,6 +26,10 @@ impl ByteOrder {
         i32::from_be_bytes(self.big(bytes))
     }
 
+    pub(super) fn u64(self, bytes: [u8; 8]) -> u64 {
+        u64::from_be_bytes(self.big(bytes))
+    }
+
     pub(super) fn f64(self, bytes: [u8; 8]) -> f64 {
         f64::from_be_bytes(self.big(bytes))
     }

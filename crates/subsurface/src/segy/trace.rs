@@ -15,9 +15,13 @@ pub(super) struct TraceHeader<'a> {
 /// The unit of a trace's position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum PositionUnit {
+    /// It says nothing, or nothing that the standard knows.
+    Unsaid,
     Length,
     ArcSeconds,
     Degrees,
+    /// Degrees, minutes and seconds in one number: DDDMMSS.
+    Sexagesimal,
 }
 
 impl<'a> TraceHeader<'a> {
@@ -76,9 +80,11 @@ impl<'a> TraceHeader<'a> {
     /// The unit of its position.
     pub(super) fn position_unit(&self) -> PositionUnit {
         match self.i16(89) {
+            1 => PositionUnit::Length,
             2 => PositionUnit::ArcSeconds,
             3 => PositionUnit::Degrees,
-            _ => PositionUnit::Length,
+            4 => PositionUnit::Sexagesimal,
+            _ => PositionUnit::Unsaid,
         }
     }
 }

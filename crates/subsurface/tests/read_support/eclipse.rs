@@ -46,7 +46,7 @@ fn lines(values: &[f32]) -> String {
         .collect()
 }
 
-/// The text, with the grid's own axes turned on the map, and remarks and repeats where they may stand.
+/// The text, with the grid's own axes moved on the map, and remarks and repeats where they may stand.
 pub fn text(unit: &str) -> String {
     let mut active = [1; 12].map(|v: u32| v.to_string());
     active[INACTIVE] = "0".into();

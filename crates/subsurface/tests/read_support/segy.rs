@@ -21,6 +21,8 @@ pub struct Segy {
     pub unit: i16,
     /// Further text headers.
     pub texts: i16,
+    /// Whether bytes 5 to 8 count the traces.
+    pub counts: bool,
 }
 
 impl Segy {
@@ -40,6 +42,7 @@ impl Segy {
             },
             unit: 1,
             texts: 0,
+            counts: false,
         }
     }
 
@@ -93,6 +96,9 @@ impl Segy {
                 let mut header = vec![0; 240];
                 number += 1;
                 self.put(&mut header, 0, &number.to_be_bytes());
+                if self.counts {
+                    self.put(&mut header, 4, &number.to_be_bytes());
+                }
                 self.put(&mut header, 28, &code.to_be_bytes());
                 self.put(&mut header, 70, &(-10_i16).to_be_bytes());
                 self.put(&mut header, 88, &self.unit.to_be_bytes());

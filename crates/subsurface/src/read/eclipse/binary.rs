@@ -1,17 +1,18 @@
 //! The binary form of grids and results: keywords with typed values in Fortran records, each between two copies of its length. Numbers are
 //! big-endian, or little-endian throughout. The values of a keyword are in blocks of a record each.
 
-use antumbra_formats::LengthUnit;
-
 use super::super::budget::ReadBudget;
 use super::super::byte_reader::ByteReader;
-use super::{CORNERS, Parts, cells, coordinates, no_property};
+use super::{CORNERS, Parts, UNIT_WORDS, cells, coordinates, no_property};
 
 /// The most properties that are listed.
 const LISTED: usize = 64;
 
 /// What the record of a keyword takes: a name, a count and a type.
 const KEYWORD: usize = 16;
+
+/// Bytes of a record's place in memory, with the room that a list of them keeps free.
+const BLOCK: u64 = 32;
 
 /// The keywords of a file.
 struct Keywords<'a> {
@@ -100,8 +101,8 @@ impl<'a> Keywords<'a> {
         }
     }
 
-    /// The next keyword; `None` at the end.
-    fn next(&mut self) -> Result<Option<Keyword<'a>>, String> {
+    /// The next keyword; `None` at the end. What is kept of its records is paid for, since they may be as short as a value.
+    fn next(&mut self, budget: &mut ReadBudget) -> Result<Option<Keyword<'a>>, String> {
         if self.file.is_at_end() {
             return Ok(None);
         }
@@ -134,12 +135,15 @@ impl<'a> Keywords<'a> {
         let mut held = 0;
         while held < total {
             let block = self.record(&name)?;
-            if block.is_empty() || block.len() > total - held {
+            // No value lies in two records.
+            let is_whole = block.len().is_multiple_of(kind.bytes());
+            if block.is_empty() || !is_whole || block.len() > total - held {
                 return Err(format!(
                     "{name} at byte {at} has {count} values, which its records do not fit"
                 ));
             }
             held += block.len();
+            budget.take(BLOCK, || format!("the records of {name}"))?;
             blocks.push(block);
         }
         Ok(Some(Keyword {
@@ -200,7 +204,7 @@ impl Keyword<'_> {
     fn texts(&self) -> Vec<String> {
         let letters = self.kind.bytes().max(1);
         let all = self.blocks.iter().flat_map(|block| block.chunks(letters));
-        let few = all.take(8);
+        let few = all.take(UNIT_WORDS);
         few.map(|text| String::from_utf8_lossy(text).trim().to_owned())
             .collect()
     }
@@ -209,7 +213,7 @@ impl Keyword<'_> {
 pub(super) fn grid(bytes: &[u8], budget: &mut ReadBudget) -> Result<Parts, String> {
     let mut keywords = Keywords::new(bytes)?;
     let mut parts = Parts::default();
-    while let Some(keyword) = keywords.next()? {
+    while let Some(keyword) = keywords.next(budget)? {
         let known = || {
             parts
                 .size
@@ -251,13 +255,10 @@ pub(super) fn grid(bytes: &[u8], budget: &mut ReadBudget) -> Result<Parts, Strin
                 parts.map_axes = (values.first_chunk::<6>()).map(|axes| axes.map(f64::from));
             }
             "MAPUNITS" => {
-                parts.map_unit =
-                    (keyword.texts().iter()).find_map(|text| LengthUnit::from_name(text));
+                parts.take_map_unit(keyword.texts().iter().map(String::as_str));
             }
             "GRIDUNIT" => {
-                let texts = keyword.texts();
-                parts.grid_unit = texts.iter().find_map(|text| LengthUnit::from_name(text));
-                parts.is_on_map = texts.iter().any(|text| text == "MAP");
+                parts.take_grid_unit(keyword.texts().iter().map(String::as_str));
             }
             // Refined parts of the grid follow.
             "ENDGRID" | "LGR" => break,
@@ -276,7 +277,7 @@ pub(super) fn property(
 ) -> Result<(String, Vec<f32>), String> {
     let mut keywords = Keywords::new(bytes)?;
     let (mut found, mut listed) = (None, Vec::<String>::new());
-    while let Some(keyword) = keywords.next()? {
+    while let Some(keyword) = keywords.next(budget)? {
         let is_number = matches!(keyword.kind, Kind::Int | Kind::Real | Kind::Double);
         let of_grid = ["COORD", "ZCORN", "ACTNUM"].contains(&keyword.name.as_str());
         if !is_number || of_grid || !counts.contains(&keyword.count) {

@@ -1,13 +1,12 @@
 //! The text form of grids: keywords, each with values up to a `/`. `3*0.25` stands for three values, `--` begins a remark.
 
 use antumbra_files::words::name;
-use antumbra_formats::LengthUnit;
 use antumbra_formats::raster::text::{decode, parse_number};
 
 use super::super::budget::ReadBudget;
-use super::{CORNERS, Parts, cells, coordinates, no_property};
+use super::{CORNERS, Parts, UNIT_WORDS, cells, coordinates, no_property};
 
-/// The most properties that are listed, and the most values of a keyword that is none of a grid's own.
+/// The most properties that are listed.
 const LISTED: usize = 64;
 
 /// The words of a text.
@@ -117,18 +116,43 @@ impl<'a> Words<'a> {
                     return Err(format!("{keyword}: '{}' is no number", name(word)));
                 }
                 Some(Word::Plain(word)) => {
-                    let (times, value) = match word.split_once('*') {
-                        Some((times, value)) => (times.parse().ok(), value),
-                        None => (Some(1), word),
-                    };
-                    let value = parse_number(value);
-                    let (times, value) = times
-                        .zip(value)
+                    let (value, times) = repeated(word)
                         .ok_or_else(|| format!("{keyword}: `{}` is no number", name(word)))?;
                     found(value, times)?;
                 }
             }
         }
+    }
+
+    /// The number of a keyword's values up to their end; `None` where one is no number, which is not passed.
+    fn count(&mut self) -> Option<usize> {
+        let mut count = 0_usize;
+        loop {
+            match self.peek() {
+                None => return Some(count),
+                Some(Word::End) => {
+                    self.next = None;
+                    return Some(count);
+                }
+                Some(Word::Quoted(_)) => return None,
+                Some(Word::Plain(word)) => {
+                    let (_, times) = repeated(word)?;
+                    count = count.saturating_add(times);
+                    self.next = None;
+                }
+            }
+        }
+    }
+
+    /// The first words of a keyword, which is read to its end.
+    fn texts(&mut self) -> Vec<&'a str> {
+        let mut texts = Vec::new();
+        while let Some(Word::Plain(word) | Word::Quoted(word)) = self.next() {
+            if texts.len() < UNIT_WORDS {
+                texts.push(word);
+            }
+        }
+        texts
     }
 
     /// The values of `keyword`, of which there are `expected`.
@@ -213,11 +237,11 @@ pub(super) fn grid(bytes: &[u8], budget: &mut ReadBudget) -> Result<Parts, Strin
                 parts.map_axes = Some(words.first(&upper)?);
                 words.skip();
             }
-            "MAPUNITS" => parts.map_unit = units(&mut words).0,
-            "GRIDUNIT" => (parts.grid_unit, parts.is_on_map) = units(&mut words),
+            "MAPUNITS" => parts.take_map_unit(words.texts()),
+            "GRIDUNIT" => parts.take_grid_unit(words.texts()),
             "INCLUDE" => {
                 if let Some(Word::Quoted(file) | Word::Plain(file)) = words.next() {
-                    parts.notes.push(format!(
+                    parts.note(format!(
                         "it includes '{}', which is not read: put both into one file",
                         name(file)
                     ));
@@ -238,20 +262,6 @@ fn known(parts: &Parts) -> Result<[u32; 3], String> {
     size.map_err(str::to_owned)
 }
 
-/// A unit, and whether places are on the map.
-fn units(words: &mut Words<'_>) -> (Option<LengthUnit>, bool) {
-    let (mut unit, mut is_on_map) = (None, false);
-    loop {
-        match words.next() {
-            None | Some(Word::End) => return (unit, is_on_map),
-            Some(Word::Plain(word) | Word::Quoted(word)) => {
-                is_on_map |= word.trim().eq_ignore_ascii_case("MAP");
-                unit = unit.or_else(|| LengthUnit::from_name(word));
-            }
-        }
-    }
-}
-
 /// A property's name and its values.
 pub(super) fn property(
     bytes: &[u8],
@@ -264,24 +274,19 @@ pub(super) fn property(
     let mut listed: Vec<String> = Vec::new();
     // Those with a value for each cell are found by counting, so that no more than the wanted one is kept.
     while let Some(keyword) = words.keyword() {
-        let is_grid = ["SPECGRID", "DIMENS", "COORD", "ZCORN", "MAPAXES", "ACTNUM"]
-            .iter()
-            .any(|of_grid| of_grid.eq_ignore_ascii_case(keyword));
         if wanted.is_some_and(|wanted| wanted.eq_ignore_ascii_case(keyword)) {
             return Ok((keyword.to_owned(), words.exactly(keyword, cells, budget)?));
         }
-        let is_numbers = matches!(words.peek(), Some(Word::Plain(word)) if is_value(word));
-        if is_grid || !is_numbers {
-            words.skip();
-            continue;
-        }
-        let mut count = 0_usize;
-        words.values(keyword, |_, times| {
-            count = count.saturating_add(times);
-            Ok(())
-        })?;
-        if count == cells && listed.len() < LISTED {
-            listed.push(keyword.to_owned());
+        let is_grid = ["SPECGRID", "DIMENS", "COORD", "ZCORN", "MAPAXES", "ACTNUM"]
+            .iter()
+            .any(|of_grid| of_grid.eq_ignore_ascii_case(keyword));
+        match words.count() {
+            Some(count) if count == cells && !is_grid && listed.len() < LISTED => {
+                listed.push(keyword.to_owned());
+            }
+            Some(_) => {}
+            // Words among its values, as of PINCH or COORDSYS: no property.
+            None => words.skip(),
         }
     }
     match (wanted, listed.as_slice()) {
@@ -293,7 +298,11 @@ pub(super) fn property(
     }
 }
 
-fn is_value(word: &str) -> bool {
-    let value = word.split_once('*').map_or(word, |(_, value)| value);
-    parse_number(value).is_some()
+/// A value, and how often it stands there.
+fn repeated(word: &str) -> Option<(f64, usize)> {
+    let (times, value) = match word.split_once('*') {
+        Some((times, value)) => (times.parse().ok()?, value),
+        None => (1, word),
+    };
+    Some((parse_number(value)?, times))
 }
