@@ -1,7 +1,7 @@
 //! The program `antumbra`: compare, sweep, render, graph, prepare, strategies, doctor.
 //!
 //! It is the library on the command line, and adds nothing to it: `args` is what is typed, `input` makes a scene, views and a camera path of
-//! it, `contenders` and `vary` the strategies to measure, `outputs` refuses to overwrite what is read, and `commands` has a file for each
+//! it, `drawn_pose` draws a pose of it, `contenders` and `vary` are the strategies to measure, `outputs` refuses to overwrite what is read, and `commands` has a file for each
 //! command. All text goes through `print`. `interrupt` and `watch` end what would not end.
 //!
 //! Exit status: 0, also where a pipe's reader is gone; 1 when the work failed; 2 for wrong usage; 130 after SIGINT and 143 after SIGTERM.
@@ -9,6 +9,7 @@
 mod args;
 mod commands;
 mod contenders;
+mod drawn_pose;
 mod eyes;
 mod failure;
 mod fixed_setting;

@@ -30,7 +30,7 @@ pub enum UnknownEntities {
 /// The shapes that are tested.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum TestShape {
-    /// Each entity's box, where its mesh is round the ellipsoid around it, and the boxes around parts of its mesh.
+    /// Each entity's box, where its mesh is round the ellipsoid around it, and, where the depth is inspected down to the pixel, the boxes around parts of its mesh.
     #[default]
     Parts,
     /// Its box and its ellipsoid.
@@ -53,7 +53,7 @@ impl TestDetail {
     pub(crate) fn flag(self) -> u32 {
         match self {
             Self::Pixel => 0,
-            Self::Pyramid => ONE_LOOK | WHOLE_BOXES,
+            Self::Pyramid => ONE_LOOK,
         }
     }
 }
@@ -81,7 +81,12 @@ impl TestRules {
             TestShape::Ellipsoid => WHOLE_BOXES,
             TestShape::Box => WHOLE_BOXES | BOXES_ALONE,
         };
-        unknown | shape | self.detail.flag()
+        let parts = match self.detail {
+            TestDetail::Pixel => 0,
+            // What a few texels let through is visible at once.
+            TestDetail::Pyramid => WHOLE_BOXES,
+        };
+        unknown | shape | self.detail.flag() | parts
     }
 }
 
@@ -100,7 +105,7 @@ pub struct ViewBoxes {
 /// What a test of boxes has found, a u32 a slot.
 #[derive(Debug, Clone, Copy)]
 pub struct BoxTest {
-    /// What [`FrameGraph::first_by_boxes`] goes by in the next frame.
+    /// What [`FrameGraph::first_by_boxes`] goes by in the next frame. With [`UnknownEntities::Wait`], what was drawn first counts as visible until [`FrameGraph::test_drawn`] has looked.
     pub states: Buffer,
     /// 1 for what is visible by its box and was not drawn first. So are transparent entities, those across the near plane, those that are not tested, and lines and points, which cover
     /// pixels outside of their boxes.
@@ -188,8 +193,10 @@ impl FrameGraph<'_> {
         first
     }
 
-    /// Tests the boxes of the entities that were not drawn first, and where nothing is drawn after the test of all, against the view's depth so far. A box is hidden if in every pixel that it may touch its nearest point there is behind the farthest sample;
-    /// equal depths are visible. `first`: a u32 a slot, not 0 for what is drawn already; `states`: where the next frame's knowledge is written, such as [`Self::sample_counts`].
+    /// Tests boxes against the view's depth so far: those of entities that were not drawn first or, where nothing is drawn after the test, of all. A box is hidden if in every pixel that it
+    /// may touch its nearest point there is behind the farthest sample; equal depths are visible. `first`: a u32 a slot, not 0 for what is drawn already; `states`: where the next frame's
+    /// knowledge is written, such as [`Self::sample_counts`]. When what was found is drawn, [`Self::test_drawn`] completes them: without it, what was drawn once comes first for as long as it
+    /// is in the frustum.
     ///
     /// Needs a device that [reads the samples of what was drawn](crate::Gpu::reads_drawn_samples), where there are several a pixel.
     pub fn test_boxes(
@@ -257,7 +264,7 @@ impl FrameGraph<'_> {
             entry: "retest_slots",
             eye: of.uniform,
         };
-        // The pyramid of the depth so far still holds: nothing has become farther. What it does not decide, the complete depth does, pixel by pixel.
+        // The pyramid of the depth so far still holds: nothing has become farther. What it does not decide, the complete depth does, unless a few texels are all that is inspected.
         let reads = [
             (1, of.boxes),
             (2, tested.drawn),

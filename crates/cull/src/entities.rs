@@ -2,8 +2,8 @@
 
 mod class;
 mod detail;
-mod gpu_part_box;
 mod oriented;
+mod part_table;
 mod ranges;
 mod scale;
 mod slot_groups;
@@ -11,8 +11,8 @@ mod table;
 
 pub use class::{Alpha, PipelineClass, PipelineTraits};
 pub use detail::MeshDetail;
-pub use gpu_part_box::GpuPartBox;
 pub use oriented::OrientedBox;
+pub use part_table::GpuPartBox;
 pub use ranges::{IndexRange, MeshRanges};
 pub use slot_groups::SlotGroups;
 pub use table::{Batch, NewOccupant, Occupant, SceneTable};

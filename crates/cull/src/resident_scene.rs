@@ -15,7 +15,7 @@ use crate::view_nodes::ViewNodes;
 /// The scene on the device, the same for all views of a stage.
 #[derive(Debug, Clone, Copy)]
 pub struct ResidentScene {
-    /// The boxes of all slots: a [`JudgedInstance`] a slot.
+    /// The boxes of all slots: a [`JudgedInstance`] a slot. Bits 8 and up of its traits are no generation here: they say where its boxes in [`Self::parts`] begin; 0: it has none.
     pub boxes: Buffer,
     /// The boxes of the parts of all meshes: a [`GpuPartBox`] each.
     pub parts: Buffer,

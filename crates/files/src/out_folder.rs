@@ -85,7 +85,9 @@ impl OutFolder {
     /// removed before the last file takes its place.
     ///
     /// # Errors
-    /// As for [`write_together`](crate::write_together); the predecessor of the last file is gone as well where a file did not take its place.
+    /// The first file that failed. If it could not be written, or the last file's predecessor not be removed, nothing has changed. If it could
+    /// not take its place, the files that took theirs are removed, and what they replaced and the last file's predecessor are lost; where it
+    /// was the last one, the files of `old` are removed as well.
     pub fn replace(&self, files: Vec<FileContents>, old: &[String]) -> Result<(), WriteFailure> {
         let files: Vec<FileContents> = files
             .into_iter()

@@ -38,8 +38,9 @@ pub fn write_together(files: &[FileContents]) -> Result<(), WriteFailure> {
     take_places(complete, unfinished(), &[])
 }
 
-/// As [`write_together`]. The last file's predecessor is removed before the first file takes its place, and the regular files of `old` before
-/// the last one does. What of `old` cannot be removed stays.
+/// As [`write_together`]. The last file's predecessor is removed before the first file takes its place. The regular files of `old` that are no
+/// new ones are removed before the last file takes its place: afterwards, a run that is killed between would leave files that no set names. What
+/// of `old` cannot be removed stays.
 pub(crate) fn replace(files: &[FileContents], old: &[PathBuf]) -> Result<(), WriteFailure> {
     let complete = complete(files)?;
     let held = unfinished();
@@ -75,7 +76,9 @@ fn take_places(
     let mut failed = Ok(());
     while let Some(whole) = rest.next() {
         if rest.len() == 0 {
-            old.iter().for_each(|old| remove_regular(old));
+            // A new file that was written through a link can have an old name.
+            let gone = old.iter().filter(|old| !placed.contains(old));
+            gone.for_each(|old| remove_regular(old));
         }
         let path = whole.target().to_owned();
         if let Err(source) = whole.take_place(&mut held) {

@@ -1,19 +1,13 @@
 //! A folder of outputs: one writer at a time, nothing left where nothing was written, and no file of an earlier set.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod listing;
+
 use std::fs;
 use std::io::ErrorKind;
-use std::path::Path;
 
 use antumbra_files::{FileContents, OutFolder};
-
-fn names(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).unwrap();
-    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let mut names: Vec<String> = names.collect();
-    names.sort();
-    names
-}
+use listing::names;
 
 fn file(name: &str) -> FileContents {
     FileContents {
@@ -100,6 +94,25 @@ fn a_file_where_the_folder_should_be_is_refused() {
     OutFolder::open(&path).unwrap_err();
     OutFolder::open(&path.join("below")).unwrap_err();
     assert_eq!(names(outer.path()), ["file"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_new_file_whose_link_leads_to_an_old_name_stays() {
+    use std::os::unix::fs::symlink;
+    let outer = tempfile::tempdir().unwrap();
+    let folder = OutFolder::open(outer.path()).unwrap();
+    for name in ["2.png", "3.png"] {
+        fs::write(outer.path().join(name), "old").unwrap();
+    }
+    symlink("2.png", outer.path().join("1.png")).unwrap();
+    let old = ["2.png", "3.png"].map(str::to_owned);
+    folder
+        .replace(vec![file("1.png"), file("report")], &old)
+        .unwrap();
+    drop(folder);
+    assert_eq!(names(outer.path()), ["1.png", "2.png", "report"]);
+    assert_eq!(fs::read(outer.path().join("1.png")).unwrap(), b"1.png");
 }
 
 #[cfg(unix)]

@@ -1,19 +1,14 @@
 //! Whole files: what was there stays until the new file is complete, links are followed, permissions kept, and leftovers swept.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod listing;
+
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
 use antumbra_files::{FileContents, WholeFile, probe, sweep, write_together};
-
-fn names(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).unwrap();
-    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let mut names: Vec<String> = names.collect();
-    names.sort();
-    names
-}
+use listing::names;
 
 fn write(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     let mut file = WholeFile::create(path)?;

@@ -3,12 +3,12 @@
 //! The mesh is cut along a grid of cells, each of which has a tight box around what lies in it; then, over and over, those two boxes are merged whose union adds the least
 //! surface, until few are left. The surface of a box is how often a ray hits it (Goldsmith and Salmon, *Automatic Creation of Object Hierarchies for Ray Tracing*, 1987).
 
-use glam::{BVec3, DVec3, Vec3};
+use glam::{BVec3, DVec3};
 
 use crate::bounds::Aabb;
-use crate::mesh::Mesh;
+use crate::mesh::{Geometry, Mesh, Topology};
 
-/// The boxes around a mesh's parts. Whatever is drawn of its levels lies in them.
+/// The boxes around a mesh's parts. All triangles of its levels lie in them; a mesh with lines or points has none.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PartBoxes {
     /// None where boxes of parts say no more than the one box.
@@ -20,21 +20,31 @@ pub struct PartBoxes {
 /// A box around a part: where it begins and ends along each axis of the mesh's bounds, from 0 to [`PartBox::STEPS`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct PartBox {
-    /// Rounded down, and a step less.
-    pub low: [u16; 3],
-    /// Rounded up, and a step more.
-    pub high: [u16; 3],
+    low: [u16; 3],
+    high: [u16; 3],
 }
 
 impl PartBox {
     /// The step at the far end of the bounds.
     pub const STEPS: u16 = 1023;
+
+    /// Where it begins: rounded down, and a step less.
+    #[must_use]
+    pub fn low(&self) -> [u16; 3] {
+        self.low
+    }
+
+    /// Where it ends, at most [`Self::STEPS`]: rounded up, and a step more.
+    #[must_use]
+    pub fn high(&self) -> [u16; 3] {
+        self.high
+    }
 }
 
 /// Meshes of fewer triangles are drawn as fast as their parts would be tested.
 const LEAST_TRIANGLES: usize = 64;
-/// Cells along the longest axis.
-const CELLS: usize = 8;
+/// The most cells along the longest axis.
+const MOST_CELLS: usize = 8;
 /// A mesh is flat along an axis whose extent is no more than this part of its largest.
 const FLAT: f64 = 0.01;
 /// Boxes whose surfaces together exceed this part of that of the bounds gain too little.
@@ -47,18 +57,20 @@ impl PartBoxes {
         let size = bounds.max - bounds.min;
         let largest = size.max_element();
         let triangles = mesh.triangle_count();
-        if triangles < LEAST_TRIANGLES || !(largest > 0.0 && largest.is_finite()) {
+        let are_triangles = |level: &Geometry| level.topology == Topology::Triangles;
+        if triangles < LEAST_TRIANGLES
+            || !mesh.levels.iter().all(are_triangles)
+            || !(largest > 0.0 && largest.is_finite())
+        {
             return Self::default();
         }
         let flat = size.cmple(DVec3::splat(largest * FLAT));
-        let mut cells = Cells::new(bounds, largest);
+        let mut cells = Cells::new(bounds, cell_counts(size / largest, triangles));
         for level in &mesh.levels {
-            for corners in level.triangles() {
-                let corner = |index: u32| level.positions.get(index as usize).copied();
-                if let [Some(a), Some(b), Some(c)] = corners.map(corner) {
-                    cells.add([a, b, c].map(|at| Vec3::from(at).as_dvec3()));
-                }
-            }
+            let triangles = level.triangles();
+            triangles
+                .filter_map(|triangle| level.corners(triangle))
+                .for_each(|corners| cells.add(corners));
         }
         let mut boxes: Vec<_> = cells.boxes.into_iter().flatten().collect();
         merge(&mut boxes, most);
@@ -94,6 +106,18 @@ fn steps(part: &Aabb, bounds: &Aabb, flat: BVec3) -> PartBox {
     }
 }
 
+/// The cells along each axis of a mesh whose extents are these shares of its largest: as many as [`MOST_CELLS`] allows, but no more in all than it has triangles, since
+/// to merge them takes time by the square of their number.
+fn cell_counts(shares: DVec3, triangles: usize) -> [usize; 3] {
+    let counts = |along: usize| {
+        let counts = (shares * along as f64).to_array();
+        counts.map(|cells| (cells.ceil() as usize).clamp(1, along))
+    };
+    let is_allowed = |counts: &[usize; 3]| counts.iter().product::<usize>() <= triangles;
+    let mut finest_first = (1..=MOST_CELLS).rev().map(counts);
+    finest_first.find(is_allowed).unwrap_or([1; 3])
+}
+
 /// A grid over a mesh's bounds, with the box around what lies in each cell.
 struct Cells {
     origin: DVec3,
@@ -104,14 +128,10 @@ struct Cells {
 }
 
 impl Cells {
-    fn new(bounds: &Aabb, largest: f64) -> Self {
-        let extent = bounds.max - bounds.min;
-        let counts = (extent / largest * CELLS as f64)
-            .to_array()
-            .map(|cells| (cells.ceil() as usize).clamp(1, CELLS));
+    fn new(bounds: &Aabb, counts: [usize; 3]) -> Self {
         Self {
             origin: bounds.min,
-            size: extent / DVec3::from_array(counts.map(|count| count as f64)),
+            size: (bounds.max - bounds.min) / DVec3::from_array(counts.map(|count| count as f64)),
             counts,
             boxes: vec![None; counts.iter().product()],
         }
@@ -200,11 +220,7 @@ impl Polygon {
     }
 
     fn bounds(&self) -> Aabb {
-        let corners = self.corners().iter();
-        corners.fold(Aabb::EMPTY, |bounds, corner| Aabb {
-            min: bounds.min.min(*corner),
-            max: bounds.max.max(*corner),
-        })
+        Aabb::from_points(self.corners().iter().copied()).unwrap_or(Aabb::EMPTY)
     }
 
     /// What lies at or above `plane` along an axis, or below it for a `sign` of -1. (Sutherland and Hodgman, *Reentrant Polygon Clipping*, 1974.)

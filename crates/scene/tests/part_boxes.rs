@@ -34,8 +34,8 @@ fn placed(part: &PartBox, bounds: &Aabb) -> Aabb {
         bounds.min + (bounds.max - bounds.min) * share
     };
     Aabb {
-        min: at(part.low),
-        max: at(part.high),
+        min: at(part.low()),
+        max: at(part.high()),
     }
 }
 
@@ -169,7 +169,7 @@ fn a_flat_mesh_reaches_from_end_to_end_of_its_thin_axis() {
     assert_eq!(parts.boxes.len(), 2, "{parts:?}");
     assert_eq!(parts.flat.to_string(), "[false, false, true]");
     for part in &parts.boxes {
-        assert_eq!([part.low[2], part.high[2]], [0, PartBox::STEPS]);
-        assert!(part.high[0] - part.low[0] < 120, "{part:?}");
+        assert_eq!([part.low()[2], part.high()[2]], [0, PartBox::STEPS]);
+        assert!(part.high()[0] - part.low()[0] < 120, "{part:?}");
     }
 }

@@ -1,19 +1,19 @@
-//! `depth-pyramid` beyond the kit: what the host does for it, and what it goes on with after a frame that failed.
+//! `depth-pyramid` beyond the kit: what the host does for it, what it goes on with after a frame that failed, and what its finer tests save.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use antumbra_cull::{
-    AuditOptions, DeclareError, FrameGraph, Stage, StageOptions, Strategy, Verdict, ViewInput,
-    ViewNodes, VisibleSet,
+    AuditOptions, DeclareError, FrameGraph, Stage, StageOptions, Strategy, TestShape, Verdict,
+    ViewInput, ViewNodes, VisibleSet,
 };
 use antumbra_draw::GpuScene;
 use antumbra_graph::BodyError;
-use antumbra_scene::Camera;
+use antumbra_scene::{Aabb, Camera, Drawable, Geometry, Material, Mesh, Scene};
 use antumbra_strategies::DepthPyramid;
-use antumbra_testing::{balls, gpus, look_at, perspective, stage_with, views, vulkan};
-use glam::DVec3;
+use antumbra_testing::{balls, frame, gpus, look_at, perspective, stage_with, views, vulkan};
+use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [96, 72];
 
@@ -113,7 +113,7 @@ fn after_a_frame_that_failed_the_scene_is_uploaded_again() {
             settled = visible(&mut stage, &scene);
         }
         assert!(settled.len() > 8, "{settled:?}");
-        // Nobody waits for this one, so that its answer is still on its way.
+        // No wait follows this one, so that its answer is still on its way.
         stage.frame(&scene, &[ViewInput::new(camera())]).unwrap();
         fails.store(true, Ordering::Relaxed);
         let failed = stage.frame(&scene, &[ViewInput::new(camera())]);
@@ -124,5 +124,75 @@ fn after_a_frame_that_failed_the_scene_is_uploaded_again() {
             let missing = settled.iter().filter(|slot| !again.contains(slot));
             assert_eq!(missing.count(), 0, "{again:?} of {settled:?}");
         }
+    }
+}
+
+/// Boxes as one mesh, each four times over, so that it has parts.
+fn mesh_of(boxes: &[(DVec3, f64)]) -> Mesh {
+    let mut made = Geometry::default();
+    for (middle, half) in boxes.iter().cycle().take(boxes.len() * 4) {
+        let first = made.positions.len() as u32;
+        let part = Geometry::from_box(&Aabb::from_centre(*middle, DVec3::splat(*half)));
+        made.positions.extend(&part.positions);
+        made.indices
+            .extend(part.indices.iter().map(|index| first + index));
+    }
+    Mesh::new("boxes", made)
+}
+
+/// A high wall on the left, a low one on the right, and a thing behind both: its parts are hidden, while its box looks over the low wall.
+#[test]
+fn a_thing_whose_parts_are_hidden_is_culled_though_its_box_shows() {
+    let mut scene = Scene::new();
+    let material = scene.add_material(Material::default());
+    let mut put = |mesh: Mesh, at: DVec3| {
+        let mesh = scene.add_mesh(mesh).unwrap();
+        let entity = scene.spawn(None, DAffine3::from_translation(at)).unwrap();
+        scene
+            .set_drawable(entity, Drawable { mesh, material })
+            .unwrap();
+        entity
+    };
+    put(mesh_of(&[(DVec3::ZERO, 5.0)]), DVec3::new(-5.0, 0.0, -5.0));
+    put(mesh_of(&[(DVec3::ZERO, 5.0)]), DVec3::new(5.0, -5.0, -5.0));
+    let above_left = DVec3::new(-0.5, 0.5, 0.0);
+    let thing = put(
+        mesh_of(&[(above_left, 0.25), (-above_left, 0.25)]),
+        DVec3::new(0.0, 0.0, -12.0),
+    );
+    let camera = look_at(DVec3::Z * 10.0, DVec3::ZERO, perspective(1.0, 0.1));
+    for gpu in gpus() {
+        let scene = GpuScene::new(gpu, &mut scene).unwrap();
+        let slot = scene.slot(thing).unwrap();
+        let drawn = [TestShape::Parts, TestShape::Ellipsoid].map(|shape| {
+            let strategy = Box::new(DepthPyramid {
+                shape,
+                ..DepthPyramid::default()
+            });
+            let options = StageOptions::default();
+            let mut stage = stage_with(&scene, strategy, views(&["main"], SIZE), options);
+            let verdicts = (0..3).map(|_| frame(&mut stage, &scene, &[camera]).remove(0));
+            verdicts.last().unwrap().get(slot).draws()
+        });
+        assert_eq!(drawn, [false, true], "{}", gpu.title());
+    }
+}
+
+/// What the first frame has found is tested against all that it drew, so that the second draws no more than those after it.
+#[test]
+fn the_second_frame_after_a_cut_draws_no_more_than_the_next() {
+    for gpu in gpus() {
+        let scene = GpuScene::new(gpu, &mut balls(12)).unwrap();
+        let strategy = Box::new(DepthPyramid::default());
+        let options = StageOptions::default();
+        let mut stage = stage_with(&scene, strategy, views(&["main"], SIZE), options);
+        let camera = look_at(
+            DVec3::new(14.0, 9.0, 24.0),
+            DVec3::ZERO,
+            perspective(1.0, 0.1),
+        );
+        let drawn = [(); 4].map(|()| frame(&mut stage, &scene, &[camera])[0].drawn().count());
+        assert!(drawn[0] > drawn[1], "{drawn:?}");
+        assert_eq!(drawn[1], drawn[3], "{drawn:?}");
     }
 }

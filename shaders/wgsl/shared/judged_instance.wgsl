@@ -6,7 +6,7 @@ struct JudgedInstance {
     row_y: vec4<f32>,
     row_z: vec4<f32>,
     centre_low: vec3<f32>,
-    // Bits of `HIDES`, `TESTED` and `LIVE`; from bit 3 on five bits of how round it is; and from bit 8 on the generation of the index.
+    // Bits of `HIDES`, `TESTED` and `LIVE`; from bit 3 on five bits of how round it is; and from bit 8 on the generation of the index, or, where slots are tested, where the boxes of its parts begin.
     // The n-th step of roundness: it lies in the ellipsoid whose half axes are its half edges times 1 + (n - 1) / 40. 0: it may fill its box.
     traits: u32,
 }

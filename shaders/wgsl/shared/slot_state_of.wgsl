@@ -4,7 +4,7 @@
 //!import slot_states
 // What a test of its box finds about a slot.
 
-// From this size on, in pixels, looks at an instance's parts take more time than they save: each covers many pixels.
+// Up to this size, in pixels, an instance's parts are looked at. A large one covers many pixels, and so do its parts: each of them is a long look.
 const LARGEST_IN_PARTS: f32 = 16.0;
 
 // For all threads of a workgroup at once, whose slots follow one another. A slot that is not `wanted` is not tested. Bits 8 and up of its traits say where the parts of its mesh begin.

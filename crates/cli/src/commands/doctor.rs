@@ -26,16 +26,19 @@ pub fn run(args: &DoctorArgs) -> Result<(), Failure> {
             info.driver,
             info.driver_info
         ))?;
-        let _watch = Watch::start(USUAL_PATIENCE);
-        match pollster::block_on(Gpu::from_adapter(adapter)) {
-            Ok(gpu) => {
+        let mut lines = Vec::new();
+        let watch = Watch::start(USUAL_PATIENCE);
+        let found = examine(adapter, args, &mut lines);
+        // The adapter's work is done, and a reader of the lines may be slow.
+        drop(watch);
+        lines.iter().try_for_each(print)?;
+        match found? {
+            Found::Unusable => {}
+            Found::Usable => usable += 1,
+            Found::Wrong(title) => {
                 usable += 1;
-                describe(&gpu)?;
-                if args.self_test && !self_test(&gpu)? {
-                    wrong.push(gpu.title());
-                }
+                wrong.push(title);
             }
-            Err(error) => print(format_args!("  not usable: {error}"))?,
         }
     }
     if usable == 0 {
@@ -55,8 +58,38 @@ pub fn run(args: &DoctorArgs) -> Result<(), Failure> {
     }
 }
 
-/// Tries a driver with one sample a pixel and with four, and prints what was found. Whether every answer is right.
-fn self_test(gpu: &Gpu) -> Result<bool, Failure> {
+/// What an adapter is good for.
+enum Found {
+    /// Antumbra cannot draw with it.
+    Unusable,
+    /// It can, and no answer of its driver was found wrong.
+    Usable,
+    /// It can, and its driver, of this title, gives wrong answers.
+    Wrong(String),
+}
+
+/// Opens an adapter and describes it, line by line. What was found before an error is in the lines as well.
+fn examine(
+    adapter: &wgpu::Adapter,
+    args: &DoctorArgs,
+    lines: &mut Vec<String>,
+) -> Result<Found, Failure> {
+    let gpu = match pollster::block_on(Gpu::from_adapter(adapter)) {
+        Ok(gpu) => gpu,
+        Err(error) => {
+            lines.push(format!("  not usable: {error}"));
+            return Ok(Found::Unusable);
+        }
+    };
+    describe(&gpu, lines);
+    Ok(match args.self_test && !self_test(&gpu, lines)? {
+        true => Found::Wrong(gpu.title()),
+        false => Found::Usable,
+    })
+}
+
+/// Tries a driver with one sample a pixel and with four, and describes what was found. Whether every answer is right.
+fn self_test(gpu: &Gpu, lines: &mut Vec<String>) -> Result<bool, Failure> {
     let mut passed = true;
     for samples in [1, 4] {
         if !gpu.sample_counts().contains(&samples) {
@@ -65,13 +98,9 @@ fn self_test(gpu: &Gpu) -> Result<bool, Failure> {
         let start = Instant::now();
         let report = gpu.self_test(samples)?;
         let milliseconds = start.elapsed().as_secs_f64() * 1e3;
-        print(format_args!(
-            "{}, in {milliseconds:.1} ms",
-            summary(&report)
-        ))?;
-        for line in report.to_string().lines() {
-            print(format_args!("    {line}"))?;
-        }
+        lines.push(format!("{}, in {milliseconds:.1} ms", summary(&report)));
+        let report_lines = report.to_string();
+        lines.extend(report_lines.lines().map(|line| format!("    {line}")));
         passed &= report.passed();
     }
     Ok(passed)
@@ -91,33 +120,30 @@ fn summary(report: &SelfTestReport) -> String {
     }
 }
 
-fn describe(gpu: &Gpu) -> Result<(), Failure> {
+fn describe(gpu: &Gpu, lines: &mut Vec<String>) {
     let has = gpu.device.features();
     for (name, flag) in WANTED_FEATURES.iter_names() {
         let answer = if has.contains(flag) { "yes" } else { "no" };
-        print(format_args!("  {name}: {answer}"))?;
+        lines.push(format!("  {name}: {answer}"));
     }
     let limits = gpu.device.limits();
-    print(format_args!(
+    lines.push(format!(
         "  limits: images {} pixels a side, buffers {} MiB, storage bindings {} MiB, 4096 queries a set",
         limits.max_texture_dimension_2d,
         limits.max_buffer_size >> 20,
         limits.max_storage_buffer_binding_size >> 20,
-    ))?;
+    ));
     for way in Counting::ALL {
         let answer = |samples| match way.lacking(gpu, samples) {
             None => "yes".to_owned(),
             Some(lacking) => format!("no, it lacks {lacking}"),
         };
         let (one, many) = (answer(1), answer(4));
-        match one == many {
-            true => print(format_args!("  counting by {way}: {one}"))?,
-            false => print(format_args!(
-                "  counting by {way}: {one}; with 4 samples a pixel: {many}"
-            ))?,
-        }
+        lines.push(match one == many {
+            true => format!("  counting by {way}: {one}"),
+            false => format!("  counting by {way}: {one}; with 4 samples a pixel: {many}"),
+        });
     }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -129,12 +155,16 @@ mod tests {
     #[test]
     fn a_driver_that_loses_a_write_is_named_as_wrong() {
         let gpu = Gpu::open(&AdapterChoice::Auto).unwrap();
-        assert!(self_test(&gpu).unwrap());
+        let mut lines = Vec::new();
+        assert!(self_test(&gpu, &mut lines).unwrap());
+        let wrong = |line: &String| line.contains("WRONG") || line.contains("FAILED");
+        assert!(!lines.is_empty() && !lines.iter().any(wrong), "{lines:?}");
         let lossy = gpu.with_changed_shaders(|name, source| {
             let lost = source.replace("kept[place] =", "kept[select(place, 4u, place == 3u)] =");
             (name == "compact").then_some(lost)
         });
-        assert!(!self_test(&lossy).unwrap());
+        assert!(!self_test(&lossy, &mut lines).unwrap());
+        assert!(lines.iter().any(wrong), "{lines:?}");
         let report = lossy.self_test(1).unwrap();
         assert!(summary(&report).ends_with("the driver gets one thing WRONG"));
         assert!(

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use antumbra::cull::{Gpu, Stage, StageError, StageOptions, Strategy, Verdict, read_back};
+use antumbra::cull::{Gpu, Stage, StageError, Verdict, read_back};
 use antumbra::draw::GpuScene;
 use antumbra::files::{FileContents, write_together};
 use antumbra::measure::image_error::encode_png;
@@ -10,18 +10,14 @@ use antumbra::measure::stereo_picture::{StereoLayout, StereoPicture, combine_eye
 use antumbra::measure::traversal_picture::encode_traversal;
 use antumbra::scene::Camera;
 use antumbra::strategies::Sketch;
-use antumbra::terrain::HorizonStrategy;
 use antumbra::verify::{EntitySet, Oracle};
 use image::{Rgba, RgbaImage};
 
 use crate::args::RenderArgs;
-use crate::eyes::inputs;
+use crate::drawn_pose::{DrawnPose, PoseRequest};
 use crate::failure::Failure;
-use crate::input::Input;
 use crate::outputs::Outputs;
 use crate::print::print;
-use crate::strategies::{Horizons, registry};
-use crate::watch::Watch;
 
 /// What the names of two views' files end with.
 const EYES: [&str; 2] = ["-left", "-right"];
@@ -48,41 +44,27 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
     if let Some(sketch) = &args.sketch {
         has_ending("--sketch", sketch, "svg")?;
     }
-    // Wrong usage is found before anything is loaded.
-    chosen(&args, None)?;
-    outputs.probe()?;
-    let gpu = Gpu::open(&args.view.adapter)?;
-    let mut input = Input::open(
-        &args.view,
-        Horizons::of([&args.strategy]),
-        &gpu,
-        &mut outputs,
-    )?;
-    let strategy = chosen(&args, input.horizon.as_ref())?;
-    let cameras = input.look(args.pose as usize)?;
-    let watch = Watch::start(args.view.patience);
-    let scene = GpuScene::new(&gpu, &mut input.scene)?;
-    let options = StageOptions {
-        samples: input.samples,
-        ..StageOptions::default()
+    let request = PoseRequest {
+        view: &args.view,
+        strategy: &args.strategy,
+        pose: args.pose as usize,
+        sketch: args.sketch.is_some(),
+        timing: false,
     };
-    let mut stage = Stage::new(&scene, strategy, input.views(), options)?;
-    let needs_reference = stage.strategy().needs_reference();
-    let mut oracle =
-        needs_reference.then(|| Oracle::new(&scene, input.size).with_samples(input.samples));
-    let views = inputs(oracle.as_mut(), &scene, &cameras)?;
+    let DrawnPose {
+        stage,
+        scene,
+        cameras,
+        size,
+        gpu,
+        watch,
+    } = DrawnPose::draw(request, &mut outputs)?;
     // Culled entities are shown by pixel, not by sample.
-    let mut by_pixel = Oracle::new(&scene, input.size);
-    // Late results need frames to arrive.
-    for _ in 0..3 {
-        stage.frame(&scene, &views)?;
-        gpu.wait()?;
-        watch.sign();
-    }
+    let mut by_pixel = Oracle::new(&scene, size);
     let mut written = Vec::with_capacity(files.images.len() + files.sketches.len());
     let mut pictures = Vec::with_capacity(cameras.len());
     for (view, camera) in cameras.iter().enumerate() {
-        let mut image = picture(&stage, view, &gpu, input.size)?;
+        let mut image = picture(&stage, view, &gpu, size)?;
         if let Some(file) = files.sketches.get(view) {
             let sketch = stage
                 .shown::<Sketch>(view, Sketch::NAME)
@@ -235,17 +217,4 @@ fn shine_through(image: &mut RgbaImage, ids: &[u32]) {
         let mix = |from: u8, to: u32| ((u32::from(from) * (100 - share) + to * share) / 100) as u8;
         (*r, *g, *b) = (mix(*r, 255), mix(*g, 0), mix(*b, 200));
     }
-}
-
-/// The strategy that is named, set to leave a sketch where one is to be written.
-fn chosen(
-    args: &RenderArgs,
-    horizon: Option<&HorizonStrategy>,
-) -> Result<Box<dyn Strategy>, Failure> {
-    let mut strategy = registry(horizon).parse(&args.strategy)?;
-    if args.sketch.is_some() {
-        // A strategy without this setting lists those it has.
-        strategy.set("sketch", &true.into())?;
-    }
-    Ok(strategy)
 }

@@ -2,7 +2,9 @@
 
 use antumbra_scene::bounds::round_up;
 use antumbra_scene::{Aabb, PartBox};
-use glam::{BVec3, DAffine3, DMat3, DVec3, Vec3};
+use glam::{DAffine3, DMat3, DVec3, Vec3};
+
+use super::part_table::MeshParts;
 
 /// A box along axes of its own, which are at right angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,10 +27,7 @@ pub(crate) struct MeshShape {
     pub bounds: Aabb,
     /// As [`OrientedBox::roundness`].
     pub roundness: f32,
-    /// As [`OrientedBox::parts`].
-    pub parts: u32,
-    /// Along which axes each part reaches from end to end.
-    pub flat: BVec3,
+    pub parts: MeshParts,
 }
 
 impl OrientedBox {
@@ -74,15 +73,15 @@ impl OrientedBox {
         // The error of the angles, and the rounding to f32.
         let half = local.half_extents() * lengths;
         let slack = lost + half.max_element() * 4e-6;
-        // A part's box is a step too wide on each side, and the slack stretches it: by no more than that step, or it does not hold the part.
+        // A part's box is a step too wide on each side. The slack is lost twice: this box is wider by it than the one that steps were counted in, and the part needs as much itself.
         let step = half * (2.0 / f64::from(PartBox::STEPS));
-        let holds = shape.flat | step.cmpgt(DVec3::splat(slack * 2.0));
+        let holds = shape.parts.flat | step.cmpgt(DVec3::splat(slack * 2.0));
         Self {
             centre: world.transform_point3(local.centre()),
             axes: units.map(DVec3::as_vec3),
             half: (half + slack).as_vec3(),
             roundness: shape.roundness,
-            parts: if holds.all() { shape.parts } else { 0 },
+            parts: if holds.all() { shape.parts.first } else { 0 },
         }
     }
 }
@@ -90,14 +89,16 @@ impl OrientedBox {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::DQuat;
+    use glam::{BVec3, DQuat};
 
     fn shape(bounds: Aabb) -> MeshShape {
         MeshShape {
             bounds,
             roundness: OrientedBox::ANGULAR,
-            parts: 1,
-            flat: BVec3::FALSE,
+            parts: MeshParts {
+                first: 7,
+                flat: BVec3::FALSE,
+            },
         }
     }
 
@@ -146,5 +147,37 @@ mod tests {
         let sheet = Aabb::new(DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0));
         let oriented = OrientedBox::new(&shape(sheet), &placed, &sheet.transformed(&placed));
         assert!(oriented.half.z > 0.0 && oriented.half.z < 1e-4);
+    }
+
+    #[test]
+    fn parts_are_tested_where_their_steps_are_coarser_than_what_is_lost() {
+        let parts = |shape: &MeshShape, world: DAffine3| {
+            OrientedBox::new(shape, &world, &shape.bounds.transformed(&world)).parts
+        };
+        let solid = shape(Aabb::new(-DVec3::ONE, DVec3::ONE));
+        let turned = DAffine3::from_rotation_y(1.0);
+        assert_eq!(parts(&solid, turned), 7);
+        assert_eq!(
+            parts(&solid, DAffine3::from_scale(DVec3::new(-3.0, 3.0, 3.0))),
+            7
+        );
+        // Long ones, where a step across is less than the rounding along.
+        assert_eq!(
+            parts(&solid, DAffine3::from_scale(DVec3::new(1.0, 1.0, 1e4))),
+            0
+        );
+        // Far from the mesh's own origin.
+        let far = shape(Aabb::new(DVec3::splat(9999.0), DVec3::splat(10001.0)));
+        assert_eq!(parts(&far, turned), 0);
+        // A sheet, whose parts reach through it, and the same where they do not.
+        let mut sheet = shape(Aabb::new(DVec3::ZERO, DVec3::new(1.0, 1.0, 1e-4)));
+        assert_eq!(parts(&sheet, turned), 0);
+        sheet.parts.flat = BVec3::new(false, false, true);
+        assert_eq!(parts(&sheet, turned), 7);
+        // What shears has a box along the world's axes.
+        let shear = DAffine3::from_scale(DVec3::new(1.0, 0.1, 1.0))
+            * turned
+            * DAffine3::from_rotation_z(1.0);
+        assert_eq!(parts(&solid, shear), 0);
     }
 }

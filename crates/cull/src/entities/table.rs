@@ -6,13 +6,13 @@
 use std::collections::HashMap;
 
 use antumbra_scene::bounds::BoxArray;
-use antumbra_scene::{Aabb, EntityKey, PartBox, PartBoxes};
-use glam::{BVec3, DAffine3, DVec3};
+use antumbra_scene::{Aabb, EntityKey, PartBoxes};
+use glam::{DAffine3, DVec3};
 
 use super::class::{Alpha, PipelineClass};
 use super::detail::MeshDetail;
-use super::gpu_part_box::GpuPartBox;
 use super::oriented::{MeshShape, OrientedBox};
+use super::part_table::{GpuPartBox, PartTable};
 use super::ranges::{IndexRange, MeshRanges};
 use super::scale::{greatest_scale, least_scale};
 use super::slot_groups::SlotGroups;
@@ -53,15 +53,6 @@ pub struct NewOccupant {
     pub tested: bool,
 }
 
-/// The boxes of a mesh's parts.
-#[derive(Debug, Clone, Copy, Default)]
-struct MeshParts {
-    /// The first of them in [`SceneTable::part_boxes`]; 0: there are none.
-    first: u32,
-    /// [`PartBoxes::flat`].
-    flat: BVec3,
-}
-
 /// All drawable entities, by slot.
 #[derive(Debug, Clone, Default)]
 pub struct SceneTable {
@@ -80,9 +71,7 @@ pub struct SceneTable {
     changed_since: u64,
     batches: Vec<Batch>,
     meshes: Vec<MeshRanges>,
-    /// By mesh.
-    parts: Vec<MeshParts>,
-    part_boxes: Vec<GpuPartBox>,
+    parts: PartTable,
     epoch: u64,
     arrangement: u64,
     live: usize,
@@ -266,33 +255,14 @@ impl SceneTable {
 
     /// Adds a mesh and returns its index.
     pub fn add_mesh(&mut self, ranges: MeshRanges, parts: &PartBoxes) -> u32 {
-        let first = self.add_parts(&parts.boxes);
-        let flat = parts.flat;
-        self.parts.push(MeshParts { first, flat });
+        self.parts.add(parts);
         self.meshes.push(ranges);
         self.meshes.len() as u32 - 1
     }
 
-    /// Adds the boxes of a mesh's parts, and returns where they begin; 0 where there are none, too many or no room for them.
-    fn add_parts(&mut self, boxes: &[PartBox]) -> u32 {
-        if boxes.is_empty() || boxes.len() > GpuPartBox::MOST {
-            return 0;
-        }
-        if self.part_boxes.is_empty() {
-            // 0 stands for none.
-            self.part_boxes.push(GpuPartBox::default());
-        }
-        let first = self.part_boxes.len() as u32;
-        if first >= GpuPartBox::PLACES {
-            return 0;
-        }
-        self.part_boxes.extend(GpuPartBox::of(boxes));
-        first
-    }
-
     /// The boxes of the parts of all meshes, as the device tests them.
     pub fn part_boxes(&self) -> &[GpuPartBox] {
-        &self.part_boxes
+        self.parts.boxes()
     }
 
     /// Puts an entity into a slot: the next new one, or a free one. Its batch index is provisional until [`Self::sort_batches`].
@@ -385,12 +355,10 @@ impl SceneTable {
         let at = mesh as usize;
         match self.meshes.get(at) {
             Some(mesh) if !mesh.bounds.is_empty() => {
-                let MeshParts { first, flat } = self.parts.get(at).copied().unwrap_or_default();
                 let shape = MeshShape {
                     bounds: mesh.bounds,
                     roundness: mesh.roundness,
-                    parts: first,
-                    flat,
+                    parts: self.parts.of_mesh(at),
                 };
                 OrientedBox::new(&shape, world, &bounds)
             }

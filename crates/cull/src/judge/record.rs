@@ -34,7 +34,7 @@ pub struct JudgedInstance {
     pub row_z: [f32; 4],
     /// The low parts of the centre: what is left of each f64 coordinate after its high part, the nearest f32.
     pub centre_low: [f32; 3],
-    /// [`Self::HIDES`], [`Self::TESTED`] and [`Self::LIVE`], bits 3 to 7 zero (the contents may fill the box), and from bit 8 on a generation: another one says that the index has a new owner, of which nothing is known.
+    /// [`Self::HIDES`], [`Self::TESTED`] and [`Self::LIVE`], bits 3 to 7 zero (the contents may fill the box), and from bit 8 on a generation: another one says that the index has a new owner, of which nothing is known. (Where slots are tested, they say instead where the boxes of its parts begin: `ResidentScene`.)
     pub traits: u32,
 }
 

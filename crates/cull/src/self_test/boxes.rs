@@ -7,6 +7,7 @@ use super::picture::{CLIP_FROM_RELATIVE, Rect, SIZE, WALL};
 use super::pyramid;
 use super::scene::Scene;
 use super::trial::{Answer, Expected, Trial};
+use crate::entities::GpuPartBox;
 use crate::judge::{AT_MIDDLES, Eye, GpuJudgedView, HostDepth, JudgedInstance, Part};
 use glam::DVec3;
 
@@ -26,6 +27,20 @@ enum Found {
     Unknown,
     Visible,
     Hidden,
+}
+
+/// The parts of meshes: none, the left half of a box, and both its halves.
+fn parts() -> [GpuPartBox; 4] {
+    let [left, right] = [[0, 460], [614, 1023]];
+    let part = |[low, high]: [u16; 2], following| {
+        GpuPartBox::new([low, 0, 0], [high, 1023, 1023], following)
+    };
+    [
+        GpuPartBox::default(),
+        part(left, 0),
+        part(left, 1),
+        part(right, 0),
+    ]
 }
 
 /// Depth of the boxes, from their near faces on.
@@ -98,6 +113,22 @@ fn cases(shutter: Option<&Rect>) -> Vec<Case> {
             Found::Visible,
         ));
     }
+    for (place, first, found) in [
+        (
+            "a small box half behind the wall whose only part is behind it",
+            1,
+            Found::Hidden,
+        ),
+        (
+            "a small box half behind the wall with a part beside it",
+            2,
+            Found::Visible,
+        ),
+    ] {
+        let mut case = case(place, Rect::new(45..55, 30..40, behind), found);
+        case.instance.traits |= first << 8;
+        cases.push(case);
+    }
     let hidden = Rect::new(8..40, 8..56, behind);
     cases.push(Case {
         place: "a box behind the wall that is never tested",
@@ -140,7 +171,7 @@ pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> Trial {
     let view = bench.buffer(&[view], wgpu::BufferUsages::UNIFORM);
     let instances = bench.buffer(&instances, storage);
     let seen = bench.buffer(&seen, storage);
-    let parts = bench.zeroes(2);
+    let parts = bench.buffer(&parts(), storage);
     let [found, rest, drawn] = [(); 3].map(|()| bench.zeroes(count));
     let job = match samples {
         1 => &jobs::test_slots_one::JOB,

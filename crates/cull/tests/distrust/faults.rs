@@ -81,6 +81,20 @@ pub const LOST_FIND: Fault = Fault {
     breaks: &[Capability::BoxTest],
 };
 
+/// The last part of every mesh is not looked at.
+pub const LOST_PART: Fault = Fault {
+    name: "a part that is left out",
+    change: |name, source| match name {
+        "test_slots_one" | "test_slots_many" => with(
+            source,
+            "if number < parts_from(first) && look_closely(",
+            "if number + 1u < parts_from(first) && look_closely(",
+        ),
+        _ => None,
+    },
+    breaks: &[Capability::BoxTest],
+};
+
 /// A level of the pyramid keeps what it first held.
 pub const STALE_LEVEL: Fault = Fault {
     name: "a stale level",
@@ -206,11 +220,12 @@ pub const LOST_INSTANCE: Fault = Fault {
 };
 
 /// All of them.
-pub const ALL: [Fault; 12] = [
+pub const ALL: [Fault; 13] = [
     LOST_COUNT,
     LOST_COUNTS,
     LOST_HISTOGRAM,
     LOST_FIND,
+    LOST_PART,
     STALE_LEVEL,
     SHIFTED_LEVEL,
     OTHER_LEVEL,

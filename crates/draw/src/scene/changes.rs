@@ -40,9 +40,9 @@ impl GpuScene {
         self.arenas.reserve(&self.gpu, meshes)?;
         self.host_instances.reserve(added.len());
         table.reserve(added.len(), new.len());
-        let deviations = deviations(scene, new);
+        let mut new = look_into(scene, new);
         for key in added {
-            let Some(drawn) = self.drawn(table, scene, *key, &deviations)? else {
+            let Some(drawn) = self.drawn(table, scene, *key, &mut new)? else {
                 continue;
             };
             let slot = kept_slots
@@ -124,7 +124,7 @@ impl GpuScene {
         table: &mut SceneTable,
         scene: &Scene,
         key: EntityKey,
-        deviations: &HashMap<MeshKey, f64>,
+        new: &mut HashMap<MeshKey, NewMesh>,
     ) -> Result<Option<DrawnEntity>, DrawError> {
         let (Some(drawable), Some(world)) = (scene.drawable(key), scene.world(key)) else {
             return Ok(None);
@@ -147,9 +147,8 @@ impl GpuScene {
         let mesh_number = match self.mesh_index.get(drawable.mesh) {
             Some(number) => *number,
             None => {
-                let deviation = deviations.get(&drawable.mesh).copied().unwrap_or(0.0);
+                let NewMesh { deviation, parts } = new.remove(&drawable.mesh).unwrap_or_default();
                 let ranges = self.arenas.add(&self.gpu, mesh, deviation)?;
-                let parts = PartBoxes::new(mesh, &ranges.bounds, GpuPartBox::MOST);
                 let number = table.add_mesh(ranges, &parts);
                 self.mesh_index.insert(drawable.mesh, number);
                 number
@@ -250,12 +249,27 @@ fn new_meshes(
     meshes.filter(|mesh| !known(*mesh)).collect()
 }
 
-/// The proxy deviations of meshes; those without one are left out.
-fn deviations(scene: &Scene, meshes: HashSet<MeshKey>) -> HashMap<MeshKey, f64> {
-    meshes
-        .into_par_iter()
-        .filter_map(|key| Some((key, scene.mesh(key)?.proxy_hausdorff_distance())))
-        .filter(|(_, deviation)| *deviation > 0.0)
+/// What takes time to find out about a mesh.
+#[derive(Debug, Default)]
+struct NewMesh {
+    /// By how much its proxy deviates from it.
+    deviation: f64,
+    parts: PartBoxes,
+}
+
+/// Looks into meshes side by side; those without anything to keep are left out.
+fn look_into(scene: &Scene, meshes: HashSet<MeshKey>) -> HashMap<MeshKey, NewMesh> {
+    let looked = meshes.into_par_iter().filter_map(|key| {
+        let mesh = scene.mesh(key)?;
+        let bounds = mesh.bounds()?;
+        let found = NewMesh {
+            deviation: mesh.proxy_hausdorff_distance(),
+            parts: PartBoxes::new(mesh, &bounds, GpuPartBox::MOST),
+        };
+        Some((key, found))
+    });
+    looked
+        .filter(|(_, found)| found.deviation > 0.0 || !found.parts.boxes.is_empty())
         .collect()
 }
 

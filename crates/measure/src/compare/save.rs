@@ -20,7 +20,7 @@ impl Comparison {
     /// its plot of speed against error. [`save_into`](Self::save_into) says more.
     ///
     /// # Errors
-    /// [`MeasureError`] where another run writes into the folder, or a file cannot be written. Nothing has changed then.
+    /// [`MeasureError`] where another run writes into the folder, or a file fails. [`OutFolder::replace`] says what is left then.
     pub fn save(&self, dir: &Path) -> Result<(), MeasureError> {
         let folder = OutFolder::open(dir).map_err(|source| MeasureError::File {
             action: "write into",
@@ -33,7 +33,7 @@ impl Comparison {
     /// As [`save`](Self::save), into a folder that was opened before the comparison, so that no result is lost to a folder that cannot be
     /// written.
     ///
-    /// Either all files are written or none. The page has the pictures of this comparison, whatever is in the folder. The pictures and the
+    /// Either all files are written or none: [`OutFolder::replace`] says how. The page has the pictures of this comparison, whatever is in the folder. The pictures and the
     /// plot that an earlier report in the folder names are removed.
     ///
     /// # Errors
