@@ -170,6 +170,11 @@ fn image_of(
         return Ok(None);
     }
     if occluders == Occluders::Tagged {
+        if camera.invert_culling {
+            return Err(
+                "it draws the faces that occluders turn away (`Camera::invert_culling`); let it cull by its depth (`Occluders::Depth`)",
+            );
+        }
         return Ok(Some(Image2d {
             size: part.size(),
             samples: 1,
