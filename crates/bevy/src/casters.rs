@@ -47,7 +47,11 @@ pub(crate) struct Face {
 }
 
 /// A shadow map with a judge.
-pub(crate) struct FaceView(pub View);
+pub(crate) struct FaceView {
+    pub view: View,
+    /// Frames since it was tested.
+    pub idle: u32,
+}
 
 /// A test of a shadow map.
 pub(crate) struct FaceRequest {
@@ -171,7 +175,7 @@ impl Culler {
             is_moving: false,
             occluders: fingerprint(&placed) ^ self.occludees.changed_meshes,
         };
-        if let Some(FaceView(view)) = self.faces.get_mut(&face) {
+        if let Some(FaceView { view, .. }) = self.faces.get_mut(&face) {
             view.collect();
             if let Some(answers) = view.answers()
                 && answers.of.request == request

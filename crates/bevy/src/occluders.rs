@@ -1,6 +1,7 @@
 //! Meshes that are tagged to hide others, and the depth that they are drawn into where they alone do.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use antumbra::cull::Gpu;
 use bevy::camera::visibility::VisibilityRange;
@@ -91,8 +92,12 @@ pub(crate) fn fingerprint(placed: &[Placed]) -> u64 {
 pub(crate) struct OccluderDepth {
     gpu: Gpu,
     texture: Option<wgpu::Texture>,
-    pipelines: Pipelines,
+    pipelines: OccluderPipelines,
 }
+
+/// The pipelines of all such depths.
+#[derive(Clone, Default)]
+pub(crate) struct OccluderPipelines(Arc<Mutex<Pipelines>>);
 
 const LABEL: &str = "antumbra: occluders";
 
@@ -107,11 +112,11 @@ const PASS: PassDesc<'static> = PassDesc {
 };
 
 impl OccluderDepth {
-    pub fn new(gpu: &Gpu) -> Self {
+    pub fn new(gpu: &Gpu, pipelines: &OccluderPipelines) -> Self {
         Self {
             gpu: gpu.clone(),
             texture: None,
-            pipelines: Pipelines::default(),
+            pipelines: pipelines.clone(),
         }
     }
 
@@ -128,8 +133,11 @@ impl OccluderDepth {
         let texture = self.texture.take().filter(fits);
         let texture = texture.unwrap_or_else(|| new_texture(&self.gpu, size));
         let drawing = Drawing::new(occluders, meshes, 1);
-        drawing.prepare(&self.gpu, &mut self.pipelines, &PASS);
-        let any = drawing.any().and_then(|any| self.pipelines.of(any));
+        // Pipelines are only added: what was made before a panic is whole.
+        let shared = &self.pipelines.0;
+        let pipelines = &mut *shared.lock().unwrap_or_else(PoisonError::into_inner);
+        drawing.prepare(&self.gpu, pipelines, &PASS);
+        let any = drawing.any().and_then(|any| pipelines.of(any));
         let group = any.map(|any| {
             let device = &self.gpu.device;
             let Places { frame, places } = Places::new(device, clip_from_world, size.x, occluders);
@@ -163,7 +171,7 @@ impl OccluderDepth {
         });
         if let Some(group) = &group {
             pass.set_bind_group(0, group, &[]);
-            drawing.record(&mut pass, &self.pipelines);
+            drawing.record(&mut pass, pipelines);
         }
         drop(pass);
         self.texture.insert(texture)

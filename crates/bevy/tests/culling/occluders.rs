@@ -239,3 +239,32 @@ fn lights_leave_out_casters_that_are_hidden_from_them_and_shadows_stay() {
     }
     assert!(reports(&mut full).is_empty());
 }
+
+#[test]
+fn a_light_whose_occluder_was_away_for_a_moment_has_its_answers_at_once() {
+    let mut play = Play::with([160, 120], Msaa::Off);
+    let screen = play.add(Paint::Grey, boxed([0.0; 3], [8.0, 8.0, 0.5]));
+    play.set(screen, Occluder::default());
+    play.add(Paint::Red, boxed(BEHIND, SIZE));
+    let spot = SpotLight {
+        shadow_maps_enabled: true,
+        range: 40.0,
+        ..default()
+    };
+    let light = play
+        .app
+        .world_mut()
+        .spawn((spot, ShadowCulling, from([0.0, 1.0, 14.0])))
+        .id();
+    let culled = |play: &Play| play.app.world().get::<ShadowReport>(light).unwrap().culled;
+    play.settle();
+    assert_eq!(culled(&play), 1);
+    play.set(screen, Visibility::Hidden);
+    for _ in 0..3 {
+        play.frame();
+        assert_eq!(culled(&play), 0);
+    }
+    play.set(screen, Visibility::Inherited);
+    play.frame();
+    assert_eq!(culled(&play), 1);
+}
