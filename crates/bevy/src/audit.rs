@@ -6,6 +6,7 @@ mod counter;
 
 pub(crate) use counter::Counter;
 
+use antumbra::cull::Gpu;
 use bevy::prelude::*;
 
 use crate::dial::Margin;
@@ -16,7 +17,7 @@ use crate::settings::Audit;
 pub(crate) enum Order {
     Nothing,
     /// Copy this frame's depth.
-    Copy,
+    Copy(Gpu),
     /// Draw these against the copy, with the matrix of its frame.
     Count(Vec<Placed>, Mat4),
 }

@@ -1,14 +1,12 @@
 //! A camera with a judge: its jumps, its budget and its audits.
 
-use antumbra::cull::Gpu;
-use antumbra::cull::judge::JudgeError;
 use bevy::prelude::*;
 
 use crate::audit::{Audited, Auditing};
 use crate::dial::Dial;
 use crate::occludees::{Kind, Occludees};
 use crate::settings::{AntumbraCulling, CullingReport, Occluders};
-use crate::view::{Image2d, Pose, Request, Verdicts, View};
+use crate::view::{Pose, Request, Verdicts, View};
 
 /// A camera that culls.
 pub(crate) struct CameraView {
@@ -42,11 +40,9 @@ const FRAMES_TO_REST: u32 = 8;
 const LEAST_SIDES: f32 = 1.0;
 
 impl CameraView {
-    /// # Errors
-    /// [`JudgeError`] where the device cannot test against such a depth.
-    pub fn new(gpu: &Gpu, image: Image2d, settings: &AntumbraCulling) -> Result<Self, JudgeError> {
-        Ok(Self {
-            view: View::new(gpu, image)?,
+    pub fn new(view: View, settings: &AntumbraCulling) -> Self {
+        Self {
+            view,
             occluders: settings.occluders,
             last: None,
             nearest: f32::INFINITY,
@@ -56,7 +52,7 @@ impl CameraView {
             auditing: Auditing::default(),
             way: Vec3::ZERO,
             at_rest: FRAMES_TO_REST,
-        })
+        }
     }
 
     /// Takes over what has come back. Never waits.
@@ -66,7 +62,10 @@ impl CameraView {
         occludees: &Occludees,
         report: &mut CullingReport,
     ) {
-        let counted = self.view.judging.lock().counter.take();
+        let counted = match &mut self.view.judging.lock().counter {
+            Some(counter) => counter.take(),
+            None => None,
+        };
         if let Some(pixels) = counted
             && let Some(margin) = self.auditing.end()
         {

@@ -19,7 +19,7 @@ use crate::culler::Culler;
 use crate::dial::Margin;
 use crate::meshes::Placed;
 use crate::occludees::Kind;
-use crate::occluders::{OccluderShape, fingerprint, occluders_of};
+use crate::occluders::{TaggedMeshes, fingerprint};
 use crate::view::{Image2d, Pose, Request, View};
 
 /// On a point or spot light with shadow maps: leave out of each what is hidden from the light behind meshes that are tagged with [`Occluder`](crate::Occluder).
@@ -47,7 +47,11 @@ pub(crate) struct Face {
 }
 
 /// A shadow map with a judge.
-pub(crate) struct FaceView(pub View);
+pub(crate) struct FaceView {
+    pub view: View,
+    /// Frames since it was tested.
+    pub idle: u32,
+}
 
 /// A test of a shadow map.
 pub(crate) struct FaceRequest {
@@ -95,7 +99,7 @@ pub(crate) fn cull_casters(
     mut culler: ResMut<Culler>,
     mut points: PointLights,
     mut spots: SpotLights,
-    occluders: Query<OccluderShape>,
+    tagged: TaggedMeshes,
     point_map: Res<PointLightShadowMap>,
     spot_map: Res<DirectionalLightShadowMap>,
 ) {
@@ -121,7 +125,7 @@ pub(crate) fn cull_casters(
                 },
                 size: point_map.size,
             };
-            culler.cull_face(map, &mut list.entities, &occluders, &mut report);
+            culler.cull_face(map, &mut list.entities, &tagged, &mut report);
         }
     }
     for (light, spot, place, visibility, mut list, mut report) in &mut spots {
@@ -141,7 +145,7 @@ pub(crate) fn cull_casters(
             },
             size: spot_map.size,
         };
-        culler.cull_face(map, &mut list.entities, &occluders, &mut report);
+        culler.cull_face(map, &mut list.entities, &tagged, &mut report);
     }
     culler.spent.since(start);
 }
@@ -159,11 +163,11 @@ impl Culler {
         &mut self,
         ShadowMap { face, pose, size }: ShadowMap,
         list: &mut Vec<Entity>,
-        occluders: &Query<OccluderShape>,
+        tagged: &TaggedMeshes,
         report: &mut ShadowReport,
     ) {
         let before = list.len();
-        let placed = occluders_of(list.iter(), occluders);
+        let placed = tagged.of(list.iter());
         let request = Request {
             pose,
             margin: MARGIN,
@@ -171,7 +175,7 @@ impl Culler {
             is_moving: false,
             occluders: fingerprint(&placed) ^ self.occludees.changed_meshes,
         };
-        if let Some(FaceView(view)) = self.faces.get_mut(&face) {
+        if let Some(FaceView { view, .. }) = self.faces.get_mut(&face) {
             view.collect();
             if let Some(answers) = view.answers()
                 && answers.of.request == request

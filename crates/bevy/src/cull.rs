@@ -9,7 +9,7 @@ use bevy::render::renderer::RenderDevice;
 
 use crate::culler::Culler;
 use crate::occludees::Kind;
-use crate::occluders::{OccluderShape, occluders_of};
+use crate::occluders::TaggedMeshes;
 use crate::settings::{AntumbraCulling, CullingReport, Occluders, Strategy};
 use crate::view::Pose;
 
@@ -33,7 +33,7 @@ pub(crate) fn cull(
     mut culler: ResMut<Culler>,
     device: Option<Res<RenderDevice>>,
     mut cameras: Cameras,
-    tagged: Query<OccluderShape>,
+    tagged: TaggedMeshes,
 ) {
     let start = Instant::now();
     // Lets answers arrive that the GPU has finished; never waits.
@@ -57,7 +57,7 @@ pub(crate) fn cull(
         report.shift = 0.0;
         if camera.is_active && settings.strategy == Strategy::FrameLate {
             if settings.occluders == Occluders::Tagged {
-                occluders.insert(entity, occluders_of(meshes.iter(), &tagged));
+                occluders.insert(entity, tagged.of(meshes.iter()));
             }
             if let Some(view) = views.get_mut(&entity) {
                 let pose = pose_of(camera, projection, place);

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use antumbra::cull::Gpu;
 use antumbra::cull::judge::Judge;
-use bevy::ecs::change_detection::Tick;
+use bevy::ecs::change_detection::{CheckChangeTicks, Tick};
 use bevy::ecs::entity::EntityHashMap;
 use bevy::platform::time::Instant;
 use bevy::prelude::*;
@@ -17,7 +17,7 @@ use crate::camera::CameraView;
 use crate::casters::{Face, FaceRequest, FaceView};
 use crate::meshes::Placed;
 use crate::occludees::Occludees;
-use crate::occluders::OccluderDepth;
+use crate::occluders::{OccluderDepth, OccluderPipelines};
 
 /// In the main world. The judges are shared with the render world, which tests while the next frame may be under way here.
 #[derive(Resource)]
@@ -30,6 +30,7 @@ pub(crate) struct Culler {
     pub faces: HashMap<Face, FaceView>,
     /// The faces of shadow maps that are to be tested in this frame.
     pub requests: Vec<(Face, FaceRequest)>,
+    pub pipelines: OccluderPipelines,
     pub spent: Spent,
     /// Whether it has taken over the meshes and the lights that there are.
     pub has_meshes: bool,
@@ -55,7 +56,8 @@ impl Spent {
 /// What works on the GPU for one view, in both worlds.
 pub(crate) struct Judging {
     pub judge: Judge,
-    pub counter: Counter,
+    /// Of a view that has been audited.
+    pub counter: Option<Counter>,
     pub occluders: OccluderDepth,
 }
 
@@ -82,6 +84,7 @@ impl Culler {
             occluders: EntityHashMap::default(),
             faces: HashMap::new(),
             requests: Vec::new(),
+            pipelines: OccluderPipelines::default(),
             spent: Spent::default(),
             has_meshes: false,
             has_lights: false,
@@ -93,6 +96,13 @@ impl Culler {
     /// Whether it is on this device of the main world.
     pub fn is_on(&self, device: &Ref<RenderDevice>) -> bool {
         self.device_since == device.last_changed()
+    }
+}
+
+/// Bevy clamps the ticks that it knows of before they are too old to be compared. The same is done with ours, so that they stay equal.
+pub(crate) fn keep_tick(check: On<CheckChangeTicks>, culler: Option<ResMut<Culler>>) {
+    if let Some(mut culler) = culler {
+        culler.device_since.check_tick(*check);
     }
 }
 

@@ -54,6 +54,7 @@ pub(crate) fn begin(
     let mut cameras = main.query::<CameraShape>();
     main.resource_scope(|main: &mut World, mut culler: Mut<Culler>| {
         let culler = &mut *culler;
+        let gpu = culler.gpu.clone();
         // Bevy recovers with another device; once it is there, everything begins anew on it.
         let of_main = main.get_resource_ref::<RenderDevice>();
         let is_same = of_main.is_some_and(|of_main| culler.is_on(&of_main));
@@ -105,7 +106,7 @@ pub(crate) fn begin(
                     if let Some(audited) = view.take_suspects() {
                         suspects.push((shape.entity, audited));
                     } else if view.begin_audit(settings, &report.culled) {
-                        audit = Order::Copy;
+                        audit = Order::Copy(gpu.clone());
                     }
                     let judging = view.view.judging.clone();
                     let test = BegunView { judging, audit };
@@ -130,6 +131,9 @@ pub(crate) fn begin(
         culler.spent.since(start);
     });
 }
+
+/// For so many frames a shadow map that is not tested, for its light or its occluders are out of view, keeps its judge and its answers.
+const FRAMES_KEPT: u32 = 120;
 
 /// Whether a device makes buffers. One that is lost says so to its owner alone, and what it makes cannot be written.
 fn is_alive(device: &RenderDevice) -> bool {
@@ -170,6 +174,11 @@ fn image_of(
         return Ok(None);
     }
     if occluders == Occluders::Tagged {
+        if camera.invert_culling {
+            return Err(
+                "it draws the faces that occluders turn away (`Camera::invert_culling`); let it cull by its depth (`Occluders::Depth`)",
+            );
+        }
         return Ok(Some(Image2d {
             size: part.size(),
             samples: 1,
@@ -221,7 +230,7 @@ impl Culler {
         });
         let mut view = match fits {
             Some(view) => view,
-            None => CameraView::new(&self.gpu, image, settings)?,
+            None => CameraView::new(View::new(&self.gpu, image, &self.pipelines)?, settings),
         };
         let request = view.request(settings, pose, is_jittered);
         view.view
@@ -249,22 +258,26 @@ impl Culler {
         }
     }
 
-    /// Begins a frame of the shadow maps that are to be tested, and forgets the others.
+    /// Begins a frame of the shadow maps that are to be tested, and forgets those that have not been for some frames.
     fn begin_faces(
         &mut self,
         begun: &mut Vec<(BegunView, Tagged)>,
         encoder: &mut wgpu::CommandEncoder,
     ) {
-        let mut before = std::mem::take(&mut self.faces);
+        self.faces.retain(|_, face| {
+            face.idle += 1;
+            face.idle <= FRAMES_KEPT
+        });
         for (face, request) in std::mem::take(&mut self.requests) {
             let FaceRequest {
                 request,
                 image,
                 occluders,
             } = request;
-            let view = before
-                .remove(&face)
-                .map_or_else(|| View::new(&self.gpu, image), |FaceView(view)| Ok(view));
+            let view = self.faces.remove(&face).map_or_else(
+                || View::new(&self.gpu, image, &self.pipelines),
+                |before| Ok(before.view),
+            );
             let asked = view.and_then(|mut view| {
                 view.ask(request, image.size, &mut self.occludees, encoder)?;
                 Ok(view)
@@ -281,7 +294,7 @@ impl Culler {
                         size: image.size,
                     };
                     begun.push((test, tagged));
-                    self.faces.insert(face, FaceView(view));
+                    self.faces.insert(face, FaceView { view, idle: 0 });
                 }
                 Err(error) => warn_once!("antumbra: a light keeps its casters: {error}"),
             }

@@ -116,6 +116,7 @@ impl Plugin for AntumbraPlugin {
             return;
         };
         app.insert_resource(culler);
+        app.add_observer(culler::keep_tick);
         gizmos::add(app);
         let Some(render) = app.get_sub_app_mut(RenderApp) else {
             return;

@@ -33,7 +33,6 @@ pub(crate) struct Layout {
     stride: u64,
     offset: u64,
     samples: u32,
-    is_mirrored: bool,
 }
 
 /// What else a pipeline is made of.
@@ -78,16 +77,6 @@ struct Indices<'a> {
     first: u32,
 }
 
-impl Placed {
-    fn is_mirrored(&self) -> bool {
-        self.place.matrix3.determinant() < 0.0
-    }
-
-    fn is_drawn_like(&self, other: &Self) -> bool {
-        self.mesh == other.mesh && self.is_mirrored() == other.is_mirrored()
-    }
-}
-
 impl Places {
     /// `width` is that of the image, in pixels.
     pub fn new(
@@ -121,7 +110,7 @@ impl<'a> Drawing<'a> {
         let mut calls: Vec<(Call<'a>, Range<u32>)> = Vec::new();
         let mut before: Option<&Placed> = None;
         for (one, number) in placed.iter().zip(0u32..) {
-            let same = before.is_some_and(|before| before.is_drawn_like(one));
+            let same = before.is_some_and(|before| before.mesh == one.mesh);
             match calls
                 .last_mut()
                 .filter(|(_, numbers)| same && numbers.end == number)
@@ -207,7 +196,6 @@ impl<'a> Meshes<'a> {
                 stride: layout.layout().array_stride,
                 offset: position.offset,
                 samples,
-                is_mirrored: placed.is_mirrored(),
             },
             vertices: vertices.buffer,
             base: vertices.range.start,
@@ -285,11 +273,7 @@ fn pipeline(gpu: &Gpu, layout: Layout, desc: &PassDesc<'_>) -> wgpu::RenderPipel
             })],
         },
         primitive: wgpu::PrimitiveState {
-            // A mirror image turns its faces round.
-            front_face: match layout.is_mirrored {
-                true => wgpu::FrontFace::Cw,
-                false => wgpu::FrontFace::Ccw,
-            },
+            // As in Bevy's pipelines, a mirror image keeps the faces whose corners go round this way: those that were at the back.
             cull_mode: Some(wgpu::Face::Back),
             ..Default::default()
         },

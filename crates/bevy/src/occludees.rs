@@ -34,20 +34,12 @@ struct Tracked {
     now: Shape,
     /// Its box in the world.
     bounds: Bounds,
-    tested: Tested,
+    /// A box along the world's axes that holds it for some frames, where that is tested in place of the shape that it is now.
+    way: Option<Bounds>,
     /// The epoch with which what is tested reaches the device.
     since: u64,
     /// The epoch in which it was another shape for the last time.
     moved: u64,
-}
-
-/// What a test is about.
-#[derive(Debug, Clone, Copy)]
-enum Tested {
-    /// The shape as it was put.
-    Shape(Shape),
-    /// A box along the world's axes, which holds the shape for some frames.
-    Way(Bounds),
 }
 
 /// What an entity is tested as.
@@ -110,7 +102,7 @@ impl Occludees {
             id,
             now: shape,
             bounds: shape.bounds(),
-            tested: Tested::Shape(shape),
+            way: None,
             since: self.epoch,
             moved: self.epoch,
         };
@@ -129,17 +121,15 @@ impl Occludees {
         let before = std::mem::replace(&mut tracked.bounds, shape.bounds());
         tracked.now = shape;
         tracked.moved = epoch;
-        let is_within = match tracked.tested {
-            Tested::Shape(tested) => tested == shape,
-            // What was found about the larger box is true of what is inside.
-            Tested::Way(way) => way.contains_box(&tracked.bounds),
-        };
-        if is_within {
+        // What was found about the larger box is true of what is inside.
+        if tracked
+            .way
+            .is_some_and(|way| way.contains_box(&tracked.bounds))
+        {
             return Ok(());
         }
         let way = moving_on(&before, &tracked.bounds);
-        let was_still = matches!(tracked.tested, Tested::Shape(_));
-        tracked.tested = Tested::Way(way);
+        let was_still = tracked.way.replace(way).is_none();
         tracked.since = epoch;
         let id = tracked.id;
         if was_still {
@@ -165,7 +155,7 @@ impl Occludees {
             let Some(tracked) = of.get_mut(entity) else {
                 return false;
             };
-            if matches!(tracked.tested, Tested::Shape(_)) {
+            if tracked.way.is_none() {
                 return false;
             }
             if *epoch < tracked.moved + FRAMES_AT_REST {
@@ -180,7 +170,7 @@ impl Occludees {
                 debug!("antumbra: {entity} stays as it was tested: {error}");
                 return false;
             }
-            tracked.tested = Tested::Shape(tracked.now);
+            tracked.way = None;
             tracked.since = *epoch;
             false
         });

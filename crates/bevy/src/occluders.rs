@@ -1,20 +1,24 @@
 //! Meshes that are tagged to hide others, and the depth that they are drawn into where they alone do.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use antumbra::cull::Gpu;
 use bevy::camera::visibility::VisibilityRange;
 use bevy::core_pipeline::core_3d::CORE_3D_DEPTH_FORMAT;
 use bevy::ecs::query::QueryData;
+use bevy::ecs::system::SystemParam;
 use bevy::mesh::morph::MeshMorphWeights;
 use bevy::mesh::skinning::SkinnedMesh;
 use bevy::prelude::*;
+use bevy::render::render_resource::Face;
 
 use crate::meshes::{Drawing, Meshes, PassDesc, Pipelines, Placed, Places};
 
 /// On an opaque mesh: hides others where [`Occluders::Tagged`](crate::Occluders::Tagged) ones do.
 ///
-/// A mesh with a skin or morph targets hides only with a simpler one in its place; one that a [`VisibilityRange`] fades hides nothing.
+/// It hides with the faces that Bevy draws where a material culls those at the back. One with a [`StandardMaterial`] that culls those in front, or with a [`VisibilityRange`] that fades it, hides nothing; one with a skin or morph
+/// targets hides only with a simpler mesh in its place. Do not tag a mesh of another material that culls the faces in front. A camera with [`Camera::invert_culling`] does not cull by tagged occluders.
 #[derive(Component, Reflect, Debug, Clone, PartialEq, Default)]
 #[reflect(Component, Default, Debug, Clone, PartialEq)]
 pub struct Occluder {
@@ -28,14 +32,19 @@ pub(crate) struct OccluderShape {
     occluder: &'static Occluder,
     mesh: &'static Mesh3d,
     place: &'static GlobalTransform,
+    material: Option<&'static MeshMaterial3d<StandardMaterial>>,
     range: Option<&'static VisibilityRange>,
     is_skinned: Has<SkinnedMesh>,
     is_morphed: Has<MeshMorphWeights>,
 }
 
 impl OccluderShapeItem<'_, '_> {
-    /// `None` for what is not where its mesh says.
-    fn placed(&self) -> Option<Placed> {
+    /// `None` for what is not where its mesh says, or shows other faces.
+    fn placed(&self, materials: Option<&Assets<StandardMaterial>>) -> Option<Placed> {
+        let material = self.material.zip(materials);
+        let material = material.and_then(|(material, materials)| materials.get(material.id()));
+        let is_inside_out =
+            material.is_some_and(|material| material.cull_mode == Some(Face::Front));
         let is_faded = self.range.is_some_and(|range| !range.is_abrupt());
         let is_bent = self.is_skinned || self.is_morphed;
         let mesh = match &self.occluder.mesh {
@@ -43,22 +52,29 @@ impl OccluderShapeItem<'_, '_> {
             None if is_bent => return None,
             None => self.mesh.id(),
         };
-        (!is_faded).then_some(Placed {
+        (!is_faded && !is_inside_out).then_some(Placed {
             mesh,
             place: self.place.affine(),
         })
     }
 }
 
-/// What hides of a view's list, neighbours of one mesh side by side.
-pub(crate) fn occluders_of<'a>(
-    list: impl Iterator<Item = &'a Entity>,
-    occluders: &Query<OccluderShape>,
-) -> Vec<Placed> {
-    let found = list.filter_map(|entity| occluders.get(*entity).ok()?.placed());
-    let mut found: Vec<Placed> = found.collect();
-    found.sort_by_key(|placed| placed.mesh);
-    found
+/// All that is tagged.
+#[derive(SystemParam)]
+pub(crate) struct TaggedMeshes<'w, 's> {
+    shapes: Query<'w, 's, OccluderShape>,
+    materials: Option<Res<'w, Assets<StandardMaterial>>>,
+}
+
+impl TaggedMeshes<'_, '_> {
+    /// What hides of a view's list, neighbours of one mesh side by side.
+    pub fn of<'a>(&self, list: impl Iterator<Item = &'a Entity>) -> Vec<Placed> {
+        let materials = self.materials.as_deref();
+        let found = list.filter_map(|entity| self.shapes.get(*entity).ok()?.placed(materials));
+        let mut found: Vec<Placed> = found.collect();
+        found.sort_by_key(|placed| placed.mesh);
+        found
+    }
 }
 
 /// A number for occluders: another one for others, or for the same ones elsewhere.
@@ -76,8 +92,12 @@ pub(crate) fn fingerprint(placed: &[Placed]) -> u64 {
 pub(crate) struct OccluderDepth {
     gpu: Gpu,
     texture: Option<wgpu::Texture>,
-    pipelines: Pipelines,
+    pipelines: OccluderPipelines,
 }
+
+/// The pipelines of all such depths.
+#[derive(Clone, Default)]
+pub(crate) struct OccluderPipelines(Arc<Mutex<Pipelines>>);
 
 const LABEL: &str = "antumbra: occluders";
 
@@ -92,11 +112,11 @@ const PASS: PassDesc<'static> = PassDesc {
 };
 
 impl OccluderDepth {
-    pub fn new(gpu: &Gpu) -> Self {
+    pub fn new(gpu: &Gpu, pipelines: &OccluderPipelines) -> Self {
         Self {
             gpu: gpu.clone(),
             texture: None,
-            pipelines: Pipelines::default(),
+            pipelines: pipelines.clone(),
         }
     }
 
@@ -113,8 +133,11 @@ impl OccluderDepth {
         let texture = self.texture.take().filter(fits);
         let texture = texture.unwrap_or_else(|| new_texture(&self.gpu, size));
         let drawing = Drawing::new(occluders, meshes, 1);
-        drawing.prepare(&self.gpu, &mut self.pipelines, &PASS);
-        let any = drawing.any().and_then(|any| self.pipelines.of(any));
+        // Pipelines are only added: what was made before a panic is whole.
+        let shared = &self.pipelines.0;
+        let pipelines = &mut *shared.lock().unwrap_or_else(PoisonError::into_inner);
+        drawing.prepare(&self.gpu, pipelines, &PASS);
+        let any = drawing.any().and_then(|any| pipelines.of(any));
         let group = any.map(|any| {
             let device = &self.gpu.device;
             let Places { frame, places } = Places::new(device, clip_from_world, size.x, occluders);
@@ -148,7 +171,7 @@ impl OccluderDepth {
         });
         if let Some(group) = &group {
             pass.set_bind_group(0, group, &[]);
-            drawing.record(&mut pass, &self.pipelines);
+            drawing.record(&mut pass, pipelines);
         }
         drop(pass);
         self.texture.insert(texture)

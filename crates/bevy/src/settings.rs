@@ -74,7 +74,7 @@ pub enum Occluders {
 #[derive(Reflect, Debug, Clone, Copy, PartialEq)]
 #[reflect(Default, Debug, Clone, PartialEq)]
 pub enum Budget {
-    /// Always as many pixels on all sides, at least 1.
+    /// Always as many pixels on all sides, at rest too: 0 to [`Budget::MOST_SHIFT`], and at least 1 where samples are not those of the depth, for the camera jitters or tagged occluders hide.
     Shift(f32),
     /// As many, on the side that the camera uncovers as it goes, and an eighth of them on the others, as keep the wrong pixels below this share of the image in percent, as the [`Audit`] counts them. Without an audit it stays at [`Budget::FIRST_SHIFT`].
     WrongPixels(f32),
@@ -121,7 +121,8 @@ pub struct CullingReport {
     pub lights: u32,
     /// How many frames old the answers are; `None` where there are none, and everything is drawn.
     pub age: Option<u32>,
-    /// The pixels by which what is left out was hidden, on the side that the camera uncovers; 0 for a camera at rest, and where nothing is known.
+    /// The pixels by which what is left out was hidden, on the side that the camera uncovers; 0 where nothing is known. For a camera at rest, with a budget of wrong pixels: 0, or 1 where it jitters or tagged
+    /// occluders hide.
     pub shift: f32,
     /// The wrong pixels of the last frame that was audited, in percent of the image: those that a mesh would have changed which was left out. Exact for opaque, one-sided meshes that stand still and are not bent; with
     /// [`Occluders::Tagged`] it may be too high, as it knows of no other occluders.

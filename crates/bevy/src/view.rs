@@ -10,11 +10,10 @@ use antumbra::glam as ours;
 use bevy::core_pipeline::core_3d::CORE_3D_DEPTH_FORMAT;
 use bevy::prelude::*;
 
-use crate::audit::Counter;
 use crate::culler::{Judging, SharedJudging};
 use crate::dial::Margin;
 use crate::occludees::{Found, Occludees};
-use crate::occluders::OccluderDepth;
+use crate::occluders::{OccluderDepth, OccluderPipelines};
 
 /// What is tested from one point: a camera, or a face of a light's shadow maps.
 pub(crate) struct View {
@@ -89,7 +88,11 @@ const NEAR_ROOM: f32 = 4.0;
 impl View {
     /// # Errors
     /// [`JudgeError`] where the device cannot test against such a depth.
-    pub fn new(gpu: &Gpu, image: Image2d) -> Result<Self, JudgeError> {
+    pub fn new(
+        gpu: &Gpu,
+        image: Image2d,
+        pipelines: &OccluderPipelines,
+    ) -> Result<Self, JudgeError> {
         let depth = HostDepth {
             format: CORE_3D_DEPTH_FORMAT,
             samples: image.samples,
@@ -104,8 +107,8 @@ impl View {
         Ok(Self {
             judging: SharedJudging::new(Judging {
                 judge: Judge::new(gpu, vec![view], options)?,
-                counter: Counter::new(gpu),
-                occluders: OccluderDepth::new(gpu),
+                counter: None,
+                occluders: OccluderDepth::new(gpu, pipelines),
             }),
             image,
             asked: VecDeque::new(),

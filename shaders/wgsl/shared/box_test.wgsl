@@ -14,15 +14,24 @@ const LOOK_OPEN: u32 = 2u;
 
 // Whether a box that is wholly in front of the near plane may show anywhere, by a few texels of the pyramid.
 fn look(place: RelativeBox) -> u32 {
-    return look_at(place, false);
+    return look_at(place, FIRST_LOOK);
 }
 
-// The same of a box that is open, down to the pixel: it is no longer open.
+// The same of a box that `look` has left open, down to the pixel: it is no longer open.
 fn look_closely(place: RelativeBox) -> u32 {
-    return look_at(place, true);
+    return look_at(place, CLOSE_LOOK);
 }
 
-fn look_at(place: RelativeBox, is_close: bool) -> u32 {
+// The same of a box that nothing has looked at before.
+fn look_once(place: RelativeBox) -> u32 {
+    return look_at(place, FIRST_LOOK | CLOSE_LOOK);
+}
+
+// Which looks are taken, as bits.
+const FIRST_LOOK: u32 = 1u;
+const CLOSE_LOOK: u32 = 2u;
+
+fn look_at(place: RelativeBox, looks: u32) -> u32 {
     let seen = seen_box_of(place);
     if !(seen.least_w > 0.0) {
         return LOOK_SHOWS;
@@ -69,18 +78,21 @@ fn look_at(place: RelativeBox, is_close: bool) -> u32 {
         // Between the samples.
         return LOOK_HIDDEN;
     }
-    // What the image's edge cuts off may come in.
-    if view.shift > 0.0 && (any(begin < vec2<f32>(0.0)) || any(end > last)) {
+    // What the image's edge cuts off may come in, by a drift on the side that it goes to. The screen counts y downwards.
+    let shifts = view.shift > 0.0;
+    let from_least = vec2<bool>(shifts || drift.x < 0.0, shifts || drift.w > 0.0);
+    let from_greatest = vec2<bool>(shifts || drift.z > 0.0, shifts || drift.y < 0.0);
+    if any(from_least & (begin < vec2<f32>(0.0))) || any(from_greatest & (end > last)) {
         return LOOK_SHOWS;
     }
     let least = vec2<u32>(clamp(begin, vec2<f32>(0.0), last));
     let greatest = vec2<u32>(clamp(end, vec2<f32>(0.0), last));
     let extent = max(greatest.x - least.x, greatest.y - least.y);
     let is_small = extent < 4u;
-    if is_small && nearest + lost < farthest_pixel(least, greatest) {
+    if is_small && (looks & FIRST_LOOK) != 0u && nearest + lost < farthest_pixel(least, greatest) {
         return LOOK_HIDDEN;
     }
-    if is_close {
+    if (looks & CLOSE_LOOK) != 0u {
         var shape = shape_of(seen, round, ellipsoid, nearest, margin, lost);
         // A shape that is swept meets a block where the shape meets the block swept the other way.
         shape.offset = 0.5 * (drift.xy + drift.zw);

@@ -27,7 +27,7 @@ fn look_at_parts(found: u32, parts: u32, index: u32, lane: u32) -> u32 {
         if number < MOST_PARTS && atomicLoad(&shows[other]) == 0u {
             let instance = instances[index - lane + other];
             let first = instance.traits >> 8u;
-            if number < parts_from(first) && look_closely(part_of(relative_box(instance), first + number)) != LOOK_HIDDEN {
+            if number < parts_from(first) && look_once(part_of(relative_box(instance), first + number)) != LOOK_HIDDEN {
                 atomicStore(&shows[other], 1u);
             }
         }

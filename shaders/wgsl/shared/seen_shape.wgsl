@@ -18,19 +18,29 @@ struct SeenBox {
 }
 
 // How far what lies between two corners may go until the answers are used, relative to what hides it: the least x and y, and the greatest, in normalised device coordinates. What is near moves against the
-// eye's way, and what is behind less so; all points of the image move towards or away from one, where the eye goes.
+// eye's way, and what is behind less so; all points of the image move towards or away from one, where the eye goes. Each point goes its own way, and any may go all the pixels: between corners that are
+// farther apart, what may happen is the same and more.
 fn drift_of(low: vec2<f32>, high: vec2<f32>) -> vec4<f32> {
     let way = vec2<f32>(view.drift_x, view.drift_y);
     let pixels = max(max(abs(way.x), abs(way.y)), abs(view.drift_w));
-    let one = way - low * view.drift_w;
-    let other = way - high * view.drift_w;
-    let reach = max(abs(one), abs(other)) * 0.5 * vec2<f32>(view.pixels_wide, view.pixels_high);
-    let most = max(reach.x, reach.y);
-    if !(most > 0.0) {
+    if !(pixels > 0.0) {
         return vec4<f32>(0.0);
     }
-    let scale = pixels / most;
-    return vec4<f32>(min(min(one, other) * scale, vec2<f32>(0.0)), max(max(one, other) * scale, vec2<f32>(0.0)));
+    let half = 0.5 * vec2<f32>(view.pixels_wide, view.pixels_high);
+    let full = pixels / half;
+    let one = way - low * view.drift_w;
+    let other = way - high * view.drift_w;
+    let begin = min(one, other);
+    let end = max(one, other);
+    // Of the point that goes the least way, in pixels: 0 or less where the eye goes to a point in between.
+    let away = max(begin, -end) * half;
+    let least = max(away.x, away.y);
+    if !(least > 0.0) {
+        return vec4<f32>(-full, full);
+    }
+    let scale = min(pixels / least, 3e38);
+    let none = vec2<f32>(0.0);
+    return vec4<f32>(clamp(begin * scale, -full, none), clamp(end * scale, none, full));
 }
 
 fn corner_of(seen: SeenBox, corner: u32) -> vec4<f32> {

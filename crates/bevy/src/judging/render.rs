@@ -10,7 +10,7 @@ use bevy::render::renderer::{PendingCommandBuffers, RenderContext, RenderDevice,
 use bevy::render::sync_world::MainEntity;
 use bevy::render::view::{ViewDepthStencilTexture, ViewTarget};
 
-use crate::audit::Order;
+use crate::audit::{Counter, Order};
 use crate::culler::{Judging, SharedJudging};
 use crate::meshes::{Meshes, Placed};
 
@@ -112,9 +112,13 @@ impl BegunView {
         }
         match &self.audit {
             Order::Nothing => {}
-            Order::Copy => counter.copy(depth, encoder),
+            Order::Copy(gpu) => counter
+                .get_or_insert_with(|| Counter::new(gpu))
+                .copy(depth, encoder),
             Order::Count(suspects, clip_from_world) => {
-                counter.count(suspects, *clip_from_world, meshes, encoder);
+                if let Some(counter) = counter {
+                    counter.count(suspects, *clip_from_world, meshes, encoder);
+                }
             }
         }
     }

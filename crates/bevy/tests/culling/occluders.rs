@@ -75,6 +75,77 @@ fn a_simpler_mesh_hides_in_place_of_the_own_one() {
     assert!(play.culls(red) && !play.culls(blue));
 }
 
+/// What is in a room, and what is behind it.
+struct Room {
+    play: Play,
+    walls: Entity,
+    inside: Entity,
+    behind: Entity,
+}
+
+impl Room {
+    /// A box that the camera looks at from outside, tagged. `sign`: that of its size along one axis.
+    fn new(sign: f32) -> Self {
+        let mut play = Play::with([160, 120], (tagged(), Msaa::Off));
+        let walls = play.add(Paint::Grey, boxed([0.0; 3], [sign * 9.0, 9.0, 9.0]));
+        play.set(walls, Occluder::default());
+        let inside = play.add(Paint::Red, boxed([0.0; 3], SIZE));
+        let behind = play.add(Paint::Blue, boxed([0.0, 0.0, -8.0], SIZE));
+        play.settle();
+        Self {
+            play,
+            walls,
+            inside,
+            behind,
+        }
+    }
+
+    fn material(&mut self) -> Handle<StandardMaterial> {
+        let world = self.play.app.world();
+        let material = world.get::<MeshMaterial3d<StandardMaterial>>(self.walls);
+        material.unwrap().0.clone()
+    }
+}
+
+#[test]
+fn what_is_mirrored_hides_with_the_faces_that_bevy_draws() {
+    let plain = Room::new(1.0);
+    assert!(plain.play.culls(plain.inside) && plain.play.culls(plain.behind));
+    // Bevy draws the far walls of a mirror image.
+    let Room {
+        play,
+        inside,
+        behind,
+        ..
+    } = Room::new(-1.0);
+    assert!(play.seen(Paint::Red) > 20 && play.seen(Paint::Blue) == 0);
+    assert!(!play.culls(inside) && play.culls(behind));
+}
+
+#[test]
+fn what_shows_its_faces_from_behind_hides_nothing() {
+    let mut room = Room::new(1.0);
+    assert!(room.play.culls(room.inside));
+    let material = room.material();
+    let world = room.play.app.world_mut();
+    let mut materials = world.resource_mut::<Assets<StandardMaterial>>();
+    let mut material = materials.get_mut(&material).unwrap();
+    material.cull_mode = Some(bevy::render::render_resource::Face::Front);
+    drop(material);
+    room.play.settle();
+    assert!(room.play.seen(Paint::Red) > 20);
+    assert!(!room.play.culls(room.inside) && !room.play.culls(room.behind));
+    // A camera that turns all faces round says that it does not cull.
+    let mut room = Room::new(1.0);
+    let camera = room.play.camera;
+    let world = room.play.app.world_mut();
+    world.get_mut::<Camera>(camera).unwrap().invert_culling = true;
+    room.play.settle();
+    assert!(!room.play.culls(room.inside) && room.play.seen(Paint::Red) > 20);
+    let fault = room.play.report().fault.clone().unwrap();
+    assert!(fault.contains("invert_culling"), "{fault}");
+}
+
 #[test]
 fn a_camera_that_draws_into_a_part_of_its_target_culls_by_tagged_occluders() {
     let [mut culled, mut full] = [true, false].map(|culls| {
@@ -167,4 +238,33 @@ fn lights_leave_out_casters_that_are_hidden_from_them_and_shadows_stay() {
         }
     }
     assert!(reports(&mut full).is_empty());
+}
+
+#[test]
+fn a_light_whose_occluder_was_away_for_a_moment_has_its_answers_at_once() {
+    let mut play = Play::with([160, 120], Msaa::Off);
+    let screen = play.add(Paint::Grey, boxed([0.0; 3], [8.0, 8.0, 0.5]));
+    play.set(screen, Occluder::default());
+    play.add(Paint::Red, boxed(BEHIND, SIZE));
+    let spot = SpotLight {
+        shadow_maps_enabled: true,
+        range: 40.0,
+        ..default()
+    };
+    let light = play
+        .app
+        .world_mut()
+        .spawn((spot, ShadowCulling, from([0.0, 1.0, 14.0])))
+        .id();
+    let culled = |play: &Play| play.app.world().get::<ShadowReport>(light).unwrap().culled;
+    play.settle();
+    assert_eq!(culled(&play), 1);
+    play.set(screen, Visibility::Hidden);
+    for _ in 0..3 {
+        play.frame();
+        assert_eq!(culled(&play), 0);
+    }
+    play.set(screen, Visibility::Inherited);
+    play.frame();
+    assert_eq!(culled(&play), 1);
 }

@@ -27,11 +27,15 @@ pub struct Eye {
 
 /// Which way an eye goes until answers are used. What is near then moves against it, and uncovers what is behind on one side: only there what is hidden must be so by some pixels, where [`Eye::shift`] asks for them
 /// on all sides.
+///
+/// What is hidden stays so while the eye goes on that way, as long as nothing behind moves by more than these pixels relative to what is before it, and nothing that hides comes nearer than the near plane. That is true
+/// of what one connected surface hides, and down to a pixel: between two that hide together, a gap may open. A small [`Eye::shift`] besides is for what lies between samples, and for an eye that turns or leaves
+/// its way.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drift {
     /// A direction in world space, of any length.
     pub way: Vec3,
-    /// By how many pixels what is hidden may move relative to what hides it.
+    /// By how many pixels what is hidden may move relative to what hides it, along each axis of the image. More than a million are as many.
     pub pixels: f32,
 }
 
@@ -53,17 +57,20 @@ impl Drift {
         })
     }
 
-    /// The direction in clip space (x, y and w), the greatest coordinate of which is the pixels.
+    /// The direction in clip space (x, y and w), the greatest coordinate of which is the pixels. In f64 no direction is too long and no matrix too large for it.
     fn in_clip_space(&self, clip_from_relative: &Mat4) -> Vec3 {
-        let way = *clip_from_relative * self.way.extend(0.0);
-        let way = Vec3::new(way.x, way.y, way.w);
+        let way = clip_from_relative.as_dmat4() * self.way.as_dvec3().extend(0.0);
+        let way = DVec3::new(way.x, way.y, way.w);
         let greatest = way.abs().max_element();
-        match greatest.is_finite() && greatest > 0.0 {
-            true => way / greatest * self.pixels,
+        match greatest > 0.0 {
+            true => (way / greatest * f64::from(self.pixels.min(MOST_PIXELS))).as_vec3(),
             false => Vec3::ZERO,
         }
     }
 }
+
+/// What drifts by more pixels than this may be anywhere in any image, and shaders have numbers for it.
+const MOST_PIXELS: f32 = 1e6;
 
 impl Eye {
     /// A matrix around a point, without a cut.
@@ -211,6 +218,37 @@ impl GpuJudgedView {
             drift_x: drift.x,
             drift_y: drift.y,
             drift_w: drift.z,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::camera::rh::proj::directx;
+
+    use super::*;
+
+    fn in_clip_space(way: Vec3, pixels: f32) -> Vec3 {
+        let projection = directx::perspective_infinite_reverse(0.9, 1.25, 0.1);
+        Drift { way, pixels }.in_clip_space(&projection)
+    }
+
+    #[test]
+    fn the_length_of_a_way_does_not_matter() {
+        let way = Vec3::new(0.9, -0.6, -0.7);
+        let expected = in_clip_space(way, 8.0);
+        assert_eq!(expected.abs().max_element(), 8.0);
+        for length in [1e-37, 1e-6, 1e6, 3.4e38] {
+            let found = in_clip_space(way * length, 8.0);
+            assert!(found.abs_diff_eq(expected, 1e-5), "{length:e}: {found}");
+        }
+        assert_eq!(in_clip_space(Vec3::ZERO, 8.0), Vec3::ZERO);
+    }
+
+    #[test]
+    fn the_most_pixels_are_many_and_no_more_than_shaders_have_numbers_for() {
+        for pixels in [1e6, 1e20, f32::MAX] {
+            assert_eq!(in_clip_space(Vec3::X, pixels), Vec3::X * 1e6);
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::play::{Play, cube, hosts, orbit};
 use crate::{ahead, boxed};
 
 /// The indices that the newest answers call hidden, and the frame that these are about.
-fn hidden(play: &mut Play) -> Option<(u64, Vec<u32>)> {
+pub fn hidden(play: &mut Play) -> Option<(u64, Vec<u32>)> {
     let count = play.places.len() as u32;
     let found = play.judge.hidden(0).unwrap()?;
     let indices = (0..count).filter(|index| found.contains(*index));
@@ -108,17 +108,24 @@ fn a_shift_is_counted_in_pixels_and_what_the_edge_cuts_off_may_come_in() {
     // Behind the wall as well, and in part beyond the image's left edge.
     let edge = -100.0 / scale * 12.0 / 10.0;
     play.add(boxed([edge, 0.0, -12.5], [0.5, 0.2, 0.5]), Part::Both);
-    let mut found = |shift| {
+    let mut found = |shift, way, pixels| {
         let eye = Eye {
             shift,
+            drift: Drift { way, pixels },
             ..ahead(projection)
         };
         play.frame(eye, Phases::Late);
         hidden(&mut play).unwrap().1
     };
-    assert_eq!(found(0.0), [1, 2]);
-    assert_eq!(found(3.0), [1]);
-    assert_eq!(found(7.0), [0u32; 0]);
+    assert_eq!(found(0.0, Vec3::ZERO, 0.0), [1, 2]);
+    assert_eq!(found(3.0, Vec3::ZERO, 0.0), [1]);
+    assert_eq!(found(7.0, Vec3::ZERO, 0.0), [0u32; 0]);
+    // An eye that goes left, or backwards, brings it in; one that goes any other way does not.
+    assert_eq!(found(0.0, Vec3::NEG_X, 3.0), [1]);
+    assert_eq!(found(0.0, Vec3::Z, 3.0), [1]);
+    for way in [Vec3::X, Vec3::Y, Vec3::NEG_Y, Vec3::NEG_Z] {
+        assert_eq!(found(0.0, way, 3.0), [1, 2], "{way}");
+    }
 }
 
 #[test]
@@ -146,11 +153,45 @@ fn an_eye_that_goes_one_way_uncovers_on_one_side() {
         assert!(is_hidden(Vec3::ZERO, 20.0));
         // To the right the wall goes left; forwards, its edge goes outwards. What is behind follows less.
         assert!(is_hidden(Vec3::X, 3.0) && !is_hidden(Vec3::X, 8.0));
+        assert!(is_hidden(Vec3::X * 3e38, 3.0) && !is_hidden(Vec3::X * 3e38, 8.0));
+        assert!(!is_hidden(Vec3::X, f32::MAX) && !is_hidden(Vec3::Z, f32::MAX));
         assert!(is_hidden(Vec3::NEG_X, 20.0) && is_hidden(Vec3::Y, 20.0));
         assert!(is_hidden(Vec3::NEG_Z, 20.0) && !is_hidden(Vec3::Z, 8.0));
         assert!(
             is_hidden(Vec3::new(1.0, 4.0, 0.0), 8.0) && !is_hidden(Vec3::new(4.0, 1.0, 0.0), 9.0)
         );
+    }
+}
+
+#[test]
+fn a_larger_box_drifts_as_far_as_its_parts() {
+    let (depth, projection) = hosts()[0];
+    let mut play = Play::new(vulkan(), [200, 160], depth, Phases::Late, 0);
+    let scale = f64::from(projection.col(0).x) * 100.0 / 10.0;
+    // A wall up to 14 pixels right of the middle. Behind it is what begins 70 pixels left of it, and 5 right, and ends at 10.
+    let wall = 14.0 / scale;
+    play.add(
+        boxed([wall - 10.0, 0.0, -10.1], [10.0, 12.0, 0.1]),
+        Part::Both,
+    );
+    let end = 10.0 / scale * 11.0 / 10.0;
+    for begin in [-70.0, 5.0] {
+        let begin = begin / scale * 11.0 / 10.0;
+        let [middle, half] = [(begin + end) / 2.0, (end - begin) / 2.0];
+        play.add(boxed([middle, 0.0, -11.5], [half, 0.2, 0.5]), Part::Both);
+    }
+    // Backwards, the wall's edge goes inwards.
+    for (pixels, expected) in [(2.0, &[1, 2][..]), (8.0, &[])] {
+        let drift = Drift {
+            way: Vec3::Z,
+            pixels,
+        };
+        let eye = Eye {
+            drift,
+            ..ahead(projection)
+        };
+        play.frame(eye, Phases::Late);
+        assert_eq!(hidden(&mut play).unwrap().1, expected, "{pixels}");
     }
 }
 

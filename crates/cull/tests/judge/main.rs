@@ -1,6 +1,7 @@
 //! Culling for a renderer that is not ours: its images with a judge are those of drawing everything.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod drift;
 mod late_lists;
 mod play;
 mod refused;
