@@ -12,7 +12,7 @@ FUZZ_SECONDS ?= 600
 export NODEVICE_SELECT ?= 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test kit lint fmt shaders bench data fuzz bevy test-bevy
+.PHONY: help demo test kit lint fmt shaders bench data fuzz bevy test-bevy test-drivers
 
 help: ## list these verbs
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 14
@@ -54,6 +54,10 @@ bevy: ## say which Rust compiles the Bevy plug-in of crates/bevy, and build its 
 test-bevy: ## test the Bevy plug-in
 	scripts/vulkan.sh
 	scripts/bevy.sh test --locked
+
+test-drivers: ## test on SwiftShader, and on Mesa's driver under Khronos's validation layer (installs both where they are missing)
+	scripts/vulkan.sh --with-egl
+	scripts/drivers.sh $(CARGO) test --workspace --locked --test counting --test distrust --test judge --test gpu
 
 data: ## fetch the real scenes into data/
 	scripts/data.sh all

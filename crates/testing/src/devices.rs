@@ -30,6 +30,12 @@ pub fn auto() -> &'static Gpu {
     GPU.get_or_init(|| open("auto"))
 }
 
+/// SwiftShader, whose rasteriser errs where a pixel has several samples: a fragment has the depth of the pixel's middle, and what covers a sample only because its corners were moved to
+/// 1/16 of a pixel is drawn there at a depth beyond all of them, before what hides it.
+pub fn is_swiftshader(gpu: &Gpu) -> bool {
+    gpu.info.name.contains("SwiftShader")
+}
+
 fn open(choice: &str) -> Gpu {
     let Ok(choice) = choice.parse::<AdapterChoice>();
     Gpu::open(&choice)

@@ -14,7 +14,7 @@ pub mod scenes;
 pub mod targets;
 
 pub use cameras::{look_at, over_pixels, perspective, perspective_degrees};
-pub use devices::{auto, gl, gpus, vulkan};
+pub use devices::{auto, gl, gpus, is_swiftshader, vulkan};
 pub use frames::{Settled, frame, settled, stage, stage_with, views, wrong_pixels_percent};
 pub use scenes::{
     SceneBuilder, add, balls, balls_with_proxies, cuboid, drawable, glass, holes, placed,

@@ -22,12 +22,26 @@ pub(super) struct Rect {
     /// Columns and rows of pixels, from the upper left.
     pub x: Range<u32>,
     pub y: Range<u32>,
+    /// In the middle, and all over it where nothing tilts it.
     pub depth: f32,
+    /// By how much its right and its upper edge are nearer than the middle.
+    tilt: [f32; 2],
 }
 
 impl Rect {
     pub const fn new(x: Range<u32>, y: Range<u32>, depth: f32) -> Self {
-        Self { x, y, depth }
+        let tilt = [0.0; 2];
+        Self { x, y, depth, tilt }
+    }
+
+    const fn tilted(self, right: f32, upper: f32) -> Self {
+        let tilt = [right, upper];
+        Self { tilt, ..self }
+    }
+
+    /// The number of its pixels.
+    pub fn area(&self) -> u32 {
+        self.x.len() as u32 * self.y.len() as u32
     }
 
     /// Middle and half sides in clip space, in an image of this size.
@@ -48,7 +62,7 @@ impl Rect {
         GpuInstance {
             row_x: [half_x, 0.0, 0.0, x],
             row_y: [0.0, half_y, 0.0, y],
-            row_z: [0.0, 0.0, 1.0, self.depth],
+            row_z: [self.tilt[0], self.tilt[1], 1.0, self.depth],
             origin_low: [0.0; 3],
             material: 0,
         }
@@ -159,6 +173,18 @@ pub(super) fn tested() -> Vec<(Rect, &'static str)> {
             Rect::new(200..210, 10..20, 0.5),
             "a sheet outside of the view",
         ),
+    ]
+}
+
+/// Sheets before everything, tilted in many ways, where none of what is [tested] is. Their depths are no binary fractions: a fragment has the depth that the same fragment has stored, or it has not.
+pub(super) fn slopes() -> Vec<Rect> {
+    vec![
+        Rect::new(72..83, 26..37, 0.9).tilted(0.031, -0.017),
+        Rect::new(85..98, 27..40, 0.87).tilted(-0.113, 0.0007),
+        Rect::new(71..80, 41..54, 0.8137).tilted(0.0999, 0.0777),
+        Rect::new(83..97, 43..52, 0.93).tilted(1e-4, -3e-5),
+        Rect::new(72..77, 56..69, 0.85).tilted(0.0, 0.14),
+        Rect::new(80..98, 55..68, 0.79).tilted(-0.05, -0.03),
     ]
 }
 

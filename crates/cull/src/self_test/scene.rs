@@ -77,6 +77,18 @@ impl Scene {
         }
     }
 
+    /// Draws more sheets into the depth.
+    pub fn add(&self, bench: &mut Bench<'_>, sheets: &Sheets) {
+        let pipeline = self.draws(bench);
+        let into = Attachments {
+            clears: false,
+            ..self.cleared()
+        };
+        let mut pass = pass(&mut bench.encoder, &into);
+        sheets.begin(bench.gpu, &mut pass, pipeline, None);
+        sheets.draw(&mut pass);
+    }
+
     /// Clears the depth and covers all of it with one sheet.
     pub fn cover(&self, bench: &mut Bench<'_>, at: f32) {
         let whole = Rect::new(0..SIZE[0], 0..SIZE[1], at);

@@ -87,8 +87,8 @@ pub const LOST_PART: Fault = Fault {
     change: |name, source| match name {
         "test_slots_one" | "test_slots_many" => with(
             source,
-            "if number < parts_from(first) && look_closely(",
-            "if number + 1u < parts_from(first) && look_closely(",
+            "if number < parts_from(first) && look_once(",
+            "if number + 1u < parts_from(first) && look_once(",
         ),
         _ => None,
     },

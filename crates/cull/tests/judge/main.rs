@@ -12,7 +12,7 @@ use antumbra_cull::judge::*;
 use antumbra_cull::{AdapterChoice, Gpu, Verdict, Verdicts};
 use antumbra_scene::Aabb;
 use antumbra_testing::engine::Drawn;
-use antumbra_testing::{gpus, vulkan};
+use antumbra_testing::{gpus, is_swiftshader, vulkan};
 use glam::camera::rh::proj::directx;
 use glam::camera::rh::view::look_at_mat4;
 use glam::{DAffine3, DVec3, Mat4, Vec3};
@@ -24,6 +24,10 @@ fn in_two_phases_no_pixel_is_wrong_whatever_the_host_draws_with() {
         for (number, (depth, projection)) in hosts().into_iter().enumerate() {
             if depth.samples > 1 && gpu.info.backend == wgpu::Backend::Gl {
                 // wgpu cannot read such a depth there.
+                continue;
+            }
+            if depth.samples > 1 && is_swiftshader(gpu) {
+                // It draws hidden boxes through those before them, judged or not.
                 continue;
             }
             let mut play = Play::new(gpu, [200, 160], depth, Phases::Two, number as u64);
