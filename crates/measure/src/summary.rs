@@ -129,18 +129,30 @@ fn draws_nothing(strategy: &StrategyReport) -> bool {
     visible && strategy.drawn.entities == 0.0
 }
 
-/// Whether a strategy draws nothing, or loses more than half of the visible entities for good. It is never recommended.
-fn loses_the_scene(strategy: &StrategyReport) -> bool {
+/// Why a strategy is not recommended, in words; `None` for one that may be: it draws nothing, loses more than half of the visible entities for good, or more than
+/// half of the pixels that entities own are wrong.
+fn loses_the_scene(strategy: &StrategyReport) -> Option<String> {
     let most = |lost: &LostEntities| 2 * lost.entities > lost.of;
-    draws_nothing(strategy) || strategy.lost.as_ref().is_some_and(most)
+    let owned = strategy.error.wrong_of_owned_percent;
+    let wrong = owned.filter(|owned| owned.mean > 50.0).map(|owned| {
+        let percent = format::percent(owned.mean);
+        format!("{percent} % {} are wrong", ErrorBasis::Owned.words())
+    });
+    let lost = draws_nothing(strategy) || strategy.lost.as_ref().is_some_and(most);
+    if !lost && wrong.is_none() {
+        return None;
+    }
+    let reasons: Vec<String> = wrong.into_iter().chain(loss(strategy)).collect();
+    Some(reasons.join(", "))
 }
 
-/// The strategies that are not recommended however fast they are, since they draw nothing or lose more than half of the visible entities for good: each with a
-/// sentence on that, without its name.
+/// The strategies that are not recommended however fast they are, since they lose most of the scene: each with a sentence on that, without its name. They draw nothing,
+/// lose more than half of the visible entities for good, or more than half of the pixels that entities own are wrong.
 pub fn withheld(report: &Report) -> Vec<(&StrategyReport, String)> {
     let contenders = report.strategies.iter().filter(|s| !s.is_yardstick());
-    let losing = contenders.filter(|s| loses_the_scene(s));
-    losing.filter_map(|s| Some((s, loss(s)?))).collect()
+    contenders
+        .filter_map(|s| Some((s, loses_the_scene(s)?)))
+        .collect()
 }
 
 /// A line for each setting that follows the image, with the strategies that have it: "three-pass late, three-pass same: threshold 2 (follows the image)".
@@ -197,7 +209,7 @@ pub fn recommendations(report: &Report) -> Vec<Recommendation<'_>> {
         let runners = report
             .strategies
             .iter()
-            .filter(|s| !s.is_yardstick() && !loses_the_scene(s) && fits(s, basis));
+            .filter(|s| !s.is_yardstick() && loses_the_scene(s).is_none() && fits(s, basis));
         runners.min_by(|a, b| a.frame_ms.median.total_cmp(&b.frame_ms.median))
     };
     let of_all = fastest(|_, _| true);

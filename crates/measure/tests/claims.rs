@@ -138,7 +138,10 @@ fn a_strategy_that_loses_a_fleet_of_one_pixel_ships_is_not_recommended() {
     let held = withheld(&report);
     assert_eq!(held.len(), 1);
     assert_eq!(held[0].0.title(), TEN);
-    assert_eq!(held[0].1, "draws nothing of 400 visible entities");
+    assert_eq!(
+        held[0].1,
+        "100 % of the pixels that entities own are wrong, draws nothing of 400 visible entities"
+    );
     let words = summarise(&report, &losing).text;
     assert!(
         words.contains("100 % of the pixels that entities own"),
@@ -187,6 +190,11 @@ fn what_is_lost_for_good_is_said_wherever_a_strategy_is_recommended() {
     let expected = format!("never draws {} of {}", lost.entities, lost.of);
     assert!(words.contains(&expected), "{words}");
     assert!(withheld(&report).is_empty());
+    // Nor is one recommended that shows each entity once, and most of them hardly ever.
+    let of_owned = &mut report.strategies[1].error.wrong_of_owned_percent;
+    of_owned.as_mut().unwrap().mean = 51.0;
+    assert!(recommendations(&report).is_empty());
+    assert!(withheld(&report)[0].1.contains("51 % of the pixels"));
 }
 
 #[test]
