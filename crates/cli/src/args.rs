@@ -109,7 +109,7 @@ pub struct SweepArgs {
     /// A fixed setting of every strategy of that name
     #[arg(long, value_name = "STRATEGY.KEY=VALUE")]
     pub set: Vec<String>,
-    /// A limit of error; the fastest setting within it is named: wrong_pixels=0.05%, false_culls=3 or flip=0.01
+    /// A limit of error; the fastest setting within it is named: wrong_pixels=0.05%, wrong_of_owned=0.05%, false_culls=3 or flip=0.01
     #[arg(long, alias = "budget", value_name = "ERROR=MOST", value_parser = value::limit)]
     pub limit: Vec<ErrorLimit>,
     /// The folder for report.json, report.html and trade.svg

@@ -2,7 +2,7 @@
 
 use antumbra::cull::{Gpu, Stage, StageOptions, Strategy};
 use antumbra::draw::GpuScene;
-use antumbra::scene::Camera;
+use antumbra::scene::{Camera, Scene};
 use antumbra::terrain::HorizonStrategy;
 use antumbra::verify::Oracle;
 
@@ -42,6 +42,10 @@ pub struct DrawnPose {
     pub cameras: Vec<Camera>,
     /// Width and height of a view in pixels.
     pub size: [u32; 2],
+    /// Samples a pixel.
+    pub samples: u32,
+    /// The scene on the host, which has the entities' names.
+    pub host: Scene,
     /// The adapter.
     pub gpu: Gpu,
     /// The adapter is watched until it is dropped.
@@ -83,6 +87,8 @@ impl DrawnPose {
             scene,
             cameras,
             size: input.size,
+            samples: input.samples,
+            host: input.scene,
             gpu,
             watch,
         })

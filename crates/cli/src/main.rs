@@ -16,6 +16,7 @@ mod fixed_setting;
 mod input;
 mod interrupt;
 mod landscape;
+mod losses;
 mod measuring;
 mod notes;
 mod outputs;

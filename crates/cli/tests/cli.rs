@@ -456,3 +456,28 @@ fn quiet_commands_print_nothing() {
         assert!(quiet.stderr.is_empty(), "{}", stderr(&quiet));
     }
 }
+
+#[test]
+fn an_image_that_lacks_visible_entities_says_so_on_standard_error() {
+    let dir = tempfile::tempdir().unwrap();
+    let image = dir.path().join("image.png").to_string_lossy().into_owned();
+    let drawn = |strategy: &str, more: &[&str]| {
+        let render = ["render", "grid:4", "--size", "96x72", "-o", &image];
+        let output = antumbra(&[&render[..], &["--strategy", strategy], more].concat());
+        assert!(output.status.success(), "{}", stderr(&output));
+        stderr(&output)
+    };
+    // More pixels than the image has: nothing is drawn.
+    let losing = "three-pass:latency=same-frame:threshold=7000";
+    let said = drawn(losing, &[]);
+    assert!(said.contains("visible entities are not drawn"), "{said}");
+    assert!(
+        said.contains("100.00 % of the pixels that entities own"),
+        "{said}"
+    );
+    assert_eq!(said.lines().count(), 1, "{said}");
+    assert_eq!(drawn(losing, &["--quiet"]), "");
+    for right in ["frustum", "coherent:latency=same-frame"] {
+        assert_eq!(drawn(right, &[]), "", "{right}");
+    }
+}

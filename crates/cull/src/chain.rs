@@ -80,6 +80,11 @@ impl Chain {
         std::iter::once(then).chain(own).collect()
     }
 
+    /// The settings of the strategy that it names which follow the size of the image.
+    pub fn following(&self, size: [u32; 2]) -> Vec<(&'static str, Value)> {
+        self.ask(|next| next.following(size))
+    }
+
     /// The steps of the strategy that it names.
     pub fn steps(&self) -> Vec<Step> {
         self.ask(|next| next.steps())

@@ -134,6 +134,12 @@ impl dyn Strategy + '_ {
         self.tuning().map(Tunable::settings).unwrap_or_default()
     }
 
+    /// Its settings that follow the size of the image, with their values for views of so many pixels: see [`Tunable::following`].
+    pub fn following(&self, size: [u32; 2]) -> Vec<(&'static str, Value)> {
+        let tuning = self.tuning();
+        tuning.map_or_else(Vec::new, |tuning| tuning.following(size))
+    }
+
     /// Its steps from the most accurate to the fastest; empty without any.
     pub fn steps(&self) -> Vec<Step> {
         self.tuning().map(Tunable::steps).unwrap_or_default()

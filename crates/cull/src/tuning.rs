@@ -48,6 +48,12 @@ pub trait Tunable {
     /// [`SettingError`] for a name that no setting has, a value out of range, or a strategy's name that is unknown.
     fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError>;
 
+    /// The settings whose value is a word that means "as the image's size has it", each with the value that it has for views of so many pixels (width, height).
+    fn following(&self, size: [u32; 2]) -> Vec<(&'static str, Value)> {
+        let _ = size;
+        Vec::new()
+    }
+
     /// How the strategy trades accuracy for speed when it is given a [`Budget`](crate::Budget): its steps from the most accurate, which is
     /// conservative, to the fastest. Empty: it has nothing to trade.
     fn steps(&self) -> Vec<Step> {

@@ -1,7 +1,7 @@
 //! Sentences on audits and budgets: what strategies estimated of their own wrong pixels, and whether they kept their budgets. For the
 //! terminal and the page.
 
-use crate::report::{Aggregate, AuditReport, BudgetReport, Report, StrategyReport};
+use crate::report::{Aggregate, AuditReport, BudgetReport, ErrorBasis, Report, StrategyReport};
 use crate::trade_off::ErrorLimit;
 use crate::{format, stats};
 
@@ -39,13 +39,23 @@ fn lines(report: &Report, strategy: &StrategyReport) -> Vec<String> {
         .collect()
 }
 
+/// ", 12 % of the pixels that entities own"; nothing in old reports.
+fn of_owned(strategy: &StrategyReport) -> String {
+    let owned = strategy.error.wrong_of_owned_percent;
+    owned.map_or_else(String::new, |owned| {
+        let percent = format::percent(owned.mean);
+        format!(", which is {percent} % {}", ErrorBasis::Owned.words())
+    })
+}
+
 fn audit_line(strategy: &StrategyReport, audit: &AuditReport) -> String {
     format!(
-        "by its own audit {} % of the pixels are wrong ({} to {}), in truth {} %; of {} frames {} % held the truth within their interval; {} patches a frame",
+        "by its own audit {} % of the pixels are wrong ({} to {}), in truth {} %{}; of {} frames {} % held the truth within their interval; {} patches a frame",
         format::percent(audit.percent),
         format::percent(audit.low),
         format::percent(audit.high),
         format::percent(strategy.error.wrong_pixels_percent.mean),
+        of_owned(strategy),
         audit.frames,
         format::percent(audit.frames_within as f64 / audit.frames.max(1) as f64 * 100.0),
         format::count(audit.patches),
@@ -58,16 +68,17 @@ fn budget_line(strategy: &StrategyReport, budget: &BudgetReport) -> String {
         .iter()
         .map(|frames| frames.to_string())
         .collect();
-    let outcome = match budget.kept {
-        Some(true) => format!(
-            "kept with {} % wrong pixels on average",
-            format::percent(strategy.error.wrong_pixels_percent.mean)
-        ),
-        Some(false) => format!(
-            "overdrawn with {} % wrong pixels on average",
-            format::percent(strategy.error.wrong_pixels_percent.mean)
-        ),
-        None => format!(
+    let wrong = format::percent(strategy.error.wrong_pixels_percent.mean);
+    let owned = of_owned(strategy);
+    let outcome = match (budget.kept, budget.kept_of_owned) {
+        (Some(true), Some(false)) => {
+            format!(
+                "kept of the image with {wrong} % wrong pixels on average{owned}: not kept of these"
+            )
+        }
+        (Some(true), _) => format!("kept with {wrong} % wrong pixels on average{owned}"),
+        (Some(false), _) => format!("overdrawn with {wrong} % wrong pixels on average{owned}"),
+        (None, _) => format!(
             "a frame took {} ms, half of them less",
             format::milliseconds(strategy.frame_ms.median)
         ),

@@ -22,6 +22,8 @@ use crate::{MeasureError, stats, views};
 mod accuracy;
 mod audited;
 mod entry;
+mod errors;
+mod fates;
 mod save;
 mod script;
 mod speed;
@@ -104,7 +106,7 @@ pub struct CompareOptions {
     pub block: Option<usize>,
     /// The path is repeated for speed until this many seconds have passed, five times at most.
     pub least_seconds: f64,
-    /// The number of evenly spaced poses at which FLIP is computed where any pixel is wrong. It is always computed for the worst frame.
+    /// The number of evenly spaced poses at which FLIP is computed, from the shaded images. It is always computed for the worst frame.
     pub flip_poses: usize,
     /// The command line, for the report.
     pub command: String,
@@ -209,6 +211,8 @@ pub fn compare_scripted(
         accuracy: &accuracy,
         speed: &speed,
         contenders,
+        scene,
+        size: options.size,
     }
     .reports(&stages)?;
     let report = Report {
@@ -229,6 +233,7 @@ pub fn compare_scripted(
             size: options.size,
             samples: options.samples,
             frames: path.poses().len() as u64,
+            owned_percent: accuracy.owned_percent(options.size),
             left_out: Vec::new(),
         },
         noise: Noise {

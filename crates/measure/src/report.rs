@@ -10,10 +10,12 @@ use antumbra_scene::Stereo;
 use serde::{Deserialize, Serialize};
 
 mod audit;
+mod errors;
 mod file;
 mod sweep;
 
 pub use audit::{AuditReport, BudgetReport};
+pub use errors::{ErrorBasis, ErrorReport, FalseCulls, LostEntities, Ties};
 pub use file::MAX_REPORT_BYTES;
 pub use sweep::{Aggregate, Choice, ErrorMeasure, LimitChoices, RunnerUp, Sweep, VariedSetting};
 
@@ -86,6 +88,9 @@ pub struct SceneFacts {
     pub samples: u32,
     /// Poses of the path; each is one frame.
     pub frames: u64,
+    /// Pixels of the reference that entities own, in percent of the pixels of all poses and views; absent in old reports.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub owned_percent: Option<f64>,
     /// What the scene lacks of its file; empty where nothing was left out.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub left_out: Vec<MissingParts>,
@@ -164,6 +169,9 @@ pub struct StrategyReport {
     pub latency: String,
     /// All of its settings, defaults included.
     pub settings: BTreeMap<String, serde_json::Value>,
+    /// Settings of these that follow the image, with their values at this report's size; their value in `settings` is a word.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub follows_image: BTreeMap<String, serde_json::Value>,
     /// Whether it claims to be conservative with these settings: to cull no visible entity.
     pub conservative: bool,
     /// Serialised frame time in milliseconds.
@@ -205,6 +213,9 @@ pub struct StrategyReport {
     /// Its errors by eye, left first; empty or one block for a single view.
     #[serde(default)]
     pub views: Vec<ErrorReport>,
+    /// Entities that it never drew where they were visible; absent in old reports.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lost: Option<LostEntities>,
     /// The series behind the numbers, with one value for each pose.
     #[serde(default, skip_serializing_if = "FrameSeries::is_empty")]
     pub frames: FrameSeries,
@@ -255,29 +266,6 @@ pub struct Drawn {
     pub triangles: f64,
 }
 
-/// Differences from the reference.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct ErrorReport {
-    /// Wrong pixels in percent of the view.
-    pub wrong_pixels_percent: MeanMax,
-    /// False culls.
-    pub false_culls: FalseCulls,
-    /// The FLIP difference of the shaded images, 0 (equal) to 1.
-    pub flip: MeanMax,
-}
-
-/// Entities that own pixels of the reference and were not drawn.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct FalseCulls {
-    /// False culls summed over all poses: an entity that is missing in three frames counts three times.
-    pub entities: u64,
-    /// The pose with the most false culls; absent when there are none.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub worst_frame: Option<u64>,
-    /// The longest run of consecutive frames with a false cull in each.
-    pub longest_run_frames: u64,
-}
-
 /// Series with one value for each pose, in path order.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct FrameSeries {
@@ -299,6 +287,9 @@ pub struct FrameSeries {
     /// Wrong pixels in percent of an eye's pixels: a series for each eye, left first; empty for a single view.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub wrong_pixels_percent_a_view: Vec<Vec<f64>>,
+    /// Wrong pixels in percent of the pixels that entities own, of all views; empty in old reports.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub wrong_of_owned_percent: Vec<f64>,
 }
 
 /// Median times of one pass.
@@ -418,10 +409,12 @@ impl StrategyReport {
             .unwrap_or(Role::Contender)
     }
 
-    /// Whether it claims to be conservative and has an error: a defect of the strategy.
+    /// Whether it claims to be conservative and has an error: a defect of the strategy. To cull an entity that ties is one, since ties count as visible.
     pub fn breaks_its_promise(&self) -> bool {
         self.conservative
-            && (self.error.false_culls.entities > 0 || self.error.wrong_pixels_percent.max > 0.0)
+            && (self.error.false_culls.entities > 0
+                || self.error.wrong_pixels_percent.max > 0.0
+                || self.error.culls_ties())
     }
 }
 
@@ -434,5 +427,6 @@ impl FrameSeries {
             && self.sync_points.is_empty()
             && self.wrong_pixels_percent.is_empty()
             && self.wrong_pixels_percent_a_view.is_empty()
+            && self.wrong_of_owned_percent.is_empty()
     }
 }

@@ -157,11 +157,42 @@ const COLUMNS: &[Definition] = &[
         Some(|s| Some(s.error.wrong_pixels_percent.max)),
     ),
     number(
+        "of owned",
+        "mean %",
+        |_, s| {
+            s.error
+                .wrong_of_owned_percent
+                .map(|owned| format::percent(owned.mean))
+        },
+        Some(|s| s.error.wrong_of_owned_percent.map(|owned| owned.mean)),
+    ),
+    number(
+        "of owned",
+        "max %",
+        |_, s| {
+            s.error
+                .wrong_of_owned_percent
+                .map(|owned| format::percent(owned.max))
+        },
+        Some(|s| s.error.wrong_of_owned_percent.map(|owned| owned.max)),
+    ),
+    number(
         "false",
         "culls",
         |_, s| Some(format::count(s.error.false_culls.entities as f64)),
         Some(|s| Some(s.error.false_culls.entities as f64)),
     ),
+    number(
+        "lost",
+        "for good",
+        |_, s| {
+            s.lost
+                .as_ref()
+                .map(|lost| format::count(lost.entities as f64))
+        },
+        Some(|s| s.lost.as_ref().map(|lost| lost.entities as f64)),
+    ),
+    number("ties", "mean %", ties, None),
     number(
         "FLIP",
         "mean",
@@ -169,6 +200,17 @@ const COLUMNS: &[Definition] = &[
         Some(|s| Some(s.error.flip.mean)),
     ),
 ];
+
+/// Pixels that show another entity of equal depth; a column that is left out where no strategy has any.
+fn ties(report: &Report, strategy: &StrategyReport) -> Option<String> {
+    let percent = |s: &StrategyReport| {
+        let ties = s.error.ties?;
+        Some(ties.culled_percent.mean + ties.shown_percent.mean)
+    };
+    let any = |s: &StrategyReport| percent(s).is_some_and(|percent| percent > 0.0);
+    report.strategies.iter().find(|s| any(s))?;
+    percent(strategy).map(format::percent)
+}
 
 /// `3.4x`: how many times as fast, from a ratio of times.
 fn speed(time_ratio: Option<f64>) -> Option<String> {
@@ -358,9 +400,15 @@ pub fn facts(report: &Report) -> [String; 2] {
         none if none.is_empty() => none,
         parts => format!("; left out of its file: {parts}"),
     };
+    let owned = scene.owned_percent.map_or_else(String::new, |percent| {
+        format!(
+            "; entities own {} % of the pixels",
+            format::percent(percent)
+        )
+    });
     [
         format!(
-            "scene {}: {}, {}; {width} x {height} pixels{samples}, {}{eyes}, {}{path}{missing}",
+            "scene {}: {}, {}; {width} x {height} pixels{samples}, {}{eyes}, {}{path}{owned}{missing}",
             format::clean(&scene.name),
             format::plural(scene.entities, "entity"),
             format::plural(scene.triangles, "triangle"),

@@ -86,6 +86,7 @@ fn a_budget_says_whether_it_was_kept_and_where_frames_stood() {
         strategy.budget = Some(BudgetReport {
             asked: "wrong_pixels=0.02%".to_owned(),
             kept: Some(kept),
+            kept_of_owned: None,
             frames_a_step: vec![3, 0, 21],
             allowed_percent: 0.01,
         });

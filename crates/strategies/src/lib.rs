@@ -26,7 +26,7 @@
 //!
 //! let exact = ThreePass {
 //!     latency: Latency::SameFrame,
-//!     threshold: 0,
+//!     threshold: Some(0),
 //!     occluders: TestGeometry::Full,
 //!     occludees: TestGeometry::Full,
 //!     scale: 1.0,

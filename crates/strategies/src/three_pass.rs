@@ -20,9 +20,9 @@ pub struct ThreePass {
     pub latency: Latency,
     /// How samples are counted; `None`: the first of identity, atomics, compare and queries that the device and the other settings allow.
     pub counting: Option<Counting>,
-    /// An entity is drawn when more pixels of its proxy than this are visible, in pixels of the final image. The counts are compared with `threshold * scale²` times the samples a pixel, rounded
+    /// An entity is drawn when more pixels of its proxy than this are visible, in pixels of the final image. `None`: the same part of every image ([`Self::threshold_for`]). The counts are compared with `threshold * scale²` times the samples a pixel, rounded
     /// down, since the first two passes draw a smaller image.
-    pub threshold: u32,
+    pub threshold: Option<u32>,
     /// Percent of the image that a frame may leave out although it is visible. The entities with the fewest visible samples are left out first, and none with more than
     /// [`Allowance::LARGEST`] samples of the first two passes' image. A value above 0 raises the threshold of each frame as far as this percentage permits; it never lowers the threshold. With
     /// [`Latency::OnGpu`] a plan that was compiled while `allow` was 0 has no node for it, and turning the dial later does nothing.
@@ -75,7 +75,7 @@ impl Default for ThreePass {
         Self {
             latency: Latency::FrameLate,
             counting: None,
-            threshold: 10,
+            threshold: None,
             allow: Dial::new(0.0),
             coarser: 0,
             occluders: TestGeometry::Proxy,
@@ -110,11 +110,11 @@ const PARAMETERS: &[Parameter<ThreePass>] = &[
         |s| s.counting.map_or(COUNTING[0], Counting::word),
         |s, at| s.counting = at.checked_sub(1).map(|at| Counting::ALL[at]),
     ),
-    Parameter::whole(
+    Parameter::whole_or_auto(
         "threshold",
         0..=1_000_000,
         "px",
-        "an entity is drawn if more pixels of its proxy than this are visible, in pixels of the final image",
+        "an entity is drawn if more pixels of its proxy than this are visible, in pixels of the final image; auto: 10 in an image of 1280 x 1024, the same part of any other, at least 1",
         |s| s.threshold,
         |s, pixels| s.threshold = pixels,
     ),
@@ -169,7 +169,18 @@ const PARAMETERS: &[Parameter<ThreePass>] = &[
 /// Below this scale [`Tunable::steps`] has one more step, at the geometric mean of the scale and 1. From it on, the two are too close for another step.
 const INTERMEDIATE_STEP_BELOW: f64 = 0.75;
 
+/// The part of the image that is too small to draw, unless a threshold is set: 10 pixels of 1280 x 1024.
+const UNSEEN: f64 = 10.0 / (1280.0 * 1024.0);
+
 impl ThreePass {
+    /// The threshold in pixels for a view of so many pixels (width, height): the one that is set or, without one, ten pixels of an image of 1280 x 1024 and the
+    /// same part of any other, at least 1. An entity covers the same part of an image of any size, so a fixed number of pixels would leave out more of a
+    /// smaller image.
+    pub fn threshold_for(&self, [width, height]: [u32; 2]) -> u32 {
+        let follows = (UNSEEN * f64::from(width) * f64::from(height)).round() as u32;
+        self.threshold.unwrap_or(follows.max(1))
+    }
+
     /// Refuses values of `occluders` and `scale` that a caller can set in code but not by name.
     fn check(&self) -> Result<(), DeclareError> {
         if self.occluders == TestGeometry::Box {
@@ -224,7 +235,7 @@ impl ThreePass {
     }
 
     fn needs_counts(&self) -> bool {
-        self.threshold > 0 || self.coarser > 0 || self.allow.get() > 0.0
+        self.threshold != Some(0) || self.coarser > 0 || self.allow.get() > 0.0
     }
 
     fn conflict(&self, conflict: &str) -> DeclareError {
@@ -248,7 +259,7 @@ impl Strategy for ThreePass {
         // Boxes are not conservative. The box of a flat entity lies in the entity's plane and may lose a pixel to it; the boxes of lines and points
         // cover fewer pixels than the lines and points.
         self.latency != Latency::FrameLate
-            && self.threshold == 0
+            && self.threshold == Some(0)
             && self.allow.get() == 0.0
             && self.coarser == 0
             && self.occluders == TestGeometry::Full
@@ -282,7 +293,7 @@ impl Strategy for ThreePass {
         let samples_a_pixel = self.scale * self.scale * f64::from(g.samples());
         let to_samples = |pixels: u32| (f64::from(pixels) * samples_a_pixel).floor() as u32;
         let rule = SampleRule {
-            threshold: to_samples(self.threshold),
+            threshold: to_samples(self.threshold_for(view.size())),
             coarser: to_samples(self.coarser),
         };
         let candidates = g.in_frustum(view);
@@ -321,6 +332,13 @@ impl Tunable for ThreePass {
 
     fn set(&mut self, key: &str, value: &Value) -> Result<(), SettingError> {
         assign("three-pass", PARAMETERS, self, key, value)
+    }
+
+    fn following(&self, size: [u32; 2]) -> Vec<(&'static str, Value)> {
+        match self.threshold {
+            Some(_) => Vec::new(),
+            None => vec![("threshold", self.threshold_for(size).into())],
+        }
     }
 
     /// The first step is conservative: full meshes at scale 1. Then come the present geometry at scale 1, at an intermediate scale and at the present scale, and last the present

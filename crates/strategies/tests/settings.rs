@@ -213,3 +213,30 @@ fn a_budget_never_leaves_counting_to_queries_that_cannot_count() {
         declared(&text, vec![ViewSpec::main(32, 32)]).unwrap();
     }
 }
+
+#[test]
+fn the_default_threshold_is_the_same_part_of_every_image_and_a_number_stays_that_number() {
+    let default = ThreePass::default();
+    for (size, pixels) in [
+        ([1280, 1024], 10),
+        ([640, 480], 2),
+        ([320, 240], 1),
+        ([16, 16], 1),
+        ([3840, 2160], 63),
+    ] {
+        assert_eq!(default.threshold_for(size), pixels, "{size:?}");
+        let fixed = registry().parse("three-pass:threshold=10").unwrap();
+        assert!(fixed.following(size).is_empty());
+        assert_eq!(
+            registry().parse("three-pass").unwrap().following(size),
+            [("threshold", pixels.into())]
+        );
+    }
+    let fixed = ThreePass {
+        threshold: Some(10),
+        ..default
+    };
+    assert_eq!(fixed.threshold_for([320, 240]), 10);
+    let again = registry().parse("three-pass:threshold=7:threshold=auto");
+    assert_eq!(again.unwrap().following([640, 480]).len(), 1);
+}

@@ -135,6 +135,10 @@ impl Tunable for HorizonStrategy {
         self.chain.set("horizon", key, value)
     }
 
+    fn following(&self, size: [u32; 2]) -> Vec<(&'static str, Value)> {
+        self.chain.following(size)
+    }
+
     fn steps(&self) -> Vec<Step> {
         self.chain.steps()
     }

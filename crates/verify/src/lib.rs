@@ -32,4 +32,4 @@
 pub mod kit;
 mod oracle;
 
-pub use oracle::{EntitySet, IdBuffer, Oracle, TransparentSums};
+pub use oracle::{Differences, EntitySet, IdBuffer, Oracle, TransparentSums};

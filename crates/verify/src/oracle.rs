@@ -5,17 +5,20 @@
 //! pixel gets the order-independent sum of the mixed ids of its visible transparent fragments, and each slot gets their number.
 //! (Item buffers: Weghorst, Hooper and Greenberg, *Improved Computational Methods for Ray Tracing*, 1984.)
 
+mod differences;
 mod id_buffer;
 mod owners;
 mod padded_rows;
 
+pub use differences::Differences;
 pub use id_buffer::{IdBuffer, TransparentSums};
 
 use std::sync::Arc;
 
 use antumbra_cull::{
     Alpha, Candidates, Counting, DEPTH_FORMAT, DepthTest, DrawList, Gpu, GpuView, ListDraws,
-    SceneFrame, SceneLayout, SceneTable, StageError, StageScene, Verdicts, ViewFrame, ViewInputs,
+    MeshDetail, SceneFrame, SceneLayout, SceneTable, StageError, StageScene, Verdicts, ViewFrame,
+    ViewInputs,
 };
 use antumbra_draw::passes::{self, PassSpec, Signatures};
 use antumbra_draw::{PassPipelines, PipelineKind};
@@ -42,6 +45,13 @@ pub enum EntitySet<'a> {
     Slots(&'a [u32]),
     /// The entities that these verdicts draw, at their levels of detail: what a strategy drew, in the reference's order.
     Drawn(&'a Verdicts),
+    /// The same, drawn after the entities in the slots `under`: where depths are equal, what the verdicts draw is in front.
+    DrawnOver {
+        /// What is drawn last.
+        verdicts: &'a Verdicts,
+        /// What is drawn first, at full detail.
+        under: &'a [u32],
+    },
 }
 
 /// Renders which entity owns each sample. Compiles its plan at the first call of [`Self::render`], and again when the scene's layout
@@ -50,6 +60,8 @@ pub struct Oracle {
     gpu: Gpu,
     image: Image,
     built: Option<Built>,
+    /// The plan that draws some entities before all others.
+    layered: Option<Built>,
 }
 
 struct Built {
@@ -68,7 +80,16 @@ enum OwnedSet {
         slots: Vec<u32>,
         /// The levels of detail; level 0 for a slot without a verdict.
         levels: Verdicts,
+        /// Drawn before, at full detail. A plan without layers has none.
+        under: Vec<u32>,
     },
+}
+
+/// Whether a plan draws some entities before all others.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Layers {
+    One,
+    Two,
 }
 
 /// Whether entities are solid or blended.
@@ -81,6 +102,7 @@ enum Blending {
 /// The draw lists that the oracle fills.
 #[derive(Clone, Copy)]
 struct Lists {
+    under: Option<ListDraws>,
     solid: ListDraws,
     transparent: Option<ListDraws>,
 }
@@ -100,6 +122,7 @@ impl Oracle {
             gpu: scene.gpu().clone(),
             image: Image { size, samples: 1 },
             built: None,
+            layered: None,
         }
     }
 
@@ -114,6 +137,7 @@ impl Oracle {
         Self {
             image,
             built: None,
+            layered: None,
             ..self
         }
     }
@@ -146,22 +170,29 @@ impl Oracle {
         })?;
         self.gpu.check_samples(self.image.samples)?;
         let layout = scene.layout();
-        let current = self
-            .built
+        let (kept, layers) = match entities {
+            EntitySet::DrawnOver { .. } => (&mut self.layered, Layers::Two),
+            _ => (&mut self.built, Layers::One),
+        };
+        let current = kept
             .take()
             .filter(|built| built.layout == layout)
-            .map_or_else(|| build(&self.gpu, self.image, layout), Ok)?;
-        let built = self.built.insert(current);
+            .map_or_else(|| build(&self.gpu, self.image, layout, layers), Ok)?;
+        let built = kept.insert(current);
+        let drawn = |verdicts: &Verdicts, under: &[u32]| OwnedSet::Listed {
+            slots: verdicts.drawn().collect(),
+            levels: verdicts.clone(),
+            under: under.to_vec(),
+        };
         let entities = match entities {
             EntitySet::InFrustum => OwnedSet::InFrustum,
             EntitySet::Slots(slots) => OwnedSet::Listed {
                 slots: slots.to_vec(),
                 levels: Verdicts::default(),
+                under: Vec::new(),
             },
-            EntitySet::Drawn(verdicts) => OwnedSet::Listed {
-                slots: verdicts.drawn().collect(),
-                levels: verdicts.clone(),
-            },
+            EntitySet::Drawn(verdicts) => drawn(verdicts, &[]),
+            EntitySet::DrawnOver { verdicts, under } => drawn(verdicts, under),
         };
         let plan = &mut built.plan;
         plan.set(built.scene, scene.frame())?;
@@ -174,15 +205,22 @@ impl Oracle {
     }
 }
 
-fn build(gpu: &Gpu, image: Image, layout: SceneLayout) -> Result<Built, StageError> {
+fn build(
+    gpu: &Gpu,
+    image: Image,
+    layout: SceneLayout,
+    layers: Layers,
+) -> Result<Built, StageError> {
     let mut graph = Graph::new("oracle");
     let g = &mut graph;
     let scene = g.import_host::<SceneFrame>("scene");
     let view = g.import_host::<ViewFrame>("camera");
     let entities = g.import_host::<OwnedSet>("entities");
-    let (inputs, lists) = submit(g, &layout, scene, view, entities);
+    let (inputs, lists) = submit(g, &layout, layers, scene, view, entities);
     let solid = |kind| pass_spec(gpu, &layout, kind, image.samples);
-    let owners = Owners::draw(g, image, inputs, lists.solid, solid);
+    let drawn = [lists.under, Some(lists.solid)];
+    let drawn = drawn.into_iter().flatten().collect::<Vec<_>>();
+    let owners = Owners::draw(g, image, inputs, &drawn, solid);
     let sums = lists
         .transparent
         .map(|list| sum_transparent(g, gpu, &layout, inputs, list, owners.depth, image));
@@ -208,6 +246,7 @@ fn build(gpu: &Gpu, image: Image, layout: SceneLayout) -> Result<Built, StageErr
 fn submit(
     g: &mut Graph,
     layout: &SceneLayout,
+    layers: Layers,
     scene: Host<SceneFrame>,
     view: Host<ViewFrame>,
     entities: Host<OwnedSet>,
@@ -218,11 +257,13 @@ fn submit(
         list: g.host::<DrawList>(name),
         slots: g.buffer(format!("{name}: slots"), BufferDesc::new(slots)),
     };
+    let under = (layers == Layers::Two).then(|| list("under"));
     let solid = list("solid");
     let transparent = layout.transparent.then(|| list("transparent"));
     let mut node = g.host_node("submit");
     node.read(scene).read(view).read(entities);
     let uniform = node.upload(uniform);
+    let under = under.map(|draws| draws.written_by(&mut node));
     let solid = solid.written_by(&mut node);
     let transparent = transparent.map(|draws| draws.written_by(&mut node));
     let mut candidates = Candidates::default();
@@ -232,13 +273,26 @@ fn submit(
         ctx.upload(uniform, 0, bytemuck::bytes_of(&frame.uniform()))?;
         let entities = ctx.get(entities)?;
         let full_detail = Verdicts::default();
-        let (slots, verdicts) = match &*entities {
+        let (slots, verdicts, first) = match &*entities {
             OwnedSet::InFrustum => {
                 candidates.find(table, &frame);
-                (candidates.inside(), &full_detail)
+                (candidates.inside(), &full_detail, &[][..])
             }
-            OwnedSet::Listed { slots, levels } => (slots.as_slice(), levels),
+            OwnedSet::Listed {
+                slots,
+                levels,
+                under,
+            } => (slots.as_slice(), levels, under.as_slice()),
         };
+        if let Some(under) = under {
+            let mut list = ctx.get_mut(under.list)?;
+            list.fill(
+                table,
+                live(table, first, Blending::Solid),
+                MeshDetail::Level(0),
+            );
+            ctx.upload(under.slots, 0, bytemuck::cast_slice(list.slots()))?;
+        }
         let chosen = |blending: Blending| {
             live(table, slots, blending).map(|slot| (slot, verdicts.level(slot)))
         };
@@ -258,7 +312,12 @@ fn submit(
         view,
         uniform,
     };
-    (inputs, Lists { solid, transparent })
+    let lists = Lists {
+        under,
+        solid,
+        transparent,
+    };
+    (inputs, lists)
 }
 
 /// Those of the slots that hold an entity of this blending.

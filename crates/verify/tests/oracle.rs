@@ -1,11 +1,11 @@
 //! The oracle on scenes with a known answer: which box is in front, which owns no pixel, what a transparent box adds.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_cull::Gpu;
+use antumbra_cull::{Gpu, Verdict, Verdicts};
 use antumbra_draw::GpuScene;
 use antumbra_scene::{AlphaMode, Camera, EntityKey, Material, Scene};
 use antumbra_testing::{add, cuboid, drawable, gl, look_at, perspective, vulkan};
-use antumbra_verify::{EntitySet, Oracle};
+use antumbra_verify::{Differences, EntitySet, Oracle};
 use glam::{DAffine3, DVec3};
 
 const SIZE: [u32; 2] = [50, 40];
@@ -100,4 +100,78 @@ fn owners_follow_the_scene_on_vulkan() {
 #[test]
 fn owners_follow_the_scene_on_gl() {
     owners_follow_the_scene(gl());
+}
+
+/// A cube, its coincident twin, a cube beside them with another behind it: what culling each of them costs.
+fn ties_are_told_from_losses(gpu: &Gpu, samples: u32) {
+    let mut scene = Scene::new();
+    let places = [
+        DVec3::ZERO,
+        DVec3::ZERO,
+        DVec3::new(1.5, 0.0, 0.0),
+        DVec3::new(1.5, 0.0, -2.0),
+    ];
+    let cubes = boxes(&mut scene, AlphaMode::Opaque, &places);
+    let gpu_scene = GpuScene::new(gpu, &mut scene).unwrap();
+    let mut oracle = Oracle::new(&gpu_scene, SIZE).with_samples(samples);
+    let camera = camera();
+    let reference = oracle
+        .render(&gpu_scene, &camera, EntitySet::InFrustum)
+        .unwrap();
+    let slots: Vec<u32> = (cubes.iter())
+        .map(|key| gpu_scene.slot(*key).unwrap())
+        .collect();
+    let owners = reference.owners();
+    // Of the twins, the one that is drawn last owns all of their pixels.
+    let [twin, other] = match owners.contains(&slots[1]) {
+        true => [slots[1], slots[0]],
+        false => [slots[0], slots[1]],
+    };
+    assert!(owners.contains(&twin) && !owners.contains(&other));
+    let covered = reference.owned_pixels();
+    let mut without = |culled: &[u32]| {
+        let mut verdicts = Verdicts::default();
+        verdicts.reset(4, Verdict::Visible);
+        for slot in culled {
+            verdicts.set(*slot, Verdict::Occluded);
+        }
+        oracle
+            .differences(&gpu_scene, &camera, &reference, &verdicts)
+            .unwrap()
+    };
+
+    let nothing = without(&[other]);
+    assert_eq!(nothing, Differences::default());
+    // The pixels show the other twin, at the same depth.
+    let tied = without(&[twin]);
+    assert_eq!(tied.undrawn, [twin]);
+    assert_eq!((tied.false_culls(), tied.wrong_pixels()), (0, 0));
+    let ties = tied.tie_pixels();
+    assert!(ties > 0);
+    // With both of them, the background is seen.
+    let gone = without(&[twin, other]);
+    assert_eq!((gone.false_culls(), gone.tie_pixels()), (1, 0));
+    assert_eq!(gone.wrong_pixels(), ties);
+    // A box without the box in front of it shows one that is further away: no tie.
+    let behind = without(&[slots[2]]);
+    assert_eq!((behind.false_culls(), behind.tie_pixels()), (1, 0));
+    assert!(behind.wrong_pixels() > 0);
+    let both = without(&[slots[2], twin]);
+    assert_eq!((both.false_culls(), both.tie_pixels()), (1, ties));
+    assert_eq!(both.tied, [twin]);
+    assert_eq!(both.wrong_pixels(), behind.wrong_pixels());
+    assert!(covered >= ties + behind.wrong_pixels());
+    assert!(covered < reference.pixels().count());
+}
+
+#[test]
+fn ties_are_told_from_losses_on_vulkan() {
+    ties_are_told_from_losses(vulkan(), 1);
+    ties_are_told_from_losses(vulkan(), 4);
+}
+
+#[test]
+fn ties_are_told_from_losses_on_gl() {
+    ties_are_told_from_losses(gl(), 1);
+    ties_are_told_from_losses(gl(), 4);
 }

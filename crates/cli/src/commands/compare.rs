@@ -2,8 +2,8 @@
 
 use antumbra::cull::Gpu;
 use antumbra::measure::audit_summary::audit_summaries;
-use antumbra::measure::report::Report;
-use antumbra::measure::summary::recommendations;
+use antumbra::measure::report::{ErrorBasis, Report};
+use antumbra::measure::summary::{following, recommendations, withheld};
 use antumbra::measure::table::{Table, facts, wants_colour};
 
 use crate::args::CompareArgs;
@@ -70,6 +70,7 @@ fn show(report: &Report, notes: &[String]) -> Result<(), Failure> {
     for note in notes {
         print(format_args!("{note}."))?;
     }
+    print_basis(report)?;
     for pick in recommendations(report) {
         let strategy = pick.strategy.title();
         print(format_args!(
@@ -77,9 +78,34 @@ fn show(report: &Report, notes: &[String]) -> Result<(), Failure> {
             pick.title, pick.summary.text
         ))?;
     }
+    print_withheld(report)?;
     for summary in audit_summaries(report) {
         let strategy = summary.strategy.title();
         print(format_args!("{strategy}: {}", summary.lines.join("\n  ")))?;
+    }
+    Ok(())
+}
+
+/// What the settings that follow the image are, and what share of wrong pixels the sentences below go by.
+pub(super) fn print_basis(report: &Report) -> Result<(), Failure> {
+    for line in following(report) {
+        print(format_args!("{line}."))?;
+    }
+    if report.error_basis() == ErrorBasis::Owned {
+        print(
+            "Entities own less than half of the pixels: what follows goes by wrong pixels as a share of those that they own.",
+        )?;
+    }
+    Ok(())
+}
+
+/// The strategies that lose the scene, which are not recommended.
+pub(super) fn print_withheld(report: &Report) -> Result<(), Failure> {
+    for (strategy, loss) in withheld(report) {
+        print(format_args!(
+            "Not recommended: {}, {loss}",
+            report.title_of(strategy)
+        ))?;
     }
     Ok(())
 }

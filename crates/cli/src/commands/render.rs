@@ -16,8 +16,9 @@ use image::{Rgba, RgbaImage};
 use crate::args::RenderArgs;
 use crate::drawn_pose::{DrawnPose, PoseRequest};
 use crate::failure::Failure;
+use crate::losses::losses;
 use crate::outputs::Outputs;
-use crate::print::print;
+use crate::print::{print, warn};
 
 /// What the names of two views' files end with.
 const EYES: [&str; 2] = ["-left", "-right"];
@@ -51,6 +52,11 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
         sketch: args.sketch.is_some(),
         timing: false,
     };
+    let pose = DrawnPose::draw(request, &mut outputs)?;
+    let losses = match args.view.quiet {
+        true => Vec::new(),
+        false => losses(&pose)?,
+    };
     let DrawnPose {
         stage,
         scene,
@@ -58,7 +64,8 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
         size,
         gpu,
         watch,
-    } = DrawnPose::draw(request, &mut outputs)?;
+        ..
+    } = pose;
     // Culled entities are shown by pixel, not by sample.
     let mut by_pixel = Oracle::new(&scene, size);
     let mut written = Vec::with_capacity(files.images.len() + files.sketches.len());
@@ -101,6 +108,7 @@ pub fn run(mut args: RenderArgs) -> Result<(), Failure> {
         path: failed.path,
         error: failed.source,
     })?;
+    losses.iter().for_each(warn);
     if !args.view.quiet {
         for (what, files) in [("image", &files.images), ("sketch", &files.sketches)] {
             for file in files {

@@ -6,6 +6,7 @@ use antumbra::measure::summary::recommendations;
 use antumbra::measure::table::{Table, facts, wants_colour};
 use antumbra::measure::trade_off::{self, EDGE_LEGEND};
 
+use super::compare::{print_basis, print_withheld};
 use crate::args::SweepArgs;
 use crate::failure::Failure;
 use crate::input::Input;
@@ -67,6 +68,7 @@ fn show(report: &Report) -> Result<(), Failure> {
         print_styled(table.terminal(colour))?;
     }
     print(EDGE_LEGEND)?;
+    print_basis(report)?;
     let answers = trade_off::choice_texts(report);
     for answer in &answers {
         let setting = report.title_of(answer.setting);
@@ -84,5 +86,6 @@ fn show(report: &Report) -> Result<(), Failure> {
             ))?;
         }
     }
+    print_withheld(report)?;
     Ok(())
 }

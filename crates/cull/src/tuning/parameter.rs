@@ -2,7 +2,7 @@
 
 use std::ops::{Bound, RangeInclusive};
 
-use super::setting_range::SettingRange;
+use super::setting_range::{AUTO, SettingRange};
 use super::value::Value;
 use super::{Setting, SettingError};
 
@@ -20,6 +20,11 @@ enum Access<S> {
         range: RangeInclusive<u32>,
         get: fn(&S) -> u32,
         set: fn(&mut S, u32),
+    },
+    WholeOrAuto {
+        range: RangeInclusive<u32>,
+        get: fn(&S) -> Option<u32>,
+        set: fn(&mut S, Option<u32>),
     },
     Number {
         least: Bound<f64>,
@@ -54,6 +59,23 @@ impl<S> Parameter<S> {
             unit,
             meaning,
             access: Access::Whole { range, get, set },
+        }
+    }
+
+    /// A whole number, or none, which is written `auto`: the strategy finds one by itself ([`Tunable::following`](super::Tunable::following)).
+    pub const fn whole_or_auto(
+        key: &'static str,
+        range: RangeInclusive<u32>,
+        unit: &'static str,
+        meaning: &'static str,
+        get: fn(&S) -> Option<u32>,
+        set: fn(&mut S, Option<u32>),
+    ) -> Self {
+        Self {
+            key,
+            unit,
+            meaning,
+            access: Access::WholeOrAuto { range, get, set },
         }
     }
 
@@ -162,6 +184,7 @@ impl<S> Parameter<S> {
     fn range(&self) -> SettingRange {
         match &self.access {
             Access::Whole { range, .. } => SettingRange::Whole(range.clone()),
+            Access::WholeOrAuto { range, .. } => SettingRange::WholeOrAuto(range.clone()),
             Access::Number { least, most, .. } => SettingRange::Number(*least, *most),
             Access::Switch { .. } => SettingRange::Switch,
             Access::Words { words, .. } => SettingRange::Words(words),
@@ -173,6 +196,7 @@ impl<S> Parameter<S> {
             key: self.key,
             value: match &self.access {
                 Access::Whole { get, .. } => get(of).into(),
+                Access::WholeOrAuto { get, .. } => get(of).map_or(AUTO.into(), Value::from),
                 Access::Number { get, .. } => get(of).into(),
                 Access::Switch { get, .. } => get(of).into(),
                 Access::Words { get, .. } => get(of).into(),
@@ -190,6 +214,10 @@ impl<S> Parameter<S> {
         }
         match (&self.access, value) {
             (Access::Whole { set, .. }, Value::Number(number)) => set(of, *number as u32),
+            (Access::WholeOrAuto { set, .. }, Value::Number(number)) => {
+                set(of, Some(*number as u32));
+            }
+            (Access::WholeOrAuto { set, .. }, Value::Word(_)) => set(of, None),
             (Access::Number { set, .. }, Value::Number(number)) => set(of, *number),
             (Access::Switch { set, .. }, Value::Switch(on)) => set(of, *on),
             (Access::Words { words, set, .. }, Value::Word(word)) => {
@@ -248,6 +276,7 @@ mod tests {
     #[derive(Default)]
     struct Set {
         count: u32,
+        least: Option<u32>,
         part: f64,
         reach: f64,
         small: f32,
@@ -258,6 +287,7 @@ mod tests {
     const ORDERS: &[&str] = &["state", "depth"];
     const TABLE: &[Parameter<Set>] = &[
         Parameter::whole("count", 1..=9, "px", "", |s| s.count, |s, v| s.count = v),
+        Parameter::whole_or_auto("least", 0..=9, "px", "", |s| s.least, |s, v| s.least = v),
         Parameter::number_above("part", 0.0, 1.0, "", "", |s| s.part, |s, v| s.part = v),
         Parameter::number_or_any("reach", 0.0, "m", "", |s| s.reach, |s, v| s.reach = v),
         Parameter::number(
@@ -284,6 +314,8 @@ mod tests {
     fn what_is_set_prints_as_it_was_written() {
         for (key, text) in [
             ("count", "9"),
+            ("least", "9"),
+            ("least", "auto"),
             ("part", "0.3"),
             ("reach", "any"),
             ("small", "0.1"),
@@ -302,6 +334,8 @@ mod tests {
         for (key, text, words) in [
             ("count", "0", "a whole number, 1 to 9"),
             ("count", "2.0", "a whole number, 1 to 9"),
+            ("least", "10", "a whole number, 0 to 9, or auto"),
+            ("least", "any", "a whole number, 0 to 9, or auto"),
             ("part", "0", "a number above 0, at most 1"),
             ("part", "inf", "a number above 0, at most 1"),
             ("part", "NaN", "a number above 0, at most 1"),
@@ -320,7 +354,7 @@ mod tests {
         assert_eq!(
             unknown.as_deref(),
             Some(
-                "strategy 'set' has no setting 'colour' (it has: count, part, reach, small, on, order)"
+                "strategy 'set' has no setting 'colour' (it has: count, least, part, reach, small, on, order)"
             )
         );
     }

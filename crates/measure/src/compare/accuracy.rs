@@ -1,7 +1,8 @@
 //! Accuracy: compares every view of every pose with the reference.
 //!
-//! A strategy's visible set is drawn in the reference's order, so differences come only from missing entities and from entities drawn at a
-//! coarser level. A set that contains every owner of a sample at full detail therefore has no wrong pixel, and is not drawn again.
+//! A strategy's visible set is drawn in the reference's order, so wrong pixels come only from missing entities and from entities drawn at a
+//! coarser level. A set that contains every owner of a sample at full detail therefore has no wrong pixel, and is not drawn again. FLIP compares the shaded images
+//! themselves: entities at equal depth may be shown in another order although no pixel is wrong.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -11,10 +12,11 @@ use antumbra_cull::{
 };
 use antumbra_draw::GpuScene;
 use antumbra_scene::Camera;
-use antumbra_verify::{EntitySet, IdBuffer, Oracle};
+use antumbra_verify::{Differences, EntitySet, IdBuffer, Oracle};
 use image::RgbaImage;
 
 use super::audited::Audited;
+use super::fates::{Fates, SeenEntity};
 use super::script::{PosedScene, ScriptedScene};
 use super::{CompareOptions, CompareProgress};
 use crate::MeasureError;
@@ -27,6 +29,18 @@ pub struct Accuracy {
     pub records: Vec<Record>,
     /// By pose.
     pub owners: Vec<Owners>,
+    /// By pose, by view: the pixels that entities own.
+    pub owned_pixels: Vec<Vec<u64>>,
+}
+
+impl Accuracy {
+    /// The pixels that entities own, in percent of all pixels of views of this size; `None` without poses.
+    pub fn owned_percent(&self, [width, height]: [u32; 2]) -> Option<f64> {
+        let views = self.owned_pixels.iter().map(Vec::len).sum::<usize>();
+        let pixels = views as f64 * f64::from(width) * f64::from(height);
+        let owned = self.owned_pixels.iter().flatten().sum::<u64>();
+        (pixels > 0.0).then(|| 100.0 * owned as f64 / pixels)
+    }
 }
 
 /// By view: the slots that own a sample.
@@ -49,6 +63,8 @@ pub struct Record {
     pub audited: Audited,
     /// The audits' part of the report.
     pub audit: Option<AuditReport>,
+    /// Which entities it drew where they were visible.
+    pub fates: Fates,
 }
 
 /// Counts of one pose, all views together.
@@ -62,11 +78,20 @@ pub struct PoseCounts {
 #[derive(Default)]
 pub struct ViewRecord {
     pub wrong_percent: Vec<f64>,
+    pub wrong: Vec<u64>,
     pub false_culls: Vec<u64>,
+    /// Pixels that show another entity of equal depth, since their owner was culled.
+    pub tie_percent: Vec<f64>,
+    /// Culled entities that lost only such pixels, summed over the poses.
+    pub tied_culls: u64,
+    /// Pixels that have another colour although their owner was drawn.
+    pub shown: MeanMax,
     pub queries: u64,
     pub flip: MeanMax,
     pub worst: Option<Worst>,
+    /// By pose at which FLIP is computed.
     flips: Vec<f64>,
+    shown_percent: Vec<f64>,
 }
 
 /// The frame with the most wrong pixels.
@@ -83,7 +108,8 @@ struct ReferenceView {
     camera: Camera,
     ids: IdBuffer,
     owners: Arc<Vec<u32>>,
-    /// The shaded image, drawn when the first strategy has a wrong pixel.
+    seen: Vec<SeenEntity>,
+    /// The shaded image, drawn when it is first compared.
     colour: Option<RgbaImage>,
 }
 
@@ -106,6 +132,7 @@ pub fn measure(
     let mut comparer = Comparer::new(scripted.scene(), options)?;
     let mut records: Vec<Record> = stages.iter().map(|_| Record::default()).collect();
     let mut owners = Vec::with_capacity(path.poses().len());
+    let mut owned_pixels = Vec::with_capacity(path.poses().len());
     let total = path.poses().len() as u64;
     let every = path
         .poses()
@@ -160,6 +187,8 @@ pub fn measure(
                 sync_points: report.plan.sync_points,
             });
         }
+        let owned = |reference: &ReferenceView| reference.ids.owned_pixels() as u64;
+        owned_pixels.push(references.iter().map(owned).collect());
         let of_views = references.into_iter().map(|reference| reference.owners);
         owners.push(of_views.collect());
     }
@@ -169,7 +198,11 @@ pub fn measure(
             view.finish()?;
         }
     }
-    Ok(Accuracy { records, owners })
+    Ok(Accuracy {
+        records,
+        owners,
+        owned_pixels,
+    })
 }
 
 /// Draws references and compares frames with them.
@@ -205,6 +238,7 @@ impl Comparer {
         Ok(ReferenceView {
             camera,
             owners: Arc::new(ids.owners()),
+            seen: SeenEntity::all(scene.table(), &ids),
             ids,
             colour: None,
         })
@@ -222,49 +256,51 @@ impl Comparer {
     ) -> Result<(), MeasureError> {
         let verdicts = stage.verdicts(view, scene)?;
         let drawn: Vec<u32> = verdicts.drawn().collect();
-        let missing = missing(&reference.owners, &drawn);
-        let owners_drawn = reference.owners.len() - missing;
+        let found = self
+            .oracle
+            .differences(scene, &reference.camera, &reference.ids, &verdicts)?;
+        let owners_drawn = reference.owners.len() - found.undrawn.len();
         record.count(scene, &drawn, &verdicts, owners_drawn);
+        record.fates.note(&reference.seen, &found);
         let Some(record) = record.views.get_mut(view) else {
             return Ok(());
         };
         record.queries += u64::from(verdicts.tested());
-        record.false_culls.push(missing as u64);
-        let wrong = match missing {
-            0 if verdicts.levels() == 1 => None,
-            _ => {
-                let drawn = EntitySet::Drawn(&verdicts);
-                let seen = self.oracle.render(scene, &reference.camera, drawn)?;
-                Some(reference.ids.wrong_pixel_mask(&seen))
-            }
-        };
-        let count = wrong.iter().flatten().filter(|wrong| **wrong).count();
-        let [width, height] = self.size;
-        let pixels = f64::from(width * height).max(1.0);
-        record.wrong_percent.push(100.0 * count as f64 / pixels);
-        let worse = count > record.worst.as_ref().map_or(0, |worst| worst.wrong);
-        if let Some(mask) = wrong.filter(|_| count > 0 && (sampled || worse)) {
-            let painted = reference.colour.take();
-            let painted = painted.map_or_else(|| self.paint(scene, reference.camera), Ok)?;
-            let reference = reference.colour.insert(painted);
-            let strategy = picture(stage, view, scene, self.size)?;
-            if sampled {
-                record.flips.push(flip(reference, &strategy)?.mean);
-            }
-            if worse {
-                record.worst = Some(Worst {
-                    frame,
-                    wrong: count,
-                    reference: reference.clone(),
-                    strategy,
-                    mask,
-                });
-            }
-        } else if sampled {
-            // All owners are drawn, so the images are equal.
-            record.flips.push(0.0);
+        let wrong = found.wrong_pixels();
+        record.wrong.push(wrong as u64);
+        record.wrong_percent.push(self.percent(wrong));
+        record.false_culls.push(found.false_culls() as u64);
+        record.tie_percent.push(self.percent(found.tie_pixels()));
+        record.tied_culls += found.tied.len() as u64;
+        let worse = wrong > record.worst.as_ref().map_or(0, |worst| worst.wrong);
+        if !sampled && !worse {
+            return Ok(());
+        }
+        let painted = reference.colour.take();
+        let painted = painted.map_or_else(|| self.paint(scene, reference.camera), Ok)?;
+        let painted = reference.colour.insert(painted);
+        let strategy = picture(stage, view, scene, self.size)?;
+        if sampled {
+            record.flips.push(flip(painted, &strategy)?.mean);
+            let shown = shown_otherwise(&reference.ids, &found, painted, &strategy);
+            record.shown_percent.push(self.percent(shown));
+        }
+        if worse {
+            record.worst = Some(Worst {
+                frame,
+                wrong,
+                reference: painted.clone(),
+                strategy,
+                mask: found.wrong,
+            });
         }
         Ok(())
+    }
+
+    /// A number of pixels in percent of a view's.
+    fn percent(&self, pixels: usize) -> f64 {
+        let [width, height] = self.size.map(f64::from);
+        100.0 * pixels as f64 / (width * height).max(1.0)
     }
 
     fn paint(&mut self, scene: &GpuScene, camera: Camera) -> Result<RgbaImage, MeasureError> {
@@ -273,11 +309,20 @@ impl Comparer {
     }
 }
 
-/// The number of owners that were not drawn. Both lists ascend.
-fn missing(owners: &[u32], drawn: &[u32]) -> usize {
-    owners
-        .iter()
-        .filter(|slot| drawn.binary_search(slot).is_err())
+/// The number of pixels whose colour differs although their owner was drawn: entities of equal depth, shown in another order. Pixels behind a transparent
+/// entity are left out; their colours blend.
+fn shown_otherwise(
+    ids: &IdBuffer,
+    found: &Differences,
+    reference: &RgbaImage,
+    strategy: &RgbaImage,
+) -> usize {
+    let marked = |mask: &[bool], pixel: usize| mask.get(pixel).copied().unwrap_or(false);
+    let pairs = reference.pixels().zip(strategy.pixels()).enumerate();
+    let differing = pairs.filter(|(_, (was, is))| was != is);
+    differing
+        .filter(|(pixel, _)| !marked(&found.wrong, *pixel) && !marked(&found.tie, *pixel))
+        .filter(|(pixel, _)| ids.signature(*pixel) == 0)
         .count()
 }
 
@@ -322,13 +367,20 @@ impl Record {
 
 impl ViewRecord {
     fn finish(&mut self) -> Result<(), MeasureError> {
-        let count = self.flips.len().max(1) as f64;
-        let mean = self.flips.iter().sum::<f64>() / count;
-        let mut max = self.flips.iter().copied().fold(0.0, f64::max);
+        self.shown = mean_max(&self.shown_percent);
+        self.flip = mean_max(&self.flips);
         if let Some(worst) = &self.worst {
-            max = max.max(flip(&worst.reference, &worst.strategy)?.mean);
+            let max = flip(&worst.reference, &worst.strategy)?.mean;
+            self.flip.max = self.flip.max.max(max);
         }
-        self.flip = MeanMax { mean, max };
         Ok(())
+    }
+}
+
+/// Of an empty series both are 0.
+fn mean_max(series: &[f64]) -> MeanMax {
+    MeanMax {
+        mean: series.iter().sum::<f64>() / series.len().max(1) as f64,
+        max: series.iter().copied().fold(0.0, f64::max),
     }
 }

@@ -2,7 +2,7 @@
 
 use antumbra_cull::{Audit, Budget, Stage};
 
-use crate::report::{AuditReport, BudgetReport};
+use crate::report::{AuditReport, BudgetReport, ErrorReport, MeanMax};
 
 /// The audits and budget steps of one stage.
 #[derive(Default)]
@@ -98,15 +98,21 @@ impl Audited {
     }
 
     /// The budget's part of the report; `None` where there was no budget.
-    pub fn budget_report(&self, budget: Option<Budget>, mean_percent: f64) -> Option<BudgetReport> {
+    pub fn budget_report(
+        &self,
+        budget: Option<Budget>,
+        error: &ErrorReport,
+    ) -> Option<BudgetReport> {
         let budget = budget?;
         let frames = self.frames_a_step.iter().sum::<u64>().max(1) as f64;
+        let keeps = |wrong: MeanMax| match budget {
+            Budget::WrongPixels(percent) => Some(wrong.mean <= percent),
+            Budget::FrameTime(_) => None,
+        };
         Some(BudgetReport {
             asked: budget.to_string(),
-            kept: match budget {
-                Budget::WrongPixels(percent) => Some(mean_percent <= percent),
-                Budget::FrameTime(_) => None,
-            },
+            kept: keeps(error.wrong_pixels_percent),
+            kept_of_owned: error.wrong_of_owned_percent.and_then(keeps),
             frames_a_step: self.frames_a_step.clone(),
             allowed_percent: self.allowed / frames,
         })

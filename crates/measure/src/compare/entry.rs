@@ -3,17 +3,16 @@
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-use antumbra_cull::{Budget, Role, Stage, Verdict};
+use antumbra_cull::{Budget, Role, Stage, Value, Verdict};
+use antumbra_scene::Scene;
 use image::RgbaImage;
 
 use super::Contender;
 use super::accuracy::{Accuracy, Record};
+use super::errors::ImageErrors;
 use super::speed::Speed;
 use crate::MeasureError;
-use crate::report::{
-    Drawn, ErrorReport, FalseCulls, FrameSeries, MeanMax, Spread, StrategyReport, WorstFrame,
-    WorstImages,
-};
+use crate::report::{Drawn, FrameSeries, Spread, StrategyReport, WorstFrame, WorstImages};
 use crate::stats;
 
 /// The measurements of all contenders.
@@ -21,6 +20,9 @@ pub struct Entries<'a> {
     pub accuracy: &'a Accuracy,
     pub speed: &'a Speed,
     pub contenders: &'a [Contender],
+    pub scene: &'a Scene,
+    /// Width and height of a view in pixels.
+    pub size: [u32; 2],
 }
 
 /// The entries of a report and the pictures that they name.
@@ -58,21 +60,21 @@ impl Entries<'_> {
         let settings = strategy
             .settings()
             .into_iter()
-            .map(|setting| (setting.key.to_owned(), value(&setting.value.to_string())))
+            .map(|setting| (setting.key.to_owned(), value(&setting.value)))
             .collect();
+        let following = strategy.following(self.size).into_iter();
         let poses = self.accuracy.owners.len();
         let mean = |sum: u64| sum as f64 / poses.max(1) as f64;
         let title = match contender.label.as_str() {
             "" => strategy.name(),
             label => label,
         };
-        let views = record
-            .views
-            .iter()
-            .map(|view| error_report(&view.wrong_percent, &view.false_culls, view.flip))
-            .collect::<Result<Vec<_>, _>>()?;
-        let all = AllViews::of(record, poses);
-        let mean_percent = stats::mean(&all.wrong_percent)?;
+        let owned = &self.accuracy.owned_pixels;
+        let of_views = ImageErrors::of_views(record, owned);
+        let all = ImageErrors::together(&of_views, poses);
+        let error = all.report()?;
+        let of_views = of_views.iter().map(ImageErrors::report);
+        let views = of_views.collect::<Result<Vec<_>, _>>()?;
         // Left out for a single view, which it would only repeat.
         let eyes = match record.views.as_slice() {
             [_] => &[],
@@ -91,6 +93,9 @@ impl Entries<'_> {
                 .latency()
                 .map_or_else(|| "none".to_owned(), |latency| latency.to_string()),
             settings,
+            follows_image: following
+                .map(|(key, found)| (key.to_owned(), value(&found)))
+                .collect(),
             conservative: match contender.budget {
                 None | Some(Budget::WrongPixels(0.0)) => strategy.conservative(),
                 // Its settings are those of the last frame. Earlier frames may have used others.
@@ -115,13 +120,15 @@ impl Entries<'_> {
             queries_a_view: eyes.iter().map(|view| mean(view.queries)).collect(),
             sync_points: record.sync_points,
             overdrawn_entities: mean(record.overdrawn),
-            error: error_report(&all.wrong_percent, &all.false_culls, all.flip)?,
+            error,
             views,
+            lost: Some(record.fates.lost(self.scene)),
             frames: FrameSeries {
                 frame_ms: run.by_pose(poses)?,
                 drawn_triangles: record.poses.iter().map(|pose| pose.triangles).collect(),
                 queries: record.poses.iter().map(|pose| pose.queries).collect(),
                 sync_points: record.poses.iter().map(|pose| pose.sync_points).collect(),
+                wrong_of_owned_percent: all.wrong_of_owned_percent(),
                 wrong_pixels_percent: all.wrong_percent,
                 wrong_pixels_percent_a_view: eyes
                     .iter()
@@ -132,7 +139,7 @@ impl Entries<'_> {
             verdicts,
             audited: contender.audit.is_some(),
             audit: record.audit.clone(),
-            budget: record.audited.budget_report(contender.budget, mean_percent),
+            budget: record.audited.budget_report(contender.budget, &error),
             worst: worst(record, &file_base(title, at), pictures)?,
         })
     }
@@ -146,32 +153,6 @@ impl Entries<'_> {
         let (run, other) = (&self.speed.runs[at], &self.speed.runs[other]);
         let ratios = stats::block_ratios(&run.frame_ms, &other.frame_ms, self.speed.block)?;
         Ok(Some(stats::median(&ratios)?))
-    }
-}
-
-/// The errors of all views of a frame taken as one image: wrong pixels among the pixels of all views, false culls summed.
-struct AllViews {
-    wrong_percent: Vec<f64>,
-    false_culls: Vec<u64>,
-    flip: MeanMax,
-}
-
-impl AllViews {
-    fn of(record: &Record, poses: usize) -> Self {
-        let views = &record.views;
-        let count = views.len().max(1) as f64;
-        let wrong = |pose: usize| views.iter().filter_map(move |v| v.wrong_percent.get(pose));
-        let culls = |pose: usize| views.iter().filter_map(move |v| v.false_culls.get(pose));
-        Self {
-            wrong_percent: (0..poses)
-                .map(|pose| wrong(pose).sum::<f64>() / count)
-                .collect(),
-            false_culls: (0..poses).map(|pose| culls(pose).sum()).collect(),
-            flip: MeanMax {
-                mean: views.iter().map(|view| view.flip.mean).sum::<f64>() / count,
-                max: views.iter().map(|view| view.flip.max).fold(0.0, f64::max),
-            },
-        }
     }
 }
 
@@ -205,35 +186,10 @@ fn worst(
     }))
 }
 
-/// An error block from its series of one value for each pose.
-fn error_report(
-    wrong_percent: &[f64],
-    false_culls: &[u64],
-    flip: MeanMax,
-) -> Result<ErrorReport, MeasureError> {
-    let most = false_culls
-        .iter()
-        .enumerate()
-        .max_by(|a, b| a.1.cmp(b.1).then(b.0.cmp(&a.0)));
-    Ok(ErrorReport {
-        wrong_pixels_percent: MeanMax {
-            mean: stats::mean(wrong_percent)?,
-            max: wrong_percent.iter().copied().fold(0.0, f64::max),
-        },
-        false_culls: FalseCulls {
-            entities: false_culls.iter().sum(),
-            worst_frame: most
-                .filter(|(_, culls)| **culls > 0)
-                .map(|(frame, _)| frame as u64),
-            longest_run_frames: stats::longest_run(false_culls.iter().map(|culls| *culls > 0)),
-        },
-        flip,
-    })
-}
-
 /// A setting's value as JSON: a number if it is one, else a string.
-fn value(text: &str) -> serde_json::Value {
-    serde_json::from_str(text)
+fn value(value: &Value) -> serde_json::Value {
+    let text = value.to_string();
+    serde_json::from_str(&text)
         .ok()
         .filter(serde_json::Value::is_number)
         .unwrap_or_else(|| text.into())

@@ -57,7 +57,10 @@ pub(super) fn strategies(report: &Report) -> String {
         let settings: Vec<String> = strategy
             .settings
             .iter()
-            .map(|(key, value)| format!("{key} = {value}"))
+            .map(|(key, value)| match strategy.follows_image.get(key) {
+                Some(found) => format!("{key} = {found} (follows the image)"),
+                None => format!("{key} = {value}"),
+            })
             .collect();
         let verdicts: Vec<String> = strategy
             .verdicts

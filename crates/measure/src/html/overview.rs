@@ -25,7 +25,8 @@ pub(super) fn header(report: &Report) -> String {
 /// A card for each choice of a sweep's limits or, without limits, for each recommendation; and a card with the distance from `ideal`.
 pub(super) fn recommendations(report: &Report) -> String {
     let recommended = summary::recommendations(report);
-    if recommended.is_empty() {
+    let withheld = summary::withheld(report);
+    if recommended.is_empty() && withheld.is_empty() {
         return String::new();
     }
     let mut html = "<section class=\"cards\">\n".to_owned();
@@ -48,6 +49,13 @@ pub(super) fn recommendations(report: &Report) -> String {
             escape(pick.title),
             escape(report.title_of(pick.strategy)),
             escape(&upper_first(&pick.summary.text)),
+        );
+    }
+    for (strategy, loss) in withheld {
+        html += &format!(
+            "<div class=\"card poor\"><p class=\"question\">Not recommended</p><p class=\"name\">{}</p><p>{}</p></div>\n",
+            escape(report.title_of(strategy)),
+            escape(&upper_first(&loss)),
         );
     }
     let efficiency = recommended
@@ -78,7 +86,16 @@ pub(super) fn table(report: &Report) -> String {
     html += &grid(&Table::new(report));
     html += "<p class=\"meaning\">Best values are marked; none, frustum and ideal are the yardsticks and are not \
              marked. Speed vs: how many times as fast (2x takes half the time). Drawn, queries: means over the frames. Wrong px: pixels whose \
-             entity differs from the reference. False culls: visible entities not drawn, summed over all frames.</p>\n";
+             entity differs from the reference, in percent of the image. Of owned: the same in percent of the pixels that entities own. False culls: visible \
+             entities not drawn, summed over all frames. Lost for good: entities that were drawn in no frame in which they were visible. Ties: pixels that show \
+             another entity of equal depth, which are no errors; FLIP is computed from the shaded images and sees them.</p>\n";
+    html += &format!(
+        "<p class=\"meaning\">Recommendations, choices and the plot go by wrong pixels as a share {}.</p>\n",
+        report.error_basis().words()
+    );
+    for line in summary::following(report) {
+        html += &format!("<p class=\"meaning\">{}</p>\n", escape(&upper_first(&line)));
+    }
     if report.sweep.is_some() {
         html += &format!(
             "<p class=\"meaning\">{}</p>\n",

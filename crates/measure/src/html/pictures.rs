@@ -71,8 +71,19 @@ fn row(
     let error = seen
         .and_then(|view| strategy.views.get(view))
         .unwrap_or(&strategy.error);
+    // The pose with the most wrong pixels may not be that with the largest share of owned ones.
+    let frame = usize::try_from(worst.frame).ok();
+    let series = &strategy.frames.wrong_of_owned_percent;
+    let owned = frame.filter(|_| report.scene.views < 2);
+    let owned = owned.and_then(|frame| series.get(frame));
+    let owned = owned.map_or_else(String::new, |percent| {
+        format!(
+            ", {} % of those that entities own",
+            format::percent(*percent)
+        )
+    });
     let mut html = format!(
-        "<h3>{}: frame {}{view}, {} % wrong pixels</h3>\n<div class=\"three\">\n",
+        "<h3>{}: frame {}{view}, {} % wrong pixels{owned}</h3>\n<div class=\"three\">\n",
         escape(strategy.title()),
         worst.frame,
         format::percent(error.wrong_pixels_percent.max),

@@ -13,7 +13,7 @@ mod draw;
 mod speed;
 mod sweep;
 
-/// Plots mean wrong pixels, logarithmic with a position for 0, over speed. A line connects the strategies on the Pareto front (the efficient
+/// Plots mean wrong pixels (by [`Report::error_basis`]), logarithmic with a position for 0, over speed. A line connects the strategies on the Pareto front (the efficient
 /// edge). A vertical line shows `ideal`, the limit of every conservative strategy, where it was measured. `None` for a report without
 /// strategies.
 ///
@@ -33,6 +33,7 @@ pub fn speed_against_error(report: &Report) -> Result<Option<String>, MeasureErr
 /// All strategies of a comparison.
 fn compared(report: &Report) -> Option<Plot> {
     let speed = Speed(TimeBase::of(report));
+    let basis = report.error_basis();
     let (ideal, rest): (Vec<_>, Vec<_>) = coloured(report)
         .into_iter()
         .partition(|one| one.strategy.role() == Role::Ideal);
@@ -41,7 +42,7 @@ fn compared(report: &Report) -> Option<Plot> {
         .map(|one| {
             let place = Place {
                 speed: speed.get(one.strategy),
-                error: one.strategy.error.wrong_pixels_percent.mean,
+                error: one.strategy.error.wrong(basis).mean,
             };
             Point::new(name(report, one.strategy), Mark::Dot(one.colour), place)
         })
@@ -75,6 +76,7 @@ fn compared(report: &Report) -> Option<Plot> {
         edge_line: EdgeLine::Dashed,
         points,
         ideal,
+        basis,
         limits: Vec::new(),
         legend,
     })

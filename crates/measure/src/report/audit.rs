@@ -30,6 +30,9 @@ pub struct BudgetReport {
     /// Whether the mean of the wrong pixels stayed within it; absent for a budget of time, for which see `frame_ms`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub kept: Option<bool>,
+    /// Whether they stayed within it as a share of the pixels that entities own; absent for a budget of time and in old reports.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub kept_of_owned: Option<bool>,
     /// Frames on each step of the strategy's trade-off, the most accurate first.
     pub frames_a_step: Vec<u64>,
     /// Samples that frames were allowed to leave out by their own count, in percent of the pixels: mean over the frames.

@@ -38,6 +38,8 @@ pub struct VariedSetting {
 pub enum ErrorMeasure {
     /// Wrong pixels in percent of the pixels.
     WrongPixelsPercent,
+    /// Wrong pixels in percent of the pixels that entities own.
+    WrongOfOwnedPercent,
     /// False culls summed over all poses.
     FalseCulls,
     /// FLIP, 0 to 1.

@@ -4,14 +4,17 @@ use super::{COLUMNS, Column, Definition, Table, TableCell};
 use crate::report::Report;
 
 /// The columns of a comparison that a sweep shows, by title and unit.
-const SHOWN: [(&str, &str); 7] = [
+const SHOWN: [(&str, &str); 10] = [
     ("strategy", ""),
     ("frame", "ms"),
     ("speed vs", "frustum"),
     ("speed vs", "ideal"),
     ("wrong px", "mean %"),
     ("wrong px", "max %"),
+    ("of owned", "mean %"),
+    ("of owned", "max %"),
     ("false", "culls"),
+    ("lost", "for good"),
 ];
 
 const EDGE: Column = Column {

@@ -16,9 +16,10 @@ struct Candidate<'a> {
 /// Selects settings for a limit: one for the mean and one for the worst pose; for false culls, one for their sum.
 ///
 /// The selected setting is the fastest within the limit. Where others are not significantly slower, it is the one of them with the least
-/// error. Where no setting is within the limit, it is the setting with the least error. A report without measured settings gets no choices.
+/// error. Where no setting is within the limit, it is the setting with the least error. A limit of wrong pixels goes by [`Report::error_basis`]. A report without measured settings gets no choices.
 pub fn choose(report: &Report, limit: ErrorLimit) -> LimitChoices {
     let speeds = SpeedComparison::of(report);
+    let limit = limit.in_report(report);
     let choices = limit.measure().aggregates().iter();
     LimitChoices {
         measure: limit.measure(),

@@ -4,11 +4,12 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::MeasureError;
-use crate::report::{Aggregate, ErrorMeasure, ErrorReport};
+use crate::report::{Aggregate, ErrorBasis, ErrorMeasure, ErrorReport, Report};
 
 /// A limit of one kind of error.
 ///
-/// Its text is `wrong_pixels=0.05%`, `false_culls=3` or `flip=0.01`. A share of pixels needs its percent sign, since 0.05 could also mean one
+/// Its text is `wrong_pixels=0.05%`, `wrong_of_owned=0.05%`, `false_culls=3` or `flip=0.01`. The first goes by [`Report::error_basis`]: by the share of the image or,
+/// where entities own little of it, by that of the pixels that they own. A share of pixels needs its percent sign, since 0.05 could also mean one
 /// pixel in twenty; only 0 needs none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ErrorLimit {
@@ -17,8 +18,7 @@ pub struct ErrorLimit {
 }
 
 /// The forms of a limit, for error messages.
-const FORMS: &str =
-    "write wrong_pixels=0.05% (0 to 100, with its %), false_culls=3, or flip=0.01 (0 to 1)";
+const FORMS: &str = "write wrong_pixels=0.05% or wrong_of_owned=0.05% (0 to 100, with its %), false_culls=3, or flip=0.01 (0 to 1)";
 
 impl ErrorLimit {
     /// At most `limit` of an error: percent of the pixels 0 to 100, entities, or FLIP 0 to 1.
@@ -27,7 +27,9 @@ impl ErrorLimit {
     /// [`MeasureError::ErrorLimit`] for a limit that the measure cannot have.
     pub fn new(measure: ErrorMeasure, limit: f64) -> Result<Self, MeasureError> {
         let fits = match measure {
-            ErrorMeasure::WrongPixelsPercent => (0.0..=100.0).contains(&limit),
+            ErrorMeasure::WrongPixelsPercent | ErrorMeasure::WrongOfOwnedPercent => {
+                (0.0..=100.0).contains(&limit)
+            }
             ErrorMeasure::FalseCulls => limit >= 0.0 && limit.is_finite() && limit.fract() == 0.0,
             ErrorMeasure::Flip => (0.0..=1.0).contains(&limit),
         };
@@ -38,6 +40,17 @@ impl ErrorLimit {
         } else {
             Err(refused(&Self { measure, limit }.to_string()))
         }
+    }
+
+    /// The limit as a report is held to it: wrong pixels by the share that the report goes by.
+    pub(super) fn in_report(self, report: &Report) -> Self {
+        let measure = match (self.measure, report.error_basis()) {
+            (ErrorMeasure::WrongPixelsPercent, ErrorBasis::Owned) => {
+                ErrorMeasure::WrongOfOwnedPercent
+            }
+            (measure, _) => measure,
+        };
+        Self { measure, ..self }
     }
 
     /// The error that is limited.
@@ -55,7 +68,9 @@ impl ErrorMeasure {
     /// The aggregates that are compared with a limit.
     pub(super) fn aggregates(self) -> &'static [Aggregate] {
         match self {
-            Self::WrongPixelsPercent | Self::Flip => &[Aggregate::Mean, Aggregate::Max],
+            Self::WrongPixelsPercent | Self::WrongOfOwnedPercent | Self::Flip => {
+                &[Aggregate::Mean, Aggregate::Max]
+            }
             Self::FalseCulls => &[Aggregate::Sum],
         }
     }
@@ -65,6 +80,8 @@ impl ErrorMeasure {
         let number = match (self, over) {
             (Self::WrongPixelsPercent, Aggregate::Mean) => error.wrong_pixels_percent.mean,
             (Self::WrongPixelsPercent, Aggregate::Max) => error.wrong_pixels_percent.max,
+            (Self::WrongOfOwnedPercent, Aggregate::Mean) => error.wrong_of_owned_percent?.mean,
+            (Self::WrongOfOwnedPercent, Aggregate::Max) => error.wrong_of_owned_percent?.max,
             (Self::Flip, Aggregate::Mean) => error.flip.mean,
             (Self::Flip, Aggregate::Max) => error.flip.max,
             (Self::FalseCulls, Aggregate::Sum) => error.false_culls.entities as f64,
@@ -82,8 +99,12 @@ impl FromStr for ErrorLimit {
         let (name, limit) = parts.ok_or_else(|| refused(text))?;
         let (measure, number) = match (name, limit.strip_suffix('%')) {
             ("wrong_pixels", Some(percent)) => (ErrorMeasure::WrongPixelsPercent, percent),
+            ("wrong_of_owned", Some(percent)) => (ErrorMeasure::WrongOfOwnedPercent, percent),
             ("wrong_pixels", None) if limit.parse() == Ok(0.0) => {
                 (ErrorMeasure::WrongPixelsPercent, limit)
+            }
+            ("wrong_of_owned", None) if limit.parse() == Ok(0.0) => {
+                (ErrorMeasure::WrongOfOwnedPercent, limit)
             }
             ("false_culls", None) => (ErrorMeasure::FalseCulls, limit),
             ("flip", None) => (ErrorMeasure::Flip, limit),
@@ -99,6 +120,7 @@ impl fmt::Display for ErrorLimit {
         let limit = self.limit;
         match self.measure {
             ErrorMeasure::WrongPixelsPercent => write!(f, "wrong_pixels={limit}%"),
+            ErrorMeasure::WrongOfOwnedPercent => write!(f, "wrong_of_owned={limit}%"),
             ErrorMeasure::FalseCulls => write!(f, "false_culls={limit}"),
             ErrorMeasure::Flip => write!(f, "flip={limit}"),
         }
@@ -122,6 +144,7 @@ mod tests {
             "wrong_pixels=0.05%",
             "wrong_pixels=0%",
             "wrong_pixels=100%",
+            "wrong_of_owned=0.5%",
             "false_culls=3",
             "flip=0.01",
             "flip=0",
@@ -147,6 +170,7 @@ mod tests {
             "wrong_pixels=-1%",
             "wrong_pixels=%",
             "wrong_pixels=nan%",
+            "wrong_of_owned=0.5",
             "wrong_pixels",
             "0.05%",
             "false_culls=0.5",

@@ -4,7 +4,7 @@ use super::settings::{TimedSetting, settings};
 use super::speed::SpeedComparison;
 use crate::report::{Report, StrategyReport};
 
-/// The settings of a report on the Pareto front of time and mean wrong pixels, the most accurate first. Each has more wrong pixels than the one
+/// The settings of a report on the Pareto front of time and mean wrong pixels (by [`Report::error_basis`]), the most accurate first. Each has more wrong pixels than the one
 /// before it and is significantly faster. Yardsticks are left out.
 ///
 /// No measured setting is faster than one of these without more wrong pixels, or has fewer wrong pixels without being slower. A setting that is
@@ -12,14 +12,16 @@ use crate::report::{Report, StrategyReport};
 /// stays.
 pub fn pareto_front(report: &Report) -> Vec<&StrategyReport> {
     let speeds = SpeedComparison::of(report);
+    let basis = report.error_basis();
+    let error = |setting: &StrategyReport| setting.error.wrong(basis).mean;
     let measured: Vec<_> = settings(report)
-        .filter(|timed| timed.setting.error.wrong_pixels_percent.mean.is_finite())
+        .filter(|timed| error(timed.setting).is_finite())
         .collect();
     let costs: Vec<Cost> = measured
         .iter()
         .map(|TimedSetting { setting, time }| Cost {
             time: *time,
-            error: setting.error.wrong_pixels_percent.mean,
+            error: error(setting),
         })
         .collect();
     let mut on_front: Vec<&StrategyReport> = Vec::new();

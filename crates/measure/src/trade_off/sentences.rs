@@ -80,6 +80,7 @@ fn choice_text<'a>(
         "{speed}, {}{used}",
         error(limit.measure, choice.error)
     )];
+    lines.extend(summary::loss(setting));
     if choice.within {
         lines.extend(certainty(report, choice));
     }
@@ -154,6 +155,11 @@ fn error(measure: ErrorMeasure, error: f64) -> String {
     match measure {
         ErrorMeasure::WrongPixelsPercent if error == 0.0 => "no wrong pixel".to_owned(),
         ErrorMeasure::WrongPixelsPercent => format!("{} % wrong pixels", format::percent(error)),
+        ErrorMeasure::WrongOfOwnedPercent if error == 0.0 => "no wrong pixel".to_owned(),
+        ErrorMeasure::WrongOfOwnedPercent => format!(
+            "{} % of the pixels that entities own wrong",
+            format::percent(error)
+        ),
         ErrorMeasure::FalseCulls if error == 0.0 => "no false cull".to_owned(),
         ErrorMeasure::FalseCulls => format::plural(error as u64, "false cull"),
         ErrorMeasure::Flip => format!("a FLIP of {}", format::flip(error)),

@@ -40,6 +40,7 @@ pub fn report() -> Report {
             samples: 1,
             size: [960, 540],
             frames: FRAMES as u64,
+            owned_percent: None,
             left_out: Vec::new(),
         },
         noise: Noise {
@@ -97,6 +98,7 @@ pub fn strategy(
             mean: wrong * 0.02,
             max: wrong * 0.09,
         },
+        ..ErrorReport::default()
     };
     let pass = |name: &str, group: &str, ms: f64| PassTime {
         name: name.into(),

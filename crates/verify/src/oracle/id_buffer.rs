@@ -74,6 +74,17 @@ impl IdBuffer {
         self.ids.chunks(self.samples_a_pixel())
     }
 
+    /// The number of pixels that show an entity: a solid one owns one of their samples, or they have a visible transparent fragment.
+    pub fn owned_pixels(&self) -> usize {
+        let shows = |(pixel, ids): (usize, &[u32])| {
+            ids.iter().any(|id| *id != 0) || self.signature(pixel) != 0
+        };
+        self.pixels()
+            .enumerate()
+            .filter(|pixel| shows(*pixel))
+            .count()
+    }
+
     /// One value a pixel, row by row: whether the owner of any of its samples or its sum of transparent fragments differs from that in `other`. All are `true` if
     /// the sizes or the numbers of samples differ.
     pub fn wrong_pixel_mask(&self, other: &Self) -> Vec<bool> {
@@ -100,7 +111,8 @@ impl IdBuffer {
             .map_or(&[], |transparent| &transparent.samples)
     }
 
-    fn signature(&self, pixel: usize) -> u32 {
+    /// The sum of the mixed ids of a pixel's visible transparent fragments; 0 for none. Pixels are numbered row by row.
+    pub fn signature(&self, pixel: usize) -> u32 {
         let transparent = self.transparent.as_ref();
         transparent
             .and_then(|transparent| transparent.signatures.get(pixel).copied())

@@ -28,12 +28,12 @@ const ID_BYTES: usize = 4;
 const HALVES_BYTES: usize = 8;
 
 impl Owners {
-    /// Draws a list's entities. `spec` makes a pass of pipelines of a kind.
+    /// Draws the entities of lists, one list after the other. `spec` makes a pass of pipelines of a kind.
     pub fn draw(
         g: &mut Graph,
         image: Image,
         inputs: ViewInputs,
-        list: ListDraws,
+        lists: &[ListDraws],
         spec: impl Fn(PipelineKind) -> PassSpec,
     ) -> Self {
         let [width, height] = image.size;
@@ -45,8 +45,11 @@ impl Owners {
         if image.samples == 1 {
             let ids = g.texture("entity ids", drawn(IDENTITY_FORMAT).cleared(blank));
             let spec = spec(PipelineKind::Identity);
-            let targets = IdTargets { ids, depth };
-            let IdTargets { ids, depth } = passes::identity_pass(g, &spec, inputs, list, targets);
+            let mut targets = IdTargets { ids, depth };
+            for list in lists {
+                targets = passes::identity_pass(g, &spec, inputs, *list, targets);
+            }
+            let IdTargets { ids, depth } = targets;
             return Self {
                 depth,
                 image,
@@ -59,10 +62,18 @@ impl Owners {
             let resolved = texture(SAMPLE_IDENTITY_FORMAT);
             let resolved = g.texture(format!("resolved ids of sample {sample}"), resolved);
             let spec = spec(PipelineKind::SampleIdentity { sample });
-            let targets = IdTargets { ids, depth };
-            let drawn = passes::sample_identity_pass(g, &spec, inputs, list, targets, resolved);
-            depth = drawn.depth;
-            copy(g, drawn.ids, PaddedRows::new(image.size, HALVES_BYTES))
+            let mut targets = IdTargets { ids, depth };
+            let mut resolved = resolved;
+            for (at, list) in lists.iter().enumerate() {
+                if at + 1 < lists.len() {
+                    targets = passes::identity_pass(g, &spec, inputs, *list, targets);
+                    continue;
+                }
+                let drawn =
+                    passes::sample_identity_pass(g, &spec, inputs, *list, targets, resolved);
+                (resolved, depth) = (drawn.ids, drawn.depth);
+            }
+            copy(g, resolved, PaddedRows::new(image.size, HALVES_BYTES))
         });
         Self {
             copies: copies.collect(),

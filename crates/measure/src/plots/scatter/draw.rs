@@ -11,6 +11,7 @@ use crate::plots::canvas::{
     letters, text_width,
 };
 use crate::plots::labels::{self, Box4, Labelled};
+use crate::report::ErrorBasis;
 
 const TITLE: &str = "Speed against error";
 const EVERY_RIGHT: &str = "every pixel right";
@@ -33,6 +34,8 @@ pub(super) struct Plot {
     pub(super) edge_line: EdgeLine,
     /// The speed of `ideal`.
     pub(super) ideal: Option<f64>,
+    /// What the errors are shares of.
+    pub(super) basis: ErrorBasis,
     pub(super) limits: Vec<Limit>,
     pub(super) legend: Vec<LegendEntry>,
 }
@@ -124,7 +127,10 @@ fn draw(area: &Area<'_>, plot: &Plot) -> Drawing {
         x: x.clone(),
         y: y.clone(),
         x_means: plot.speed.means(),
-        y_means: "wrong pixels, mean (%)",
+        y_means: match plot.basis {
+            ErrorBasis::Image => "wrong pixels, mean (%)",
+            ErrorBasis::Owned => "wrong pixels of owned ones, mean (%)",
+        },
         y_room: 76,
     };
     let chart = frame.draw(area)?;

@@ -8,7 +8,9 @@ use super::speed::Speed;
 use crate::format;
 use crate::plots::axis::Axis;
 use crate::plots::canvas::{FAINT, INK, LegendEntry, Mark, PALETTE, Swatch};
-use crate::report::{Aggregate, ErrorMeasure, LimitChoices, Report, StrategyReport, Sweep};
+use crate::report::{
+    Aggregate, ErrorBasis, ErrorMeasure, LimitChoices, Report, StrategyReport, Sweep,
+};
 use crate::trade_off::TimeBase;
 
 /// With at most so many settings, those off the Pareto front are named too.
@@ -28,6 +30,7 @@ const MAX_BLUR: f64 = 1e3;
 /// The plot of a report's sweep; `None` where no setting was measured.
 pub(super) fn plot(report: &Report, sweep: &Sweep) -> Option<Plot> {
     let speed = Speed(TimeBase::of(report));
+    let basis = report.error_basis();
     let settings: Vec<&StrategyReport> = report
         .strategies
         .iter()
@@ -42,7 +45,7 @@ pub(super) fn plot(report: &Report, sweep: &Sweep) -> Option<Plot> {
         .map(|s| {
             let (edge, chosen) = (on_edge(s), chosen(sweep, s));
             let Swept { colour, own_title } = swept(sweep, s);
-            let wrong = s.error.wrong_pixels_percent;
+            let wrong = s.error.wrong(basis);
             let mut words = String::new();
             if edge || chosen.is_some() || settings.len() <= FEW {
                 words = format::short(own_title, 48) + chosen.as_deref().unwrap_or_default();
@@ -102,7 +105,8 @@ pub(super) fn plot(report: &Report, sweep: &Sweep) -> Option<Plot> {
         height: 480,
         speed,
         x,
-        limits: limits(sweep),
+        basis,
+        limits: limits(sweep, basis),
         legend: legend(report, sweep, &points, ideal_line),
         points,
         edge,
@@ -140,17 +144,21 @@ fn short(limit: &LimitChoices, over: Aggregate) -> String {
         Aggregate::Sum => "",
     };
     match limit.measure {
-        ErrorMeasure::WrongPixelsPercent => format!("{} %{over}", format::percent(limit.limit)),
+        ErrorMeasure::WrongPixelsPercent | ErrorMeasure::WrongOfOwnedPercent => {
+            format!("{} %{over}", format::percent(limit.limit))
+        }
         ErrorMeasure::FalseCulls => format::plural(limit.limit as u64, "false cull"),
         ErrorMeasure::Flip => format!("FLIP {}{over}", format::flip(limit.limit)),
     }
 }
 
-/// The limits of wrong pixels that have a position on the logarithmic axis.
-fn limits(sweep: &Sweep) -> Vec<Limit> {
-    let of_pixels = |limit: &&LimitChoices| {
-        limit.measure == ErrorMeasure::WrongPixelsPercent && limit.limit > 0.0
+/// The limits of the plotted share of wrong pixels that have a position on the logarithmic axis.
+fn limits(sweep: &Sweep, basis: ErrorBasis) -> Vec<Limit> {
+    let plotted = match basis {
+        ErrorBasis::Image => ErrorMeasure::WrongPixelsPercent,
+        ErrorBasis::Owned => ErrorMeasure::WrongOfOwnedPercent,
     };
+    let of_pixels = |limit: &&LimitChoices| limit.measure == plotted && limit.limit > 0.0;
     let limits = sweep.budgets.iter().filter(of_pixels);
     limits
         .map(|limit| Limit {
