@@ -16,18 +16,20 @@ use antumbra_scene::{Scene, Stereo};
 use image::RgbaImage;
 
 use crate::path::CameraPath;
-use crate::report::{Adapter, Noise, PoseRecord, Report, SceneFacts};
+use crate::report::{Adapter, MotionFacts, Noise, PoseRecord, Report, SceneFacts};
 use crate::{MeasureError, stats, views};
 
 mod accuracy;
 mod audited;
 mod entry;
+mod playback;
 mod save;
 mod script;
 mod speed;
 
 pub use entry::is_report_file;
 use entry::{Entries, ReportedEntries};
+pub use playback::{Playback, Timing};
 pub use script::Script;
 use script::ScriptedScene;
 pub(crate) use speed::usual_block;
@@ -110,6 +112,8 @@ pub struct CompareOptions {
     pub command: String,
     /// The scene's name, for the report.
     pub scene_name: String,
+    /// What the script plays, for the report.
+    pub motion: Option<MotionFacts>,
 }
 
 impl Default for CompareOptions {
@@ -123,6 +127,7 @@ impl Default for CompareOptions {
             flip_poses: 8,
             command: String::new(),
             scene_name: String::new(),
+            motion: None,
         }
     }
 }
@@ -229,6 +234,7 @@ pub fn compare_scripted(
             size: options.size,
             samples: options.samples,
             frames: path.poses().len() as u64,
+            motion: options.motion.clone(),
             left_out: Vec::new(),
         },
         noise: Noise {

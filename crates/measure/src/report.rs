@@ -11,10 +11,12 @@ use serde::{Deserialize, Serialize};
 
 mod audit;
 mod file;
+mod motion;
 mod sweep;
 
 pub use audit::{AuditReport, BudgetReport};
 pub use file::MAX_REPORT_BYTES;
+pub use motion::MotionFacts;
 pub use sweep::{Aggregate, Choice, ErrorMeasure, LimitChoices, RunnerUp, Sweep, VariedSetting};
 
 /// Smaller ratios of times are never significant, however little noise there was.
@@ -86,6 +88,9 @@ pub struct SceneFacts {
     pub samples: u32,
     /// Poses of the path; each is one frame.
     pub frames: u64,
+    /// The animation that plays; absent for a scene that stands still.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motion: Option<MotionFacts>,
     /// What the scene lacks of its file; empty where nothing was left out.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub left_out: Vec<MissingParts>,

@@ -5,6 +5,7 @@
 mod assets;
 mod change_log;
 mod components;
+mod deforming;
 mod drawable;
 mod propagate;
 #[cfg(feature = "simplify")]
@@ -67,6 +68,7 @@ pub struct Scene {
     cameras: SparseSecondaryMap<EntityKey, Camera>,
     meshes: SlotMap<MeshKey, Mesh>,
     mesh_bounds: propagate::MeshBounds,
+    deforming: deforming::Deforming,
     materials: SlotMap<MaterialKey, Material>,
     images: SlotMap<ImageKey, Image>,
     environment: Option<Environment>,
@@ -109,6 +111,7 @@ impl Scene {
             cameras: SparseSecondaryMap::new(),
             meshes: SlotMap::with_key(),
             mesh_bounds: SecondaryMap::new(),
+            deforming: deforming::Deforming::default(),
             materials: SlotMap::with_key(),
             images: SlotMap::with_key(),
             environment: None,

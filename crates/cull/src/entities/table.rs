@@ -13,7 +13,7 @@ use super::class::{Alpha, PipelineClass};
 use super::detail::MeshDetail;
 use super::oriented::{MeshShape, OrientedBox};
 use super::part_table::{GpuPartBox, PartTable};
-use super::ranges::{IndexRange, MeshRanges};
+use super::ranges::{IndexRange, MeshRanges, NewShape};
 use super::scale::{greatest_scale, least_scale};
 use super::slot_groups::SlotGroups;
 
@@ -258,6 +258,20 @@ impl SceneTable {
         self.parts.add(parts);
         self.meshes.push(ranges);
         self.meshes.len() as u32 - 1
+    }
+
+    /// Where a mesh's geometries lie; `None` for a mesh that does not exist.
+    pub fn mesh(&self, mesh: u32) -> Option<&MeshRanges> {
+        self.meshes.get(mesh as usize)
+    }
+
+    /// Takes what else is true of a mesh with new vertices, which lie where the old ones did. It must have no parts. Its entities' boxes follow with
+    /// [`Self::move_to`].
+    pub fn reshape(&mut self, mesh: u32, shape: NewShape) {
+        if let Some(ranges) = self.meshes.get_mut(mesh as usize) {
+            (ranges.bounds, ranges.box_margin) = (shape.bounds, shape.box_margin);
+            ranges.roundness = OrientedBox::ANGULAR;
+        }
     }
 
     /// The boxes of the parts of all meshes, as the device tests them.

@@ -41,6 +41,7 @@ pub fn report() -> Report {
             size: [960, 540],
             frames: FRAMES as u64,
             left_out: Vec::new(),
+            motion: None,
         },
         noise: Noise {
             frame_time_ratio_p95: Some(1.013),
