@@ -26,6 +26,7 @@ mod morph;
 mod motions;
 mod nodes;
 mod parts;
+mod pointers;
 mod rig;
 mod skin;
 mod transform;

@@ -42,6 +42,8 @@ const HARMLESS: &[&str] = &[
     "EXT_structural_metadata",
     "EXT_texture_",
     "FB_geometry_metadata",
+    // Its channels are noted one by one.
+    "KHR_animation_pointer",
     "KHR_audio",
     "KHR_interactivity",
     "KHR_lights_",
