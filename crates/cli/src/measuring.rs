@@ -1,7 +1,9 @@
 //! Runs a comparison for the commands that need one, with its progress on the terminal.
 
 use antumbra::cull::Gpu;
-use antumbra::measure::compare::{CompareOptions, Comparison, Contender, Playback, compare_scripted};
+use antumbra::measure::compare::{
+    CompareOptions, Comparison, Contender, Playback, compare_scripted,
+};
 use antumbra::measure::report::MissingParts;
 
 use crate::args::ViewArgs;

@@ -155,14 +155,21 @@ fn what_is_wrong_with_a_channel_costs_that_channel_alone() {
         let loaded = load(&one(path, input, output)).unwrap();
         assert!(loaded.animation.is_none());
         let words = loaded.left_out.to_string();
-        let wanted = format!("1 animation (no channel of it can be played), 1 animation channel ({reason})");
+        let wanted =
+            format!("1 animation (no channel of it can be played), 1 animation channel ({reason})");
         assert_eq!(words, wanted);
     }
     let node = r#"{"mesh":0}"#;
     let sampler = r#"{"input":2,"output":3}"#;
     for (channel, reason) in [
-        (r#"{"sampler":0,"target":{"node":7,"path":"scale"}}"#, "its node does not exist"),
-        (r#"{"sampler":7,"target":{"node":0,"path":"scale"}}"#, "its sampler does not exist"),
+        (
+            r#"{"sampler":0,"target":{"node":7,"path":"scale"}}"#,
+            "its node does not exist",
+        ),
+        (
+            r#"{"sampler":7,"target":{"node":0,"path":"scale"}}"#,
+            "its sampler does not exist",
+        ),
         (
             r#"{"sampler":0,"target":{"path":"pointer","extensions":{"KHR_animation_pointer":{"pointer":"/materials/0"}}}}"#,
             "it moves something other than a node",
@@ -182,7 +189,11 @@ fn what_is_wrong_with_a_channel_costs_that_channel_alone() {
 fn keyframes_are_bounded_by_the_limits_of_the_load() {
     // A file of some bytes with thousands of millions of keys, all zero.
     for (input, output) in [(10, 11), (10, 10)] {
-        let path = if output == 11 { "translation" } else { "weights" };
+        let path = if output == 11 {
+            "translation"
+        } else {
+            "weights"
+        };
         let nodes = r#"{"mesh":1}"#;
         let channel = format!(r#"{{"sampler":0,"target":{{"node":0,"path":"{path}"}}}}"#);
         let sampler = format!(r#"{{"input":{input},"output":{output}}}"#);

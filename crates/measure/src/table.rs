@@ -342,7 +342,10 @@ pub fn facts(report: &Report) -> [String; 2] {
             format::metres(stereo.convergence)
         )
     });
-    let motion = scene.motion.as_ref().map_or_else(String::new, motion::words);
+    let motion = scene
+        .motion
+        .as_ref()
+        .map_or_else(String::new, motion::words);
     let noise = match report.noise.frame_time_ratio_p95 {
         Some(ratio) => format!("noise {} %", format::percent((ratio - 1.0) * 100.0)),
         None => "noise not measured".to_owned(),

@@ -72,7 +72,10 @@ fn boxes_hold_the_vertices_of_every_pose() {
             for position in &mesh.full().unwrap().positions {
                 let point = world.transform_point3(Vec3::from(*position).as_dvec3());
                 let inside = point.cmpge(bounds.min - 1e-9) & point.cmple(bounds.max + 1e-9);
-                assert!(inside.all(), "{name} in frame {frame}: {point} in {bounds:?}");
+                assert!(
+                    inside.all(),
+                    "{name} in frame {frame}: {point} in {bounds:?}"
+                );
             }
             let rest = at_rest[number].unwrap();
             left_rest[number] |= (bounds.max.cmpgt(rest.max + 1.0)).any();
@@ -97,7 +100,13 @@ fn no_conservative_strategy_misses_anything_while_things_move() {
         let mut scene = GpuScene::new(gpu, &mut host).unwrap();
         let names = ["carried", "arm", "gate", "swelling"].map(|name| named(&host, name));
         let mut stages: Vec<(&str, Stage, Shown)> = CONSERVATIVE
-            .map(|text| (text, stage(&scene, text, views(&["main"], SIZE)), Shown::default()))
+            .map(|text| {
+                (
+                    text,
+                    stage(&scene, text, views(&["main"], SIZE)),
+                    Shown::default(),
+                )
+            })
             .into();
         let mut oracle = Oracle::new(&scene, SIZE);
         for frame in 0..FRAMES {
@@ -112,7 +121,9 @@ fn no_conservative_strategy_misses_anything_while_things_move() {
             // All there is: a reference of what is in the frustum would believe the boxes.
             let all: Vec<u32> = scene.table().live_slots().collect();
             let camera = camera();
-            let reference = oracle.render(&scene, &camera, EntitySet::Slots(&all)).unwrap();
+            let reference = oracle
+                .render(&scene, &camera, EntitySet::Slots(&all))
+                .unwrap();
             for (text, stage, shown) in &mut stages {
                 stage.frame(&scene, &[ViewInput::new(camera)]).unwrap();
                 gpu.wait().unwrap();
@@ -134,12 +145,17 @@ fn no_conservative_strategy_misses_anything_while_things_move() {
                     shown.moving_drawn[number] |= draws;
                     shown.moving_culled[number] |= !draws;
                 }
-                let occluded = all.iter().filter(|slot| verdicts.get(**slot) == Verdict::Occluded);
+                let occluded = all
+                    .iter()
+                    .filter(|slot| verdicts.get(**slot) == Verdict::Occluded);
                 shown.occluded += occluded.count();
             }
         }
         for (text, _, shown) in &stages {
-            assert_eq!(shown.moving_drawn, [true; 4], "{text}: each comes into view");
+            assert_eq!(
+                shown.moving_drawn, [true; 4],
+                "{text}: each comes into view"
+            );
             if *text != "frustum" {
                 assert!(shown.occluded > FRAMES * 10, "{text}: {}", shown.occluded);
                 assert_eq!(shown.moving_culled, [true; 4], "{text}: each is hidden");
@@ -178,7 +194,12 @@ fn a_comparison_plays_the_same_times_to_all() {
     )
     .unwrap();
     for strategy in &compared.report.strategies {
-        assert_eq!(strategy.error.false_culls, Default::default(), "{}", strategy.name);
+        assert_eq!(
+            strategy.error.false_culls,
+            Default::default(),
+            "{}",
+            strategy.name
+        );
     }
     let motion = compared.report.scene.motion.as_ref().unwrap();
     assert_eq!((motion.name.as_str(), motion.seconds), ("all", 2.0));

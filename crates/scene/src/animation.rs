@@ -18,6 +18,8 @@ pub use error::{AnimationError, KeyframesProblem};
 pub use keyframes::{Interpolation, Keyframes};
 pub use rig::{Joint, NodeTransform, RigNode, Skin};
 
+use std::collections::HashMap;
+
 use glam::DAffine3;
 
 use crate::keys::EntityKey;
@@ -135,6 +137,13 @@ impl Animation {
         self.show(scene, &[], 0.0)
     }
 
+    /// Leaves the scene as it is now, for good: its meshes no longer deform, so that all may be found out about their shapes.
+    pub fn stop(self, scene: &mut Scene) {
+        for deformed in self.parts.meshes {
+            scene.stop_deforming(deformed.mesh);
+        }
+    }
+
     fn show(
         &self,
         scene: &mut Scene,
@@ -151,13 +160,13 @@ impl Animation {
                 scene.set_local(entity, *local)?;
             }
         }
+        let weights = channels.iter().filter_map(|channel| match &channel.curve {
+            Curve::Weights(keyframes) => Some((channel.node, keyframes)),
+            _ => None,
+        });
+        let weights: HashMap<usize, &Keyframes> = weights.collect();
         for deformed in &self.parts.meshes {
-            let weights = channels.iter().find_map(|channel| match &channel.curve {
-                Curve::Weights(keyframes) if channel.node == deformed.node => {
-                    Some(keyframes.sample(time))
-                }
-                _ => None,
-            });
+            let weights = weights.get(&deformed.node).map(|keys| keys.sample(time));
             let weights = weights.as_deref().unwrap_or(&deformed.weights);
             let skin = deformed.skin.and_then(|skin| self.parts.skins.get(skin));
             let joints = skin.and_then(|skin| pose.joints(skin, deformed.node));
@@ -182,7 +191,10 @@ impl AnimationParts {
         }
         let known = |node: usize, part: &dyn Fn() -> String| match node < count {
             true => Ok(()),
-            false => Err(bad(part(), format!("node {node} of {count} does not exist"))),
+            false => Err(bad(
+                part(),
+                format!("node {node} of {count} does not exist"),
+            )),
         };
         for (index, skin) in self.skins.iter().enumerate() {
             let part = || format!("skin {index}");

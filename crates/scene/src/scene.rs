@@ -3,6 +3,7 @@
 //! [`Scene::update`] is called once a frame. It reports which drawable entities were added, removed and moved.
 
 mod assets;
+mod boxes;
 mod change_log;
 mod components;
 mod deforming;
@@ -326,32 +327,6 @@ impl Scene {
     #[must_use]
     pub fn entity_name(&self, entity: EntityKey) -> &str {
         self.names.get(entity).map_or("", String::as_str)
-    }
-
-    /// The box around a drawable entity in the world at the last update, rounded outwards. `None` if the entity is
-    /// not drawable, its mesh has no vertex, or its transform exceeds the range of f64.
-    #[must_use]
-    pub fn world_bounds(&self, entity: EntityKey) -> Option<Aabb> {
-        let slot = self.tree.get(entity)?.slot as usize;
-        self.transforms
-            .bounds
-            .get(slot)
-            .copied()
-            .filter(|b| !b.is_empty())
-    }
-
-    /// The box around an entity's drawable and those of its descendants, at the last update.
-    #[must_use]
-    pub fn subtree_bounds(&self, entity: EntityKey) -> Option<Aabb> {
-        let slot = self.tree.get(entity)?.slot as usize;
-        (self.transforms.subtree_bounds.get(slot).copied()).filter(|b| !b.is_empty())
-    }
-
-    /// The box around all drawables at the last update.
-    #[must_use]
-    pub fn bounds(&self) -> Option<Aabb> {
-        let all = self.transforms.subtree_bounds.get(SCENE as usize);
-        all.copied().filter(|b| !b.is_empty())
     }
 
     /// The entity's name and key, for messages.

@@ -6,9 +6,7 @@ use antumbra_scene::animation::{
     Influences, Interpolation, Joint, Keyframes, KeyframesProblem, MorphTarget, NodeTransform,
     RigNode, Skin,
 };
-use antumbra_scene::{
-    Drawable, EntityKey, Geometry, Material, Mesh, MeshKey, Scene, SceneError,
-};
+use antumbra_scene::{Drawable, EntityKey, Geometry, Material, Mesh, MeshKey, Scene, SceneError};
 use glam::{DAffine3, DQuat, DVec3};
 
 const POSITIONS: [[f32; 3]; 3] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
@@ -146,7 +144,15 @@ fn nodes_that_a_clip_leaves_alone_are_at_rest() {
     let mut scene = Scene::new();
     let entity = scene.spawn(None, DAffine3::IDENTITY).unwrap();
     let way = |x: f32| Curve::Translation(keys(Interpolation::Step, &[0.0], &[x, 0.0, 0.0], 3));
-    let clip = |x: f32| Clip::new("", vec![Channel { node: 0, curve: way(x) }]);
+    let clip = |x: f32| {
+        Clip::new(
+            "",
+            vec![Channel {
+                node: 0,
+                curve: way(x),
+            }],
+        )
+    };
     let rest = NodeTransform::from_parts(DVec3::Y, DQuat::IDENTITY, DVec3::splat(2.0));
     let animation = Animation::new(AnimationParts {
         nodes: vec![RigNode {
@@ -168,10 +174,7 @@ fn nodes_that_a_clip_leaves_alone_are_at_rest() {
     animation.pose(&mut scene, 1, 0.0).unwrap();
     assert_eq!(scene.local(entity), Some(rest.affine));
     let unknown = animation.pose(&mut scene, 2, 0.0).unwrap_err();
-    assert_eq!(
-        unknown,
-        AnimationError::UnknownClip { clip: 2, count: 2 }
-    );
+    assert_eq!(unknown, AnimationError::UnknownClip { clip: 2, count: 2 });
     assert!(animation.pose(&mut scene, 0, f64::NAN).is_err());
     scene.despawn(entity);
     animation.pose(&mut scene, 0, 0.0).unwrap();
@@ -226,11 +229,20 @@ fn skins_follow_their_joints_whatever_their_own_node_does() {
     );
     // Weights that do not add up to 1 are shares.
     let bounds = scene.world_bounds(entity).unwrap();
-    assert!((bounds.min - DVec3::new(1.0, 4.0, 0.0)).length() < 1e-5, "{bounds:?}");
-    assert!((bounds.max - DVec3::new(2.0, 5.0, 0.0)).length() < 1e-5, "{bounds:?}");
+    assert!(
+        (bounds.min - DVec3::new(1.0, 4.0, 0.0)).length() < 1e-5,
+        "{bounds:?}"
+    );
+    assert!(
+        (bounds.max - DVec3::new(2.0, 5.0, 0.0)).length() < 1e-5,
+        "{bounds:?}"
+    );
     animation.rest(&mut scene).unwrap();
     scene.update();
-    assert_eq!(scene.mesh(mesh).unwrap().levels[0].positions[1], [2.0, 0.0, 0.0]);
+    assert_eq!(
+        scene.mesh(mesh).unwrap().levels[0].positions[1],
+        [2.0, 0.0, 0.0]
+    );
 }
 
 #[test]
@@ -287,14 +299,29 @@ fn parts_that_do_not_fit_are_refused() {
     };
     let curve = Curve::Rotation(keys(Interpolation::Step, &[0.0], &[0.0; 3], 3));
     for (problem, words) in [
-        (refused(&|parts| parts.nodes[0].parent = Some(0)), "come before it"),
+        (
+            refused(&|parts| parts.nodes[0].parent = Some(0)),
+            "come before it",
+        ),
         (refused(&|parts| parts.meshes[0].node = 1), "node 1 of 1"),
         (refused(&|parts| parts.meshes[0].skin = Some(1)), "its skin"),
-        (refused(&|parts| parts.meshes[0].normals = vec![[0.0; 3]]), "normals"),
+        (
+            refused(&|parts| parts.meshes[0].normals = vec![[0.0; 3]]),
+            "normals",
+        ),
         (
             refused(&|parts| {
-                let list = vec![Influence { joint: 0, weight: 1.0 }; 3];
-                parts.meshes[0].influences = Influences { per_vertex: 1, list };
+                let list = vec![
+                    Influence {
+                        joint: 0,
+                        weight: 1.0
+                    };
+                    3
+                ];
+                parts.meshes[0].influences = Influences {
+                    per_vertex: 1,
+                    list,
+                };
             }),
             "joint 0",
         ),

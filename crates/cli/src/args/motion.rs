@@ -6,7 +6,7 @@ use clap::Args as ClapArgs;
 #[derive(Debug, Clone, Default, ClapArgs)]
 pub struct MotionArgs {
     /// Show the scene as its animation has it after so many seconds. An animation begins again at its end. Without --time and --animate the scene is at rest
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, value_parser = seconds)]
     pub time: Option<f64>,
     /// Play the animation along the path: so many poses are a second of it, 30 by default
     #[arg(long, value_name = "RATE", num_args = 0..=1, require_equals = true, value_parser = rate)]

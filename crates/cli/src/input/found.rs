@@ -144,7 +144,11 @@ impl Found {
     /// A scene file, with its terrain if that was prepared. Where the file's extension is unusable, a scene without a terrain.
     fn file(file: &Path, args: &ViewArgs) -> Result<Self, Failure> {
         let attachments = [terrain::file::EXTENSION];
-        let loaded = scene_file::load(file, &attachments, &args.load, args.quiet)?;
+        let load = match args.motion.requested() {
+            true => scene_file::load,
+            false => scene_file::load_at_rest,
+        };
+        let loaded = load(file, &attachments, &args.load, args.quiet)?;
         let attachment = loaded.attachments.into_iter().next();
         let known = attachment.map(|attachment| Terrain::read(&loaded.scene, &attachment?));
         let terrain = known.and_then(|known| match known {

@@ -27,7 +27,9 @@ impl Timing {
     /// Seconds at a pose.
     #[must_use]
     pub fn at(&self, pose: usize) -> f64 {
-        let passed = self.frames_per_second.map_or(0.0, |rate| pose as f64 / rate);
+        let passed = self
+            .frames_per_second
+            .map_or(0.0, |rate| pose as f64 / rate);
         self.start + passed
     }
 }
@@ -62,7 +64,8 @@ impl Playback {
     /// # Errors
     /// As for [`Animation::pose`].
     pub fn show_part(&self, scene: &mut Scene, part: f64) -> Result<(), AnimationError> {
-        self.animation.pose(scene, self.clip, self.duration() * part)
+        self.animation
+            .pose(scene, self.clip, self.duration() * part)
     }
 
     /// What a report says of it.

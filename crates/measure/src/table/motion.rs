@@ -14,7 +14,9 @@ pub(super) fn words(motion: &MotionFacts) -> String {
         None => format!("; {named} at {start} s"),
         Some(rate) => {
             let (rate, seconds) = (format::trimmed(rate), format::trimmed(motion.seconds));
-            format!("; {named} from {start} s on, {rate} frames a second of it, again after {seconds} s")
+            format!(
+                "; {named} from {start} s on, {rate} frames a second of it, again after {seconds} s"
+            )
         }
     }
 }

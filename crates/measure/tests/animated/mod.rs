@@ -33,13 +33,39 @@ pub fn file() -> Vec<u8> {
     file.children.push(child);
     let still = [0.0_f32; 3];
     let way = [
-        still, still, [3.0, 1.0, 0.0], still, [5.0, 2.5, 0.0], still, [-3.0, -1.0, 0.0], still, still,
+        still,
+        still,
+        [3.0, 1.0, 0.0],
+        still,
+        [5.0, 2.5, 0.0],
+        still,
+        [-3.0, -1.0, 0.0],
+        still,
+        still,
     ];
     let (times, spline) = ([0.0, 1.0, 2.0], way.concat());
-    file.channel(parent, "translation", "CUBICSPLINE", &times, &spline, "VEC3");
+    file.channel(
+        parent,
+        "translation",
+        "CUBICSPLINE",
+        &times,
+        &spline,
+        "VEC3",
+    );
     let half = std::f32::consts::FRAC_1_SQRT_2;
-    let turns = [[0.0, 0.0, 0.0, 1.0], [0.0, 0.0, half, half], [0.0, 0.0, 1.0, 0.0]];
-    file.channel(parent, "rotation", "LINEAR", &times, &turns.concat(), "VEC4");
+    let turns = [
+        [0.0, 0.0, 0.0, 1.0],
+        [0.0, 0.0, half, half],
+        [0.0, 0.0, 1.0, 0.0],
+    ];
+    file.channel(
+        parent,
+        "rotation",
+        "LINEAR",
+        &times,
+        &turns.concat(),
+        "VEC4",
+    );
     let sizes = [[1.0_f32; 3], [1.5; 3], [0.5; 3]].concat();
     file.channel(child, "scale", "STEP", &times, &sizes, "VEC3");
     file.arm([-1.5, -0.5, 0.0], "arm");
@@ -83,21 +109,34 @@ impl GltfFile {
         self.views
             .push(json!({"buffer": 0, "byteOffset": offset, "byteLength": bytes.len()}));
         let view = self.views.len() - 1;
-        self.accessors.push(json!({"bufferView": view, "componentType": component, "count": count, "type": shape}));
+        self.accessors.push(
+            json!({"bufferView": view, "componentType": component, "count": count, "type": shape}),
+        );
         self.accessors.len() - 1
     }
 
     fn floats(&mut self, values: &[f32], width: usize, shape: &str) -> usize {
-        let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
+        let bytes: Vec<u8> = values
+            .iter()
+            .flat_map(|value| value.to_le_bytes())
+            .collect();
         self.accessor(&bytes, 5126, values.len() / width, shape)
     }
 
     /// A mesh; its morph target moves every vertex by these displacements.
-    fn mesh(&mut self, positions: &[[f32; 3]], indices: &[u32], target: Option<&[[f32; 3]]>) -> usize {
+    fn mesh(
+        &mut self,
+        positions: &[[f32; 3]],
+        indices: &[u32],
+        target: Option<&[[f32; 3]]>,
+    ) -> usize {
         let vertices = self.floats(positions.as_flattened(), 3, "VEC3");
         let mut primitive = json!({"attributes": {"POSITION": vertices}});
         if !indices.is_empty() {
-            let bytes: Vec<u8> = indices.iter().flat_map(|index| index.to_le_bytes()).collect();
+            let bytes: Vec<u8> = indices
+                .iter()
+                .flat_map(|index| index.to_le_bytes())
+                .collect();
             primitive["indices"] = json!(self.accessor(&bytes, 5125, indices.len(), "SCALAR"));
         }
         if let Some(target) = target {
@@ -108,7 +147,15 @@ impl GltfFile {
         self.meshes.len() - 1
     }
 
-    fn channel(&mut self, node: usize, path: &str, how: &str, times: &[f32], values: &[f32], shape: &str) {
+    fn channel(
+        &mut self,
+        node: usize,
+        path: &str,
+        how: &str,
+        times: &[f32],
+        values: &[f32],
+        shape: &str,
+    ) {
         let width = match shape {
             "VEC3" => 3,
             "VEC4" => 4,
@@ -156,21 +203,37 @@ impl GltfFile {
         self.meshes[mesh]["primitives"][0]["attributes"]["JOINTS_0"] = json!(joints);
         self.meshes[mesh]["primitives"][0]["attributes"]["WEIGHTS_0"] = json!(weights);
         let (shoulder, elbow) = (self.nodes.len(), self.nodes.len() + 1);
-        self.nodes
-            .push(json!({"name": format!("{name} shoulder"), "translation": at, "children": [elbow]}));
+        self.nodes.push(
+            json!({"name": format!("{name} shoulder"), "translation": at, "children": [elbow]}),
+        );
         self.nodes.push(json!({"name": format!("{name} elbow")}));
         self.children.push(elbow);
         let skin = self.skins.len();
         self.skins.push(json!({"joints": [shoulder, elbow]}));
         // The mesh's own node is elsewhere: joints alone place it.
-        self.nodes
-            .push(json!({"name": name, "mesh": mesh, "skin": skin, "translation": [0.0, 7.0, 0.0]}));
+        self.nodes.push(
+            json!({"name": name, "mesh": mesh, "skin": skin, "translation": [0.0, 7.0, 0.0]}),
+        );
         let turn = |angle: f32| [0.0, 0.0, (angle / 2.0).sin(), (angle / 2.0).cos()];
         let turns = [turn(0.0), turn(2.0), turn(0.0)].concat();
-        self.channel(elbow, "rotation", "LINEAR", &[0.0, 1.0, 2.0], &turns, "VEC4");
+        self.channel(
+            elbow,
+            "rotation",
+            "LINEAR",
+            &[0.0, 1.0, 2.0],
+            &turns,
+            "VEC4",
+        );
         if name == "gate" {
             let turns = [turn(0.0), turn(3.0), turn(0.0)].concat();
-            self.channel(shoulder, "rotation", "LINEAR", &[0.0, 1.0, 2.0], &turns, "VEC4");
+            self.channel(
+                shoulder,
+                "rotation",
+                "LINEAR",
+                &[0.0, 1.0, 2.0],
+                &turns,
+                "VEC4",
+            );
         }
     }
 
@@ -183,7 +246,14 @@ impl GltfFile {
         let mesh = self.mesh(&ball.positions, &ball.indices, Some(&target));
         let node = self.node(json!({"name": "swelling", "mesh": mesh, "translation": at}));
         let weights = [0.0, 0.0, 1.0, 0.0];
-        self.channel(node, "weights", "LINEAR", &[0.0, 0.4, 1.2, 2.0], &weights, "SCALAR");
+        self.channel(
+            node,
+            "weights",
+            "LINEAR",
+            &[0.0, 0.4, 1.2, 2.0],
+            &weights,
+            "SCALAR",
+        );
     }
 
     fn finish(self) -> Vec<u8> {

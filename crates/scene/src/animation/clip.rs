@@ -66,7 +66,9 @@ impl Clip {
     /// A clip that lasts until its last key.
     #[must_use]
     pub fn new(name: impl Into<String>, channels: Vec<Channel>) -> Self {
-        let ends = channels.iter().map(|channel| channel.curve.keyframes().end());
+        let ends = channels
+            .iter()
+            .map(|channel| channel.curve.keyframes().end());
         Self {
             name: name.into(),
             duration: ends.fold(0.0, f64::max),

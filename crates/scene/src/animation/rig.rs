@@ -98,8 +98,7 @@ impl Pose {
     pub(super) fn new(nodes: &[RigNode], channels: &[Channel], time: f64) -> Self {
         let mut driven: Vec<Option<NodeTransform>> = vec![None; nodes.len()];
         for channel in channels.iter().filter(|channel| channel.curve.moves_node()) {
-            let (Some(place), Some(node)) =
-                (driven.get_mut(channel.node), nodes.get(channel.node))
+            let (Some(place), Some(node)) = (driven.get_mut(channel.node), nodes.get(channel.node))
             else {
                 continue;
             };

@@ -57,6 +57,11 @@ impl Scene {
         self.deforming.contains(mesh)
     }
 
+    /// Declares that a mesh keeps the vertices that it has. A renderer that has it already may go on as before.
+    pub fn stop_deforming(&mut self, mesh: MeshKey) {
+        self.deforming.users.remove(mesh);
+    }
+
     /// Replaces the vertices of a mesh that deforms, for every entity that has it. [`Self::update`] makes boxes follow, and reports the entities as moved. Vertices that are
     /// as before change nothing.
     ///

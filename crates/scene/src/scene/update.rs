@@ -57,7 +57,9 @@ impl Scene {
             }
         }
         if !deformed.is_empty() {
-            changes.moved.extend(deformed.into_iter().filter(|entity| stays(*entity)));
+            changes
+                .moved
+                .extend(deformed.into_iter().filter(|entity| stays(*entity)));
             changes.moved.sort_unstable();
             changes.moved.dedup();
         }

@@ -2,10 +2,10 @@
 //! effect of morph targets and skin at rest.
 
 use super::accessor::Accessor;
+use super::deformation::Deformation;
 use super::document::{Document, label};
 #[cfg(feature = "draco")]
 use super::draco::{self, Decoded};
-use super::deformation::Deformation;
 use super::morph;
 use super::skin::Pose;
 use crate::budget::Budget;

@@ -75,7 +75,9 @@ pub(super) fn read(
     times.expect(fits, "times").map_err(unreadable)?;
     let KeyShape { element, rows } = shape;
     let fits = values.shape == element && values.component != ComponentType::U32;
-    values.expect(fits, "the values of this channel").map_err(unreadable)?;
+    values
+        .expect(fits, "the values of this channel")
+        .map_err(unreadable)?;
     let components = element.multiplicity();
     let each = (rows as u64).saturating_mul(interpolation.values_per_key() as u64);
     if values.count as u64 != (times.count as u64).saturating_mul(each) {

@@ -46,7 +46,10 @@ pub(super) fn apply(
             let deltas = Accessor::open(document, index, &user)?;
             deltas.expect(deltas.shape == Type::Vec3, "displacements")?;
             same_count(&deltas, vertices.all)?;
-            vertices.iter().map(|vertex| deltas.finite::<3>(vertex)).collect()
+            vertices
+                .iter()
+                .map(|vertex| deltas.finite::<3>(vertex))
+                .collect()
         };
         let read = |index: Option<usize>| index.map_or_else(|| Ok(Vec::new()), read);
         let mut target = MorphTarget {

@@ -110,13 +110,18 @@ fn channels(
     let mut channels = Vec::new();
     for (index, channel) in animation.channels.iter().enumerate() {
         let node = channel.target.node.value();
-        let target = (channel.target.path, animation.samplers.get(channel.sampler.value()));
+        let target = (
+            channel.target.path,
+            animation.samplers.get(channel.sampler.value()),
+        );
         budget.memory(size_of::<Channel>() as u64)?;
         let read = match target {
             (Checked::Valid(property), Some(sampler)) => {
                 curve(document, node, property, sampler, budget)
             }
-            (Checked::Invalid, _) => Err(ChannelLoss::reason("it moves a property that is not read")),
+            (Checked::Invalid, _) => {
+                Err(ChannelLoss::reason("it moves a property that is not read"))
+            }
             (_, None) => Err(ChannelLoss::reason("its sampler does not exist")),
         };
         match read {

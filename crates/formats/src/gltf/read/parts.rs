@@ -163,6 +163,9 @@ impl SceneBuilder<'_, '_> {
         if node.skin.is_none() {
             return Ok(None);
         }
+        let skin = at(node.skin.as_ref()).and_then(|skin| self.document.root.skins.get(skin));
+        let joints = skin.map_or(0, |skin| skin.joints.len());
+        self.budget.work(joints as u64)?;
         let pose = Pose::of(self.document, index, &self.worlds)?;
         if pose.is_placed() || deforms {
             return Ok(Some(pose));

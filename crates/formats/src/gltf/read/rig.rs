@@ -7,9 +7,7 @@ use super::tree::Tree;
 use super::{skin, transform};
 use crate::budget::Budget;
 use crate::error::LoadProblem;
-use antumbra_scene::animation::{
-    Animation, AnimationParts, DeformedMesh, Joint, RigNode, Skin,
-};
+use antumbra_scene::animation::{Animation, AnimationParts, DeformedMesh, Joint, RigNode, Skin};
 use std::collections::HashMap;
 
 /// The file's animations; `None` where nothing is played.

@@ -83,7 +83,12 @@ impl Pose {
             Ok(own * *world * joint.inverse_bind)
         };
         let transforms = match own.is_finite() {
-            true => Some(joints.iter().map(place).collect::<Result<_, LoadProblem>>()?),
+            true => Some(
+                joints
+                    .iter()
+                    .map(place)
+                    .collect::<Result<_, LoadProblem>>()?,
+            ),
             false => None,
         };
         Ok(Self {

@@ -93,5 +93,9 @@ fn composed(numbers: &Numbers) -> Result<NodeTransform, &'static str> {
     }
     let scale = vector(numbers.scale, DVec3::ONE)?;
     let translation = vector(numbers.translation, DVec3::ZERO)?;
-    Ok(NodeTransform::from_parts(translation, rotation / length, scale))
+    Ok(NodeTransform::from_parts(
+        translation,
+        rotation / length,
+        scale,
+    ))
 }
