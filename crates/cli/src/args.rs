@@ -1,6 +1,7 @@
 //! What the command line takes.
 
 mod load;
+mod motion;
 mod prepare;
 mod segy;
 mod value;
@@ -14,6 +15,7 @@ use antumbra::measure::trade_off::ErrorLimit;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 
 pub use load::LoadArgs;
+pub use motion::MotionArgs;
 pub use prepare::{Kind, Made, PrepareArgs, TerrainArgs, Way};
 pub use value::{PathArg, SceneSetting};
 pub use view::ViewArgs;

@@ -8,6 +8,7 @@ use antumbra::draw::DrawError;
 use antumbra::formats::{LoadError, RasterError, SaveError};
 use antumbra::measure::MeasureError;
 use antumbra::scene::StereoError;
+use antumbra::scene::animation::AnimationError;
 use antumbra::subsurface::SubsurfaceError;
 use antumbra::terrain::TerrainError;
 use thiserror::Error;
@@ -49,6 +50,9 @@ pub enum Failure {
     /// A scene could not be written.
     #[error(transparent)]
     Save(#[from] SaveError),
+    /// An animation's pose.
+    #[error(transparent)]
+    Animation(#[from] AnimationError),
     /// Two eyes at impossible distances.
     #[error(transparent)]
     Stereo(#[from] StereoError),

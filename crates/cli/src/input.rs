@@ -1,13 +1,14 @@
 //! From the command line's words to a scene, its views and a camera path.
 
 mod found;
+mod motion;
 mod path;
 
 use std::path::Path;
 
 use antumbra::cull::{Gpu, ViewSpec};
 use antumbra::formats::LeftOut;
-use antumbra::measure::compare::Script;
+use antumbra::measure::compare::{Playback, Script};
 use antumbra::measure::path::CameraPath;
 use antumbra::measure::views;
 use antumbra::scene::{Camera, Scene, Stereo};
@@ -40,6 +41,8 @@ pub struct Input {
     pub sections: Option<VolumeSections>,
     /// The strategy that knows the scene's terrain.
     pub horizon: Option<HorizonStrategy>,
+    /// What plays in it.
+    pub playback: Option<Playback>,
     /// What the scene lacks of its file.
     pub left_out: LeftOut,
 }
@@ -92,8 +95,13 @@ impl Input {
         found.scene.ensure_proxies(&Default::default());
         found.scene.update();
         let horizon = found.horizon(args.quiet);
-        let bounds = found.bounds();
-        let path = path::path(args, &found, &bounds, size, frames)?;
+        let playback = motion::playback(&args.motion, found.animation.take())?;
+        let bounds = match &playback {
+            None => found.scene.bounds(),
+            Some(playback) => motion::bounds(playback, &mut found.scene)?,
+        };
+        let bounds = bounds.unwrap_or(Found::NO_BOUNDS);
+        let path = path::path(args, &mut found, &bounds, size, frames, playback.as_ref())?;
         let stereo = args.eyes.choose(&bounds, &path)?;
         let name = Path::new(named)
             .file_name()
@@ -108,6 +116,7 @@ impl Input {
             scene_seed: found.seed,
             horizon,
             sections: found.sections,
+            playback,
             left_out: found.left_out,
         })
     }
@@ -117,12 +126,15 @@ impl Input {
         views::specs(self.stereo.as_ref(), self.size)
     }
 
-    /// The cameras at a pose, one a view. Lenses of the scene are rotated to face them.
+    /// The cameras at a pose, one a view. The animation is at the pose's time, and lenses of the scene are rotated to face the cameras.
     ///
     /// # Errors
     /// For a pose that the path does not have.
     pub fn look(&mut self, pose: usize) -> Result<Vec<Camera>, Failure> {
         let camera = self.path.camera(pose)?;
+        if let Some(playback) = &self.playback {
+            playback.show(&mut self.scene, pose)?;
+        }
         if let Some(sections) = &mut self.sections {
             sections.orient_to(&mut self.scene, camera.position)?;
         }
@@ -130,12 +142,23 @@ impl Input {
     }
 }
 
-/// Rotates the lenses to face each pose.
-pub struct FaceLenses<'a>(pub &'a mut VolumeSections);
+/// Brings a scene to each pose: plays its animation, and rotates its lenses to face the camera.
+pub struct EachPose<'a> {
+    /// What plays.
+    pub playback: Option<&'a mut Playback>,
+    /// The lenses.
+    pub sections: Option<&'a mut VolumeSections>,
+}
 
-impl Script for FaceLenses<'_> {
-    fn set(&mut self, scene: &mut Scene, _: usize, camera: &Camera) -> Result<(), String> {
-        let faced = self.0.orient_to(scene, camera.position);
-        faced.map(|_| ()).map_err(|error| error.to_string())
+impl Script for EachPose<'_> {
+    fn set(&mut self, scene: &mut Scene, pose: usize, camera: &Camera) -> Result<(), String> {
+        if let Some(playback) = &mut self.playback {
+            playback.set(scene, pose, camera)?;
+        }
+        if let Some(sections) = &mut self.sections {
+            let faced = sections.orient_to(scene, camera.position);
+            faced.map_err(|error| error.to_string())?;
+        }
+        Ok(())
     }
 }

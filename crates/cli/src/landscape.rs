@@ -92,7 +92,7 @@ pub fn field(file: &Path, reading: &FieldReading<'_>) -> Result<FieldOfFile, Fai
             file.display()
         )));
     }
-    let loaded = scene_file::load(file, &[], reading.load, quiet)?;
+    let loaded = scene_file::load_at_rest(file, &[], reading.load, quiet)?;
     Ok(FieldOfFile {
         field: Field::from_scene(&loaded.scene).map_err(named)?,
         files: loaded.files,

@@ -1,17 +1,19 @@
 //! Runs a comparison for the commands that need one, with its progress on the terminal.
 
 use antumbra::cull::Gpu;
-use antumbra::measure::compare::{CompareOptions, Comparison, Contender, Script, compare_scripted};
+use antumbra::measure::compare::{
+    CompareOptions, Comparison, Contender, Playback, compare_scripted,
+};
 use antumbra::measure::report::MissingParts;
 
 use crate::args::ViewArgs;
 use crate::failure::Failure;
-use crate::input::{FaceLenses, Input};
+use crate::input::{EachPose, Input};
 use crate::interrupt::{self, Stoppable};
 use crate::progress::Bars;
 use crate::watch::{Watch, Watched};
 
-/// Compares the contenders on the input, lenses rotated to face each pose. The report has the command line and the seeds.
+/// Compares the contenders on the input, its animation played and its lenses rotated to face each pose. The report has the command line and the seeds.
 ///
 /// # Errors
 /// What stopped it; nothing was written.
@@ -27,17 +29,16 @@ pub fn measure(
         stereo: input.stereo,
         command: command_line(),
         scene_name: input.name,
+        motion: input.playback.as_ref().map(Playback::facts),
         ..CompareOptions::default()
     };
     let mut bars = Bars::new(view.quiet);
-    let mut lenses = input.sections.as_mut().map(FaceLenses);
-    let mut nothing = ();
-    let script: &mut dyn Script = match &mut lenses {
-        Some(lenses) => lenses,
-        None => &mut nothing,
+    let mut each_pose = EachPose {
+        playback: input.playback.as_mut(),
+        sections: input.sections.as_mut(),
     };
     let mut watched = Watched {
-        script: &mut Stoppable(script),
+        script: &mut Stoppable(&mut each_pose),
         watch: Watch::start(view.patience),
     };
     let comparison = compare_scripted(

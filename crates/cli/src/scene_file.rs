@@ -43,6 +43,30 @@ pub fn none(args: &LoadArgs) -> Result<(), Failure> {
     Ok(())
 }
 
+/// The same where nothing plays. The scene is at rest for good, and that is said where it has animations.
+///
+/// # Errors
+/// What is wrong with the file.
+pub fn load_at_rest(
+    file: &Path,
+    attachments: &[&str],
+    args: &LoadArgs,
+    quiet: bool,
+) -> Result<LoadedScene, Failure> {
+    let mut loaded = load(file, attachments, args, quiet)?;
+    if let Some(animation) = loaded.animation.take() {
+        if !quiet {
+            let count = match animation.clips().len() {
+                1 => "an animation".to_owned(),
+                many => format!("{many} animations"),
+            };
+            warn(format!("{}: shown at rest; it has {count}", file.display()));
+        }
+        animation.stop(&mut loaded.scene);
+    }
+    Ok(loaded)
+}
+
 /// The limits of a load, with what the command line says.
 pub fn options(args: &LoadArgs) -> LoadOptions {
     let usual = LoadOptions::default();

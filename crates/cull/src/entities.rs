@@ -13,6 +13,6 @@ pub use class::{Alpha, PipelineClass, PipelineTraits};
 pub use detail::MeshDetail;
 pub use oriented::OrientedBox;
 pub use part_table::GpuPartBox;
-pub use ranges::{IndexRange, MeshRanges};
+pub use ranges::{IndexRange, MeshRanges, NewShape};
 pub use slot_groups::SlotGroups;
 pub use table::{Batch, NewOccupant, Occupant, SceneTable};

@@ -70,7 +70,7 @@ pub use draw_source::{
     DrawList, DrawSource, INDIRECT_DRAW_BYTES, IndirectDraws, ListDraws, Run, patches,
 };
 pub use entities::{
-    Alpha, Batch, GpuPartBox, IndexRange, MeshDetail, MeshRanges, NewOccupant, Occupant,
+    Alpha, Batch, GpuPartBox, IndexRange, MeshDetail, MeshRanges, NewOccupant, NewShape, Occupant,
     OrientedBox, PipelineClass, PipelineTraits, SceneTable, SlotGroups,
 };
 pub use frame_graph::{CULL, Chosen, DRAW, FrameGraph};

@@ -4,7 +4,7 @@
 use antumbra_cull::{Gpu, Stage, StageOptions, StageScene, ViewInput, read_back};
 use antumbra_draw::GpuScene;
 use antumbra_graph::Mode;
-use antumbra_scene::{Camera, EntityKey, Scene};
+use antumbra_scene::{Camera, Drawable, EntityKey, Material, Mesh, MeshKey, Scene, icosphere};
 use antumbra_strategies::registry;
 use antumbra_testing::{
     HostTargets, add, balls_with_proxies, gpus, look_at, perspective, stage_with, views,
@@ -107,5 +107,96 @@ fn a_frame_that_is_recorded_ahead_leaves_the_one_before_as_it_was() {
             assert!(found[1] == expected[1], "the second frame, grown: {grown}");
             gpu.check().unwrap();
         }
+    }
+}
+
+/// A scene of one ball whose vertices may be replaced.
+fn deforming() -> (Scene, MeshKey) {
+    let mut host = Scene::new();
+    let mesh = Mesh::new("ball", icosphere(2, 1.0));
+    let mesh = host.add_deforming_mesh(mesh).unwrap();
+    let material = host.add_material(Material::default());
+    add(&mut host, DAffine3::IDENTITY, Drawable { mesh, material });
+    (host, mesh)
+}
+
+/// Stretches the ball along y; where the scene is to grow, also adds a mesh that the arenas have no room for.
+fn stretch(host: &mut Scene, mesh: MeshKey, factor: f32, grown: bool) {
+    let ball = icosphere(2, 1.0);
+    let stretched = ball.positions.iter().map(|[x, y, z]| [*x, *y * factor, *z]);
+    host.set_vertices(mesh, stretched.collect(), ball.normals)
+        .unwrap();
+    if grown {
+        let drawable = Drawable {
+            mesh: host
+                .add_mesh(Mesh::new("large", icosphere(5, 0.5)))
+                .unwrap(),
+            ..host.drawables().next().unwrap().1
+        };
+        add(host, DAffine3::from_translation(DVec3::X * 2.0), drawable);
+    }
+}
+
+#[test]
+fn vertices_that_are_replaced_ahead_leave_the_frame_before_as_it_was() {
+    for gpu in gpus() {
+        for grown in [false, true] {
+            let alone = |shapes: &[(f32, bool)]| {
+                let (mut host, mesh) = deforming();
+                for (factor, grown) in shapes {
+                    stretch(&mut host, mesh, *factor, *grown);
+                }
+                let scene = GpuScene::new(gpu, &mut host).unwrap();
+                let (commands, images) = record(&mut embedded(&scene), &scene, encoder(gpu));
+                gpu.queue.submit([commands]);
+                pixels(gpu, &images)
+            };
+            let expected = [alone(&[(2.0, false)]), alone(&[(0.5, grown)])];
+            assert!(expected[0] != expected[1]);
+
+            let (mut host, mesh) = deforming();
+            let mut scene = GpuScene::new(gpu, &mut host).unwrap();
+            let mut stage = embedded(&scene);
+            stretch(&mut host, mesh, 2.0, false);
+            let mut first = encoder(gpu);
+            scene.sync_in(&mut host, &mut first).unwrap();
+            let (first, first_images) = record(&mut stage, &scene, first);
+            let mut second = encoder(gpu);
+            stretch(&mut host, mesh, 0.5, grown);
+            scene.sync_in(&mut host, &mut second).unwrap();
+            let (second, second_images) = record(&mut stage, &scene, second);
+            gpu.queue.submit([first, second]);
+            let found = [&first_images, &second_images].map(|images| pixels(gpu, images));
+            assert!(found[0] == expected[0], "the first frame, grown: {grown}");
+            assert!(found[1] == expected[1], "the second frame, grown: {grown}");
+            gpu.check().unwrap();
+        }
+    }
+}
+
+#[test]
+fn vertices_that_are_not_submitted_yet_outlive_the_buffer_that_they_were_written_to() {
+    for gpu in gpus() {
+        let (mut host, mesh) = deforming();
+        stretch(&mut host, mesh, 2.0, true);
+        let expected = {
+            let scene = GpuScene::new(gpu, &mut host.clone()).unwrap();
+            let (commands, images) = record(&mut embedded(&scene), &scene, encoder(gpu));
+            gpu.queue.submit([commands]);
+            pixels(gpu, &images)
+        };
+        let (mut host, mesh) = deforming();
+        let mut scene = GpuScene::new(gpu, &mut host).unwrap();
+        stretch(&mut host, mesh, 2.0, false);
+        let mut first = encoder(gpu);
+        scene.sync_in(&mut host, &mut first).unwrap();
+        // The scene grows, and its vertices are as before.
+        stretch(&mut host, mesh, 2.0, true);
+        let mut second = encoder(gpu);
+        scene.sync_in(&mut host, &mut second).unwrap();
+        let (second, images) = record(&mut embedded(&scene), &scene, second);
+        gpu.queue.submit([first.finish(), second]);
+        assert!(pixels(gpu, &images) == expected);
+        gpu.check().unwrap();
     }
 }

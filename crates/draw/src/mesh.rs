@@ -3,6 +3,10 @@
 //! Every mesh also gets its bounding box as a geometry of twelve triangles, so that box tests use the same position function as all other
 //! passes. The box is widened a little: it must cover every sample that its contents cover after rounding. All boxes share their indices.
 
+mod deform;
+
+pub use deform::VertexUpload;
+
 use antumbra_scene::{Aabb, Geometry, Mesh};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
@@ -35,6 +39,18 @@ pub struct MeshArenas {
     indices: Arena<u32>,
     /// The first index of all boxes, once there is one.
     box_indices: Option<u64>,
+}
+
+/// What stays true of a mesh's shape.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LastingShape {
+    /// All that can be found out. The deviation is that of its proxy, in the mesh's own units.
+    Rigid {
+        /// In the mesh's own units.
+        deviation: f64,
+    },
+    /// Nothing: its vertices move.
+    Deforming,
 }
 
 /// The buffers of the arenas.
@@ -101,11 +117,16 @@ impl MeshArenas {
         self.indices.reserve_more(gpu, indices)
     }
 
-    /// Uploads all geometries of a mesh. `deviation` is that of its proxy, in the mesh's own units.
+    /// Uploads all geometries of a mesh.
     ///
     /// # Errors
     /// [`DrawError::TooLarge`] where an arena would exceed the device's limits.
-    pub fn add(&mut self, gpu: &Gpu, mesh: &Mesh, deviation: f64) -> Result<MeshRanges, DrawError> {
+    pub fn add(
+        &mut self,
+        gpu: &Gpu,
+        mesh: &Mesh,
+        lasting: LastingShape,
+    ) -> Result<MeshRanges, DrawError> {
         let levels = mesh
             .levels
             .iter()
@@ -135,8 +156,14 @@ impl MeshArenas {
             proxy,
             boxed,
             box_margin,
-            deviation,
-            roundness: bounds.map_or(OrientedBox::ANGULAR, |bounds| roundness(mesh, &bounds)),
+            deviation: match lasting {
+                LastingShape::Rigid { deviation } => deviation,
+                LastingShape::Deforming => 0.0,
+            },
+            roundness: match (lasting, bounds) {
+                (LastingShape::Rigid { .. }, Some(bounds)) => roundness(mesh, &bounds),
+                _ => OrientedBox::ANGULAR,
+            },
             bounds: bounds.unwrap_or(Aabb::EMPTY),
         })
     }

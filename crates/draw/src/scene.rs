@@ -5,6 +5,7 @@
 
 mod assets;
 mod changes;
+mod deform;
 mod groups;
 
 use std::collections::HashMap;
@@ -224,7 +225,7 @@ impl GpuScene {
         &mut self,
         scene: &Scene,
         changes: &SceneChanges,
-        upload: Upload<'_>,
+        mut upload: Upload<'_>,
     ) -> Result<(), DrawError> {
         // Lights are few, so they are gathered anew each time.
         self.lights = Arc::new(SceneLights::gather(scene));
@@ -233,12 +234,13 @@ impl GpuScene {
             added,
             moved,
             reparented,
+            deformed,
             ..
         } = changes;
-        if [removed, added, moved, reparented]
+        let is_same = [removed, added, moved, reparented]
             .iter()
-            .all(|keys| keys.is_empty())
-        {
+            .all(|keys| keys.is_empty());
+        if is_same && deformed.is_empty() {
             return Ok(());
         }
         let mut shared = std::mem::take(&mut self.table);
@@ -250,8 +252,16 @@ impl GpuScene {
             added,
             moved,
         };
+        let room = self.arenas.vertex_capacity();
+        // Before entities move: their boxes are those of the new vertices.
+        self.deform(table, scene, deformed, &mut upload);
         let outcome = self.change(table, scene, entities);
         self.arenas.flush(&self.gpu);
+        if matches!(upload, Upload::Recorded { .. }) && self.arenas.vertex_capacity() != room {
+            // What encoders that are not submitted yet will write into the old buffers is not in the copies.
+            let deforming = self.deforming(scene);
+            self.deform(table, scene, &deforming, &mut upload);
+        }
         self.materials.flush(&self.gpu);
         self.clear_groups(table, scene);
         self.table = shared;

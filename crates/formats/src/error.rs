@@ -2,6 +2,7 @@
 
 use antumbra_files::{OverBudget, words};
 use antumbra_scene::SceneError;
+use antumbra_scene::animation::AnimationError;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -211,6 +212,9 @@ pub enum LoadProblem {
         /// What was left out; empty for a file that has nothing.
         left_out: String,
     },
+    /// The parts of an animation do not fit together.
+    #[error(transparent)]
+    Animation(#[from] AnimationError),
     /// The scene refused what was read.
     #[error(transparent)]
     Scene(#[from] SceneError),

@@ -28,8 +28,10 @@ pub enum LostPart {
     Point,
     /// An element, a statement or an extension that is not known.
     Element,
-    /// A motion; the scene is in its rest pose.
+    /// A motion; without it the scene is in its rest pose.
     Animation,
+    /// A part of a motion: what moves one property of one node.
+    Channel,
     /// A skin; its mesh has the pose in which it was bound.
     Skin,
     /// A level of detail.
@@ -55,6 +57,7 @@ impl LostPart {
             Self::Point => ["point", "points"],
             Self::Element => ["element", "elements"],
             Self::Animation => ["animation", "animations"],
+            Self::Channel => ["animation channel", "animation channels"],
             Self::Skin => ["skin", "skins"],
             Self::Level => ["level of detail", "levels of detail"],
             Self::Material => ["material", "materials"],

@@ -11,6 +11,7 @@ use crate::left_out::LeftOut;
 use crate::options::LoadOptions;
 use crate::read_scene::ReadScene;
 use crate::{cityjson, gltf, obj, ply, stl};
+use antumbra_scene::animation::Animation;
 use antumbra_scene::{Geometry, Scene};
 use std::path::{Path, PathBuf};
 
@@ -53,6 +54,8 @@ impl SceneFormat {
 pub struct LoadedScene {
     /// The scene.
     pub scene: Scene,
+    /// What moves in it by itself; it is at rest until [`Animation::pose`] is called.
+    pub animation: Option<Animation>,
     /// The attachments that were requested and that the file has, each with an error if it is invalid. The scene does
     /// not depend on them.
     pub attachments: Vec<Result<Attachment, LoadError>>,
@@ -88,7 +91,7 @@ impl LoadedScene {
 /// Loads a scene from a file. The extension determines the format (.glb, .gltf, .json and .jsonl for CityJSON, .obj,
 /// .ply, .stl).
 ///
-/// The scene is named after the file. [`update`](Scene::update) has not been called yet.
+/// The scene is named after the file, and at rest: [`load_with_attachments`] gives what moves in it too. [`update`](Scene::update) has not been called yet.
 ///
 /// # Errors
 /// A [`LoadProblem`] with the file's name.
@@ -123,6 +126,7 @@ pub fn load_with_attachments(
     };
     let ReadScene {
         mut scene,
+        animation,
         attachments,
     } = read().map_err(error)?;
     let left_out = left_out(&mut budget).map_err(error)?;
@@ -132,6 +136,7 @@ pub fn load_with_attachments(
     let attachments = attachments.into_iter();
     Ok(LoadedScene {
         scene,
+        animation,
         attachments: attachments.map(|found| found.map_err(error)).collect(),
         files: budget.take_files(),
         left_out,
@@ -167,13 +172,18 @@ pub fn load_slice_with_attachments(
         problem: Box::new(problem),
     };
     let mut budget = Budget::new(options);
-    let ReadScene { scene, attachments } = (budget.bytes(bytes.len() as u64))
+    let ReadScene {
+        scene,
+        animation,
+        attachments,
+    } = (budget.bytes(bytes.len() as u64))
         .and_then(|()| read_format(format, bytes, base, attachments, &mut budget))
         .map_err(error)?;
     let left_out = left_out(&mut budget).map_err(error)?;
     let attachments = attachments.into_iter();
     Ok(LoadedScene {
         scene,
+        animation,
         attachments: attachments.map(|found| found.map_err(error)).collect(),
         files: budget.take_files(),
         left_out,
@@ -212,6 +222,7 @@ fn read_format(
     };
     Ok(ReadScene {
         scene: scene?,
+        animation: None,
         attachments: Vec::new(),
     })
 }

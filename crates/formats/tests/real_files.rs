@@ -3,7 +3,7 @@
 //! and `scripts/data.sh city` fetch them.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use antumbra_formats::{LoadOptions, LoadProblem, SceneFormat, load};
+use antumbra_formats::{LoadOptions, LoadProblem, SceneFormat, load, load_with_attachments};
 use std::path::{Path, PathBuf};
 
 fn models() -> Option<PathBuf> {
@@ -151,4 +151,36 @@ fn delft_has_the_buildings_and_triangles_it_is_known_to_have() {
     let (low, high) = (bounds.min.round(), bounds.max.round());
     assert_eq!(low.to_array(), [84_502.0, -4.0, -446_983.0]);
     assert_eq!(high.to_array(), [85_675.0, 95.0, -445_805.0]);
+}
+
+/// A skin and a morph target of other programs play, and their boxes change with them. `scripts/data.sh engine` fetches them.
+#[test]
+fn animated_files_move() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/assimp-testmodels/glTF2");
+    for name in [
+        "simple_skin/simple_skin.gltf",
+        "glTF-Sample-Models/AnimatedMorphCube-glTF/AnimatedMorphCube.gltf",
+    ] {
+        let file = folder.join(name);
+        if !file.is_file() {
+            eprintln!("skipped: {} is not there", file.display());
+            continue;
+        }
+        let strict = LoadOptions {
+            strict: true,
+            ..LoadOptions::default()
+        };
+        let loaded = load_with_attachments(&file, &strict, &[]).unwrap();
+        let (mut scene, animation) = (loaded.scene, loaded.animation.unwrap());
+        assert_eq!(animation.meshes().len(), 1, "{name}");
+        let boxes = [0.0, 0.7, 1.5].map(|time| {
+            animation.pose(&mut scene, 0, time).unwrap();
+            scene.update();
+            scene.bounds().unwrap()
+        });
+        assert!(
+            boxes[0] != boxes[1] && boxes[1] != boxes[2],
+            "{name}: {boxes:?}"
+        );
+    }
 }

@@ -16,7 +16,7 @@ use antumbra_scene::{Scene, Stereo};
 use image::RgbaImage;
 
 use crate::path::CameraPath;
-use crate::report::{Adapter, Noise, PoseRecord, Report, SceneFacts};
+use crate::report::{Adapter, MotionFacts, Noise, PoseRecord, Report, SceneFacts};
 use crate::{MeasureError, stats, views};
 
 mod accuracy;
@@ -24,12 +24,14 @@ mod audited;
 mod entry;
 mod errors;
 mod fates;
+mod playback;
 mod save;
 mod script;
 mod speed;
 
 pub use entry::is_report_file;
 use entry::{Entries, ReportedEntries};
+pub use playback::{Playback, Timing};
 pub use script::Script;
 use script::ScriptedScene;
 pub(crate) use speed::usual_block;
@@ -112,6 +114,8 @@ pub struct CompareOptions {
     pub command: String,
     /// The scene's name, for the report.
     pub scene_name: String,
+    /// What the script plays, for the report.
+    pub motion: Option<MotionFacts>,
 }
 
 impl Default for CompareOptions {
@@ -125,6 +129,7 @@ impl Default for CompareOptions {
             flip_poses: 8,
             command: String::new(),
             scene_name: String::new(),
+            motion: None,
         }
     }
 }
@@ -234,6 +239,7 @@ pub fn compare_scripted(
             samples: options.samples,
             frames: path.poses().len() as u64,
             owned_percent: accuracy.owned_percent(options.size),
+            motion: options.motion.clone(),
             left_out: Vec::new(),
         },
         noise: Noise {

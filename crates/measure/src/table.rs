@@ -8,6 +8,7 @@ use crate::format;
 use crate::report::{MissingParts, Report, StrategyReport};
 
 mod eyes;
+mod motion;
 mod sweep;
 
 /// A report as rows and columns of text.
@@ -383,6 +384,10 @@ pub fn facts(report: &Report) -> [String; 2] {
             format::metres(stereo.convergence)
         )
     });
+    let motion = scene
+        .motion
+        .as_ref()
+        .map_or_else(String::new, motion::words);
     let noise = match report.noise.frame_time_ratio_p95 {
         Some(ratio) => format!("noise {} %", format::percent((ratio - 1.0) * 100.0)),
         None => "noise not measured".to_owned(),
@@ -408,7 +413,7 @@ pub fn facts(report: &Report) -> [String; 2] {
     });
     [
         format!(
-            "scene {}: {}, {}; {width} x {height} pixels{samples}, {}{eyes}, {}{path}{owned}{missing}",
+            "scene {}: {}, {}; {width} x {height} pixels{samples}, {}{eyes}, {}{path}{motion}{owned}{missing}",
             format::clean(&scene.name),
             format::plural(scene.entities, "entity"),
             format::plural(scene.triangles, "triangle"),

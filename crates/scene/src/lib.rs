@@ -6,6 +6,7 @@
 //!   changes.
 //! - [`Camera`], [`Stereo`] and [`Frustum`] give views. [`Frustum::cull`] tests many boxes ([`BoxArray`]) at once.
 //! - [`hierarchy`] has trees of boxes for culling whole subtrees.
+//! - [`animation`] moves nodes, bends skinned meshes and blends morph targets: clips, sampled into a scene's pose.
 //! - [`Mesh`], [`Geometry`] and [`Raster`] are plain arrays. With the feature `simplify` (meshoptimizer, C++) a mesh
 //!   gets a low-resolution proxy for visibility tests.
 //!
@@ -30,6 +31,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod animation;
 pub mod bounds;
 mod camera;
 mod collapse_work;

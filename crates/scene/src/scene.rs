@@ -3,8 +3,10 @@
 //! [`Scene::update`] is called once a frame. It reports which drawable entities were added, removed and moved.
 
 mod assets;
+mod boxes;
 mod change_log;
 mod components;
+mod deforming;
 mod drawable;
 mod propagate;
 #[cfg(feature = "simplify")]
@@ -67,6 +69,7 @@ pub struct Scene {
     cameras: SparseSecondaryMap<EntityKey, Camera>,
     meshes: SlotMap<MeshKey, Mesh>,
     mesh_bounds: propagate::MeshBounds,
+    deforming: deforming::Deforming,
     materials: SlotMap<MaterialKey, Material>,
     images: SlotMap<ImageKey, Image>,
     environment: Option<Environment>,
@@ -109,6 +112,7 @@ impl Scene {
             cameras: SparseSecondaryMap::new(),
             meshes: SlotMap::with_key(),
             mesh_bounds: SecondaryMap::new(),
+            deforming: deforming::Deforming::default(),
             materials: SlotMap::with_key(),
             images: SlotMap::with_key(),
             environment: None,
@@ -323,32 +327,6 @@ impl Scene {
     #[must_use]
     pub fn entity_name(&self, entity: EntityKey) -> &str {
         self.names.get(entity).map_or("", String::as_str)
-    }
-
-    /// The box around a drawable entity in the world at the last update, rounded outwards. `None` if the entity is
-    /// not drawable, its mesh has no vertex, or its transform exceeds the range of f64.
-    #[must_use]
-    pub fn world_bounds(&self, entity: EntityKey) -> Option<Aabb> {
-        let slot = self.tree.get(entity)?.slot as usize;
-        self.transforms
-            .bounds
-            .get(slot)
-            .copied()
-            .filter(|b| !b.is_empty())
-    }
-
-    /// The box around an entity's drawable and those of its descendants, at the last update.
-    #[must_use]
-    pub fn subtree_bounds(&self, entity: EntityKey) -> Option<Aabb> {
-        let slot = self.tree.get(entity)?.slot as usize;
-        (self.transforms.subtree_bounds.get(slot).copied()).filter(|b| !b.is_empty())
-    }
-
-    /// The box around all drawables at the last update.
-    #[must_use]
-    pub fn bounds(&self) -> Option<Aabb> {
-        let all = self.transforms.subtree_bounds.get(SCENE as usize);
-        all.copied().filter(|b| !b.is_empty())
     }
 
     /// The entity's name and key, for messages.

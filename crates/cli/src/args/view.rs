@@ -8,6 +8,7 @@ use antumbra::formats::Units;
 use clap::Args as ClapArgs;
 
 use super::load::LoadArgs;
+use super::motion::MotionArgs;
 use super::segy::SegyArgs;
 use super::value::{LensAt, PathArg, Size, SliceAt};
 use crate::eyes::StereoArgs;
@@ -50,6 +51,8 @@ pub struct ViewArgs {
     pub patience: Duration,
     #[command(flatten, next_help_heading = "Scene files")]
     pub load: LoadArgs,
+    #[command(flatten, next_help_heading = "Animation")]
+    pub motion: MotionArgs,
     #[command(flatten, next_help_heading = "Stereo")]
     pub eyes: StereoArgs,
     #[command(flatten, next_help_heading = "Seismic volumes")]

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use antumbra::demo_scenes::subsurface::{Model, SubsurfaceScene, SubsurfaceSceneOptions};
 use antumbra::demo_scenes::{self, DemoSceneError};
 use antumbra::formats::{LeftOut, RasterFormat, SceneFormat};
+use antumbra::scene::animation::Animation;
 use antumbra::scene::{Aabb, Scene};
 use antumbra::subsurface::{BrickSource, SectionPositions, SlicePosition, VolumeSections};
 use antumbra::terrain::{
@@ -41,6 +42,8 @@ pub struct Found {
     pub whole_grid: bool,
     /// The files that were read.
     pub files: Vec<PathBuf>,
+    /// What moves in a file's scene.
+    pub animation: Option<Animation>,
     /// What was left out of them.
     pub left_out: LeftOut,
 }
@@ -68,6 +71,7 @@ impl Found {
             landscape: None,
             whole_grid: false,
             files: Vec::new(),
+            animation: None,
             left_out: LeftOut::default(),
         }
     }
@@ -141,7 +145,11 @@ impl Found {
     /// A scene file, with its terrain if that was prepared. Where the file's extension is unusable, a scene without a terrain.
     fn file(file: &Path, args: &ViewArgs) -> Result<Self, Failure> {
         let attachments = [terrain::file::EXTENSION];
-        let loaded = scene_file::load(file, &attachments, &args.load, args.quiet)?;
+        let load = match args.motion.requested() {
+            true => scene_file::load,
+            false => scene_file::load_at_rest,
+        };
+        let loaded = load(file, &attachments, &args.load, args.quiet)?;
         let attachment = loaded.attachments.into_iter().next();
         let known = attachment.map(|attachment| Terrain::read(&loaded.scene, &attachment?));
         let terrain = known.and_then(|known| match known {
@@ -157,6 +165,7 @@ impl Found {
         Ok(Self {
             terrain,
             files: loaded.files,
+            animation: loaded.animation,
             left_out: loaded.left_out,
             ..Self::of(loaded.scene)
         })
@@ -230,11 +239,11 @@ impl Found {
         Some(horizon)
     }
 
-    /// The box around the scene; where there is no entity, the box around the origin that cameras look at.
-    pub fn bounds(&self) -> Aabb {
-        let nothing = Aabb::new(DVec3::NEG_ONE, DVec3::ONE);
-        self.scene.bounds().unwrap_or(nothing)
-    }
+    /// Where there is no entity, the box around the origin that cameras look at.
+    pub const NO_BOUNDS: Aabb = Aabb {
+        min: DVec3::NEG_ONE,
+        max: DVec3::ONE,
+    };
 
     /// Adds the sections that the arguments name: of their volume, or of the model's.
     pub fn add_sections(&mut self, view: &ViewArgs) -> Result<(), Failure> {

@@ -1,6 +1,7 @@
 //! The camera path that the command line names, or the one that suits the scene.
 
 use antumbra::demo_scenes::subsurface::Model;
+use antumbra::measure::compare::Playback;
 use antumbra::measure::path::{CameraPath, Orbit, Pose, Waypoint};
 use antumbra::scene::{Aabb, Camera, Projection, Scene};
 use antumbra::terrain::{Field, FlightStation};
@@ -33,10 +34,11 @@ const FLYING: Flying = Flying {
 /// [`Failure::Usage`] for a camera that the scene does not have; what is wrong with a file otherwise.
 pub fn path(
     args: &ViewArgs,
-    found: &Found,
+    found: &mut Found,
     bounds: &Aabb,
     size: [u32; 2],
     frames: usize,
+    playback: Option<&Playback>,
 ) -> Result<CameraPath, Failure> {
     let aspect = f64::from(size[0]) / f64::from(size[1]);
     let named = args.path.as_ref();
@@ -61,9 +63,35 @@ pub fn path(
         }
         None | Some(PathArg::Orbit) => Ok(CameraPath::orbit_around(bounds, aspect, frames)?),
         Some(PathArg::Flight) => Ok(CameraPath::flight(bounds, args.seed, frames)?),
-        Some(PathArg::Camera(name)) => still(&found.scene, name.as_deref(), frames),
+        Some(PathArg::Camera(name)) => {
+            let name = name.as_deref();
+            match playback {
+                None => still(&found.scene, name, frames),
+                Some(playback) => carried(&mut found.scene, name, frames, playback),
+            }
+        }
         Some(PathArg::Named(file)) => Ok(CameraPath::load(file)?),
     }
+}
+
+/// The path of a camera of the scene that its animation may carry along.
+fn carried(
+    scene: &mut Scene,
+    name: Option<&str>,
+    frames: usize,
+    playback: &Playback,
+) -> Result<CameraPath, Failure> {
+    let mut path: Option<CameraPath> = None;
+    let mut poses = Vec::with_capacity(frames);
+    for frame in 0..frames {
+        playback.show(scene, frame)?;
+        let here = still(scene, name, 1)?;
+        poses.extend_from_slice(here.poses());
+        path.get_or_insert(here);
+    }
+    playback.show(scene, 0)?;
+    let first = path.map_or_else(|| still(scene, name, 1), Ok)?;
+    Ok(CameraPath::new(first.name(), first.projection(), poses)?)
 }
 
 /// A path that stays at a camera of the scene: the one of this name, or the first for `None`.

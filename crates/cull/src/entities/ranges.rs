@@ -45,6 +45,15 @@ pub struct MeshRanges {
     pub bounds: Aabb,
 }
 
+/// What is true of a mesh's new vertices.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NewShape {
+    /// As [`MeshRanges::bounds`].
+    pub bounds: Aabb,
+    /// As [`MeshRanges::box_margin`].
+    pub box_margin: f64,
+}
+
 impl MeshRanges {
     /// Where the geometry for some detail lies.
     pub fn range(&self, detail: MeshDetail) -> IndexRange {

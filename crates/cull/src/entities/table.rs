@@ -3,18 +3,20 @@
 //! A table is a snapshot. The graph's host nodes share it through an `Arc`; its owner (the built-in renderer's scene, or a host's) changes it between
 //! frames, when no node holds it.
 
+mod meshes;
+
 use std::collections::HashMap;
 
 use antumbra_scene::bounds::BoxArray;
-use antumbra_scene::{Aabb, EntityKey, PartBoxes};
+use antumbra_scene::{Aabb, EntityKey};
 use glam::{DAffine3, DVec3};
 
 use super::class::{Alpha, PipelineClass};
 use super::detail::MeshDetail;
-use super::oriented::{MeshShape, OrientedBox};
-use super::part_table::{GpuPartBox, PartTable};
-use super::ranges::{IndexRange, MeshRanges};
-use super::scale::{greatest_scale, least_scale};
+use super::oriented::OrientedBox;
+use super::part_table::PartTable;
+use super::ranges::MeshRanges;
+use super::scale::least_scale;
 use super::slot_groups::SlotGroups;
 
 /// What the instances of one instanced draw share: pipeline, texture, mesh. Sorts in drawing order.
@@ -155,14 +157,6 @@ impl SceneTable {
         &self.batches
     }
 
-    /// Where a mesh's geometry lies; an empty range for a mesh that does not exist.
-    pub fn range(&self, mesh: u32, detail: MeshDetail) -> IndexRange {
-        let ranges = self.meshes.get(mesh as usize);
-        ranges
-            .map(|ranges| ranges.range(detail))
-            .unwrap_or_default()
-    }
-
     /// Triangles (or lines, or points) of a live slot's entity in some detail.
     pub fn primitives_of(&self, slot: u32, detail: MeshDetail) -> u32 {
         self.range(self.batches[self.batch_of(slot) as usize].mesh, detail)
@@ -253,18 +247,6 @@ impl SceneTable {
         self.parts.reserve(meshes);
     }
 
-    /// Adds a mesh and returns its index.
-    pub fn add_mesh(&mut self, ranges: MeshRanges, parts: &PartBoxes) -> u32 {
-        self.parts.add(parts);
-        self.meshes.push(ranges);
-        self.meshes.len() as u32 - 1
-    }
-
-    /// The boxes of the parts of all meshes, as the device tests them.
-    pub fn part_boxes(&self) -> &[GpuPartBox] {
-        self.parts.boxes()
-    }
-
     /// Puts an entity into a slot: the next new one, or a free one. Its batch index is provisional until [`Self::sort_batches`].
     pub fn occupy(&mut self, slot: u32, entity: NewOccupant, index: &mut HashMap<Batch, u32>) {
         let NewOccupant {
@@ -339,30 +321,6 @@ impl SceneTable {
         let deviation = self.deviates(mesh, world);
         if let Some(place) = self.deviations.get_mut(slot as usize) {
             *place = deviation;
-        }
-    }
-
-    /// By how many metres, at most, a mesh's proxy deviates in the world.
-    fn deviates(&self, mesh: u32, world: &DAffine3) -> f32 {
-        let own = self
-            .meshes
-            .get(mesh as usize)
-            .map_or(0.0, |mesh| mesh.deviation);
-        (own * greatest_scale(world)) as f32
-    }
-
-    fn orient(&self, mesh: u32, bounds: Aabb, world: &DAffine3) -> OrientedBox {
-        let at = mesh as usize;
-        match self.meshes.get(at) {
-            Some(mesh) if !mesh.bounds.is_empty() => {
-                let shape = MeshShape {
-                    bounds: mesh.bounds,
-                    roundness: mesh.roundness,
-                    parts: self.parts.of_mesh(at),
-                };
-                OrientedBox::new(&shape, world, &bounds)
-            }
-            _ => OrientedBox::aligned(&bounds),
         }
     }
 

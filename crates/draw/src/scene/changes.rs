@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use super::{EntityChanges, GpuScene, Upload};
 use crate::error::DrawError;
 use crate::instance::Instance;
+use crate::mesh::LastingShape;
 use antumbra_cull::{
     Batch, GpuPartBox, MeshDetail, NewOccupant, PipelineClass, PipelineTraits, SceneTable,
 };
@@ -148,7 +149,11 @@ impl GpuScene {
             Some(number) => *number,
             None => {
                 let NewMesh { deviation, parts } = new.remove(&drawable.mesh).unwrap_or_default();
-                let ranges = self.arenas.add(&self.gpu, mesh, deviation)?;
+                let lasting = match scene.deforms(drawable.mesh) {
+                    true => LastingShape::Deforming,
+                    false => LastingShape::Rigid { deviation },
+                };
+                let ranges = self.arenas.add(&self.gpu, mesh, lasting)?;
                 let number = table.add_mesh(ranges, &parts);
                 self.mesh_index.insert(drawable.mesh, number);
                 number
@@ -257,9 +262,12 @@ struct NewMesh {
     parts: PartBoxes,
 }
 
-/// Looks into meshes side by side; those without anything to keep are left out.
+/// Looks into meshes side by side; those without anything to keep are left out, and so are those that deform, of which nothing stays true.
 fn look_into(scene: &Scene, meshes: HashSet<MeshKey>) -> HashMap<MeshKey, NewMesh> {
     let looked = meshes.into_par_iter().filter_map(|key| {
+        if scene.deforms(key) {
+            return None;
+        }
         let mesh = scene.mesh(key)?;
         let bounds = mesh.bounds()?;
         let found = NewMesh {

@@ -42,6 +42,7 @@ pub fn report() -> Report {
             frames: FRAMES as u64,
             owned_percent: None,
             left_out: Vec::new(),
+            motion: None,
         },
         noise: Noise {
             frame_time_ratio_p95: Some(1.013),

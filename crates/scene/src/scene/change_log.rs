@@ -1,7 +1,7 @@
 //! The changes between two updates of a scene.
 
 use super::drawable::Drawable;
-use crate::keys::{EntityKey, ImageKey};
+use crate::keys::{EntityKey, ImageKey, MeshKey};
 use slotmap::SecondaryMap;
 
 /// The changes since the previous [`Scene::update`](super::Scene::update). Each list is in arena order.
@@ -11,8 +11,10 @@ pub struct SceneChanges {
     pub added: Vec<EntityKey>,
     /// Entities that are no longer drawable or were removed, or whose mesh, material or role in tests changed.
     pub removed: Vec<EntityKey>,
-    /// Entities whose world transform changed and that are otherwise drawn as before.
+    /// Entities whose world transform changed, or the vertices of whose mesh did, and that are otherwise drawn as before.
     pub moved: Vec<EntityKey>,
+    /// Meshes with new vertices.
+    pub deformed: Vec<MeshKey>,
     /// Entities, drawable or not, with another parent, or without a parent that they had.
     pub reparented: Vec<EntityKey>,
     /// Images with new pixels.
@@ -29,6 +31,7 @@ impl SceneChanges {
         self.added.is_empty()
             && self.removed.is_empty()
             && self.moved.is_empty()
+            && self.deformed.is_empty()
             && self.reparented.is_empty()
             && self.images.is_empty()
             && !self.environment

@@ -40,6 +40,7 @@ impl Scene {
         }
         self.drawables.insert(entity, drawable);
         self.changes.touched(entity);
+        self.deforming.used(drawable.mesh, entity);
         if self.transforms.mesh[slot] != drawable.mesh {
             self.transforms.mesh[slot] = drawable.mesh;
             self.mark_dirty(entity, BOUNDS_DIRTY);

@@ -10,10 +10,12 @@ use crate::mesh::Mesh;
 use crate::simplify::ProxyOptions;
 
 impl Scene {
-    /// Computes a proxy for every mesh without one, in parallel. Meshes keep their keys. A box grows where a proxy
+    /// Computes a proxy for every mesh without one that does not deform, in parallel. Meshes keep their keys. A box grows where a proxy
     /// reaches beyond its mesh, since an eye inside a proxy must count as inside the box.
     pub fn ensure_proxies(&mut self, options: &ProxyOptions) {
-        let mut meshes: Vec<&mut Mesh> = self.meshes.values_mut().collect();
+        let deforming = &self.deforming;
+        let fixed = (self.meshes.iter_mut()).filter(|(key, _)| !deforming.contains(*key));
+        let mut meshes: Vec<&mut Mesh> = fixed.map(|(_, mesh)| mesh).collect();
         meshes.par_iter_mut().for_each(|mesh| {
             mesh.ensure_proxy(options);
         });

@@ -9,6 +9,7 @@ use crate::keys::EntityKey;
 impl Scene {
     /// Updates world transforms and boxes, and returns the changes since the previous call.
     pub fn update(&mut self) -> SceneChanges {
+        let (deformed_meshes, deformed) = self.take_deformed();
         let moved = self.propagate();
         let ChangeLog {
             reported,
@@ -55,6 +56,14 @@ impl Scene {
                 self.transforms.clear_flags();
             }
         }
+        if !deformed.is_empty() {
+            changes
+                .moved
+                .extend(deformed.into_iter().filter(|entity| stays(*entity)));
+            changes.moved.sort_unstable();
+            changes.moved.dedup();
+        }
+        changes.deformed = deformed_meshes;
         touched.sort_unstable();
         touched.dedup();
         for entity in touched.drain(..) {

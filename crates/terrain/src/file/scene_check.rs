@@ -60,6 +60,12 @@ fn check_entity(
     let field = terrain.field();
     let wrong = |problem: &str| Err(bad(format!("{} {problem}", scene.describe(entity))));
     let mesh = scene.drawable(entity).and_then(|it| scene.mesh(it.mesh));
+    if scene
+        .drawable(entity)
+        .is_some_and(|it| scene.deforms(it.mesh))
+    {
+        return wrong("has a mesh that an animation deforms");
+    }
     let Some([mesh]) = mesh.map(|mesh| mesh.levels.as_slice()) else {
         return wrong("has no mesh of its part of the terrain, or a mesh with coarser levels");
     };

@@ -1,6 +1,6 @@
 //! The container: the chunks of a binary glTF, and the JSON in them.
 
-use super::extensions;
+use super::{extensions, pointers};
 use crate::budget::Budget;
 use crate::error::LoadProblem;
 use gltf::json::Root;
@@ -106,7 +106,7 @@ pub(super) fn split(bytes: &[u8]) -> Result<Parts<'_>, LoadProblem> {
 }
 
 /// Parses the JSON, if its version and required extensions are supported.
-pub(super) fn parse<'a>(json: &'a [u8], budget: &Budget) -> Result<Json<'a>, LoadProblem> {
+pub(super) fn parse<'a>(json: &'a [u8], budget: &mut Budget) -> Result<Json<'a>, LoadProblem> {
     budget.json(json)?;
     let broken = |place: &str, problem: String| LoadProblem::Syntax {
         format: "glTF",
@@ -121,7 +121,13 @@ pub(super) fn parse<'a>(json: &'a [u8], budget: &Budget) -> Result<Json<'a>, Loa
         let problem = format!("it is {version}; only 2.x is known: convert the file");
         return Err(broken("asset.version", problem));
     }
-    let root = Root::from_slice(json).map_err(|e| broken("the JSON", e.to_string()))?;
+    let root = match Root::from_slice(json) {
+        Ok(root) => root,
+        Err(error) => match pointers::without(json, &mut budget.left_out) {
+            Some(root) => root,
+            None => return Err(broken("the JSON", error.to_string())),
+        },
+    };
     extensions::check(&root)?;
     let texts: NodeTexts<'_> =
         serde_json::from_slice(json).map_err(|e| broken("the JSON", e.to_string()))?;

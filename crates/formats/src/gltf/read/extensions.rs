@@ -42,6 +42,8 @@ const HARMLESS: &[&str] = &[
     "EXT_structural_metadata",
     "EXT_texture_",
     "FB_geometry_metadata",
+    // Its channels are noted one by one.
+    "KHR_animation_pointer",
     "KHR_audio",
     "KHR_interactivity",
     "KHR_lights_",
@@ -85,7 +87,7 @@ pub(super) fn suspect(root: &Root) -> Option<&str> {
     suspect.map(String::as_str)
 }
 
-/// Notes extensions that are not read and not among the attachments, animations, and what materials have beyond base colour and emission.
+/// Notes extensions that are not read and not among the attachments, and what materials have beyond base colour and emission.
 pub(super) fn note_unread(root: &Root, attachments: &[&str], left_out: &mut LeftOut) {
     let used = root.extensions_used.iter();
     for name in used.filter(|name| is_unknown(name) && !attachments.contains(&name.as_str())) {
@@ -94,10 +96,6 @@ pub(super) fn note_unread(root: &Root, attachments: &[&str], left_out: &mut Left
             &format!("the extension {name}"),
             "the file",
         );
-    }
-    for (index, animation) in root.animations.iter().enumerate() {
-        let place = label("animation", index, animation.name.as_deref());
-        left_out.add(LostPart::Animation, "the rest pose is shown", &place);
     }
     for (index, material) in root.materials.iter().enumerate() {
         let place = label("material", index, material.name.as_deref());

@@ -2,16 +2,17 @@
 //! effect of morph targets and skin at rest.
 
 use super::accessor::Accessor;
+use super::deformation::Deformation;
 use super::document::{Document, label};
 #[cfg(feature = "draco")]
 use super::draco::{self, Decoded};
+use super::morph;
 use super::skin::Pose;
 use crate::budget::Budget;
 use crate::error::LoadProblem;
 use crate::left_out::LostPart;
 use crate::normals;
 use antumbra_scene::{Geometry, Topology};
-use glam::Vec3;
 use gltf::json::accessor::{ComponentType, Type};
 use gltf::json::mesh::{Mode, Primitive, Semantic};
 use gltf::json::validation::Checked;
@@ -26,6 +27,15 @@ pub(super) struct Request<'a> {
     pub(super) weights: &'a [f32],
     /// The skin at rest.
     pub(super) pose: Option<&'a Pose>,
+    /// Whether what deforms it is kept.
+    pub(super) deforms: bool,
+}
+
+/// A primitive at rest.
+pub(super) struct ReadGeometry {
+    pub(super) geometry: Geometry,
+    /// What deforms it, if that was asked for.
+    pub(super) deformation: Option<Deformation>,
 }
 
 /// Reads a primitive; `None` for one without positions, which glTF allows but which cannot be drawn.
@@ -34,7 +44,7 @@ pub(super) fn read(
     source: &Primitive,
     request: &Request<'_>,
     budget: &mut Budget,
-) -> Result<Option<Geometry>, LoadProblem> {
+) -> Result<Option<ReadGeometry>, LoadProblem> {
     let mesh = document.root.meshes.get(request.mesh);
     let mesh = label(
         "mesh",
@@ -97,14 +107,12 @@ pub(super) fn read(
         },
         ..Geometry::default()
     };
-    let vertices = || {
-        (0..total).map(|i| {
-            used.as_ref()
-                .and_then(|u| u.get(i))
-                .map_or(i, |v| *v as usize)
-        })
+    let vertices = Vertices {
+        used: used.as_deref(),
+        all: positions.count,
     };
-    geometry.positions = vertices()
+    geometry.positions = vertices
+        .iter()
         .map(|v| positions.finite(v))
         .collect::<Result<_, _>>()?;
     let optional = |semantic: Semantic, fits: fn(Type) -> bool, what: &str| {
@@ -116,7 +124,7 @@ pub(super) fn read(
         Ok::<_, LoadProblem>(found)
     };
     if let Some(normals) = optional(Semantic::Normals, |t| t == Type::Vec3, "normals")? {
-        geometry.normals = vertices().map(|v| normals.numbers(v)).collect();
+        geometry.normals = vertices.iter().map(|v| normals.numbers(v)).collect();
         normals::mend(&mut geometry, &name, budget);
     }
     if let Some(uvs) = optional(
@@ -125,7 +133,7 @@ pub(super) fn read(
         "texture coordinates",
     )? {
         let mut lost = 0;
-        geometry.uvs = vertices().map(|v| uvs.or_zero(v, &mut lost)).collect();
+        geometry.uvs = vertices.iter().map(|v| uvs.or_zero(v, &mut lost)).collect();
         let reason = "texture coordinates that are not finite";
         let left_out = &mut budget.left_out;
         left_out.add_many(LostPart::Attribute, reason, lost, &name);
@@ -138,19 +146,20 @@ pub(super) fn read(
             let [r, g, b, a] = colours.numbers::<4>(v).map(byte);
             [r, g, b, if opaque { 255 } else { a }]
         };
-        geometry.colours = vertices().map(colour).collect();
+        geometry.colours = vertices.iter().map(colour).collect();
     }
-    let targets = source.targets.iter().flatten().zip(request.weights);
-    let moving = targets.filter(|(_, weight)| **weight != 0.0).count() as u64;
-    budget.work(moving.saturating_mul(total as u64))?;
-    morph(
+    let mut deformation = request.deforms.then(|| Deformation::of(&geometry));
+    if deformation.is_some() {
+        budget.memory((total as u64).saturating_mul(Deformation::VERTEX))?;
+    }
+    morph::apply(
         document,
         source,
         request,
-        &name,
-        positions.count,
-        vertices(),
+        &vertices,
+        budget,
         &mut geometry,
+        deformation.as_mut(),
     )?;
     if let Some(pose) = request.pose {
         let mut sets = Vec::new();
@@ -162,49 +171,41 @@ pub(super) fn read(
             };
             sets.push((joints, weights));
         }
-        budget.work((sets.len() as u64).saturating_mul(4 * total as u64))?;
-        pose.apply(&sets, vertices(), &mut geometry)?;
-    }
-    Ok(Some(geometry))
-}
-
-/// Adds the displacements of the morph targets.
-fn morph(
-    document: &Document<'_>,
-    source: &Primitive,
-    request: &Request<'_>,
-    name: &str,
-    count: usize,
-    vertices: impl Iterator<Item = usize> + Clone,
-    geometry: &mut Geometry,
-) -> Result<(), LoadProblem> {
-    let targets = source.targets.iter().flatten().zip(request.weights);
-    for (i, (target, &weight)) in targets
-        .enumerate()
-        .filter(|(_, (_, weight))| **weight != 0.0)
-    {
-        let parts = [
-            (target.positions.as_ref(), &mut geometry.positions),
-            (target.normals.as_ref(), &mut geometry.normals),
-        ];
-        for (index, values) in parts {
-            let Some(index) = index else {
-                continue;
-            };
-            let user = format!("morph target {i} of {name}");
-            let deltas = Accessor::open(document, index.value(), &user)?;
-            deltas.expect(deltas.shape == Type::Vec3, "displacements")?;
-            same_count(&deltas, count)?;
-            for (value, vertex) in values.iter_mut().zip(vertices.clone()) {
-                let delta = Vec3::from(deltas.finite::<3>(vertex)?);
-                *value = (Vec3::from(*value) + delta * weight).to_array();
-            }
+        let influences = pose.influences(&sets, &vertices, budget)?;
+        pose.apply(&influences, &mut geometry);
+        if let Some(deformation) = &mut deformation {
+            deformation.influences = influences;
         }
     }
-    Ok(())
+    Ok(Some(ReadGeometry {
+        geometry,
+        deformation,
+    }))
 }
 
-fn same_count(accessor: &Accessor<'_>, positions: usize) -> Result<(), LoadProblem> {
+/// Which elements of a primitive's accessors are the vertices of its geometry.
+pub(super) struct Vertices<'a> {
+    /// These; `None` for all.
+    used: Option<&'a [u32]>,
+    /// The elements of each accessor.
+    pub(super) all: usize,
+}
+
+impl Vertices<'_> {
+    pub(super) fn count(&self) -> usize {
+        self.used.map_or(self.all, <[u32]>::len)
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = usize> + '_ {
+        let element = |vertex| {
+            let used = self.used.and_then(|used| used.get(vertex));
+            used.map_or(vertex, |element| *element as usize)
+        };
+        (0..self.count()).map(element)
+    }
+}
+
+pub(super) fn same_count(accessor: &Accessor<'_>, positions: usize) -> Result<(), LoadProblem> {
     if accessor.count == positions {
         return Ok(());
     }

@@ -1,6 +1,7 @@
 //! A node's transform with the file's full precision. The crate `gltf` keeps f32, which is half a metre for
 //! coordinates of millions of metres, so the transform is parsed from the node's JSON.
 
+use antumbra_scene::animation::NodeTransform;
 use glam::{DAffine3, DMat4, DQuat, DVec3, DVec4};
 use gltf::json::extras::RawValue;
 use gltf::json::scene::Node;
@@ -29,9 +30,14 @@ impl<'de> Deserialize<'de> for Number {
 
 /// A node's transform relative to its parent, or the reason why it is invalid.
 pub(super) fn local(node: &Node, json: &RawValue) -> Result<DAffine3, String> {
+    Ok(parts(node, json)?.affine)
+}
+
+/// The same with its parts.
+pub(super) fn parts(node: &Node, json: &RawValue) -> Result<NodeTransform, String> {
     let vectors = node.translation.is_some() || node.scale.is_some();
     if !vectors && node.rotation.is_none() && node.matrix.is_none() {
-        return Ok(DAffine3::IDENTITY);
+        return Ok(NodeTransform::IDENTITY);
     }
     // Serde would read an array as the members in their order, which differs from that of the crate `gltf`.
     if !json.get().starts_with('{') {
@@ -39,10 +45,10 @@ pub(super) fn local(node: &Node, json: &RawValue) -> Result<DAffine3, String> {
     }
     let numbers: Numbers = serde_json::from_str(json.get()).map_err(|e| e.to_string())?;
     let local = match numbers.matrix {
-        Some(matrix) => affine(finite(matrix)?)?,
+        Some(matrix) => NodeTransform::from_affine(affine(finite(matrix)?)?),
         None => composed(&numbers)?,
     };
-    if local.is_finite() {
+    if local.affine.is_finite() {
         Ok(local)
     } else {
         Err(NOT_FINITE.to_owned())
@@ -71,7 +77,7 @@ fn affine(matrix: [f64; 16]) -> Result<DAffine3, &'static str> {
     }
 }
 
-fn composed(numbers: &Numbers) -> Result<DAffine3, &'static str> {
+fn composed(numbers: &Numbers) -> Result<NodeTransform, &'static str> {
     let vector = |given: Option<[Number; 3]>, or: DVec3| match given {
         Some(numbers) => finite(numbers).map(DVec3::from),
         None => Ok(or),
@@ -85,9 +91,11 @@ fn composed(numbers: &Numbers) -> Result<DAffine3, &'static str> {
     if length as f32 == 0.0 {
         return Err("its rotation has no length; use 0 0 0 1 for none");
     }
-    Ok(DAffine3::from_scale_rotation_translation(
-        vector(numbers.scale, DVec3::ONE)?,
+    let scale = vector(numbers.scale, DVec3::ONE)?;
+    let translation = vector(numbers.translation, DVec3::ZERO)?;
+    Ok(NodeTransform::from_parts(
+        translation,
         rotation / length,
-        vector(numbers.translation, DVec3::ZERO)?,
+        scale,
     ))
 }

@@ -14,9 +14,9 @@ pub(super) struct Tree {
     pub(super) locals: Vec<DAffine3>,
     /// Whether each node is only a level of detail of another.
     pub(super) is_lod: Vec<bool>,
-    parents: Vec<Option<usize>>,
+    pub(super) parents: Vec<Option<usize>>,
     /// All nodes, parents first.
-    order: Vec<usize>,
+    pub(super) order: Vec<usize>,
 }
 
 impl Tree {
@@ -80,6 +80,31 @@ impl Tree {
             parents,
             order,
         })
+    }
+
+    /// Marks all that is below marked nodes.
+    pub(super) fn mark_descendants(&self, marked: &mut [bool]) {
+        for &index in &self.order {
+            let parent = self.parents.get(index).copied().flatten();
+            let above = parent.and_then(|parent| marked.get(parent)).copied();
+            if above == Some(true)
+                && let Some(mark) = marked.get_mut(index)
+            {
+                *mark = true;
+            }
+        }
+    }
+
+    /// Marks all that is above marked nodes.
+    pub(super) fn mark_ancestors(&self, marked: &mut [bool]) {
+        for &index in self.order.iter().rev() {
+            let parent = self.parents.get(index).copied().flatten();
+            if marked.get(index) == Some(&true)
+                && let Some(mark) = parent.and_then(|parent| marked.get_mut(parent))
+            {
+                *mark = true;
+            }
+        }
     }
 
     /// The world transform of every node.
