@@ -17,6 +17,10 @@ pub(crate) struct Margin {
     pub ahead: f32,
 }
 
+/// Of what a budget allows, more than the first part in a frame asks for more pixels, and less than the second for fewer. What is between is kept, so that the mean of frames, of which some
+/// are worse than others, stays below what is allowed.
+const ENOUGH: [f32; 2] = [0.5, 0.125];
+
 /// So much of what a budget asks for ahead of the camera is asked for on all sides: cameras turn aside, and occluders move.
 const ASIDE: f32 = 0.125;
 
@@ -62,9 +66,10 @@ impl Dial {
         let Budget::WrongPixels(allowed) = budget else {
             return;
         };
-        if wrong > allowed {
+        let [most, least] = ENOUGH.map(|part| part * allowed);
+        if wrong > most {
             self.pixels = (self.pixels * 2.0).min(Budget::MOST_SHIFT * 2.0);
-        } else if wrong < allowed * 0.25 {
+        } else if wrong < least {
             self.pixels = (self.pixels * 0.9).max(1.0);
         }
     }
@@ -90,7 +95,7 @@ mod tests {
     #[test]
     fn it_grows_with_wrong_pixels_and_falls_without() {
         let mut dial = Dial::default();
-        dial.note_wrong(BUDGET, 0.03);
+        dial.note_wrong(BUDGET, 0.011);
         assert_eq!(ahead(dial), 2.0 * Budget::FIRST_SHIFT);
         assert_eq!(dial.margin(BUDGET, false, 0.0).sides, 4.0);
         assert_eq!(dial.margin(BUDGET, true, 0.0).most(), 0.0);
@@ -99,8 +104,8 @@ mod tests {
             dial.note_wrong(BUDGET, 0.001);
         }
         assert_eq!(ahead(dial), 1.0);
-        // Between a quarter of what is allowed and all of it, it stays.
-        dial.note_wrong(BUDGET, 0.015);
+        // Between an eighth of what is allowed and half of it, it stays.
+        dial.note_wrong(BUDGET, 0.005);
         assert_eq!(ahead(dial), 1.0);
     }
 

@@ -82,7 +82,7 @@ pub enum Budget {
 
 impl Budget {
     /// The pixels that a budget of wrong pixels begins with.
-    pub const FIRST_SHIFT: f32 = 16.0;
+    pub const FIRST_SHIFT: f32 = 32.0;
     /// The most that it comes to. Where even that is too little, nothing is culled while the camera moves.
     pub const MOST_SHIFT: f32 = 128.0;
 }
