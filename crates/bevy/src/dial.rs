@@ -97,7 +97,10 @@ mod tests {
         let mut dial = Dial::default();
         dial.note_wrong(BUDGET, 0.011);
         assert_eq!(ahead(dial), 2.0 * Budget::FIRST_SHIFT);
-        assert_eq!(dial.margin(BUDGET, false, 0.0).sides, 4.0);
+        assert_eq!(
+            dial.margin(BUDGET, false, 0.0).sides,
+            2.0 * Budget::FIRST_SHIFT * ASIDE
+        );
         assert_eq!(dial.margin(BUDGET, true, 0.0).most(), 0.0);
         assert_eq!(dial.margin(BUDGET, true, 1.0).most(), 1.0);
         for _ in 0..100 {
