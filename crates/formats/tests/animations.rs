@@ -4,7 +4,8 @@
 mod common;
 
 use antumbra_formats::{
-    LoadError, LoadOptions, LoadProblem, LoadedScene, SceneFormat, load_slice_with_attachments,
+    LoadError, LoadOptions, LoadProblem, LoadedScene, SceneFormat, load_slice,
+    load_slice_with_attachments,
 };
 use antumbra_scene::Scene;
 use common::{floats, glb};
@@ -113,6 +114,28 @@ fn skins_and_morph_targets_play_and_their_meshes_deform() {
     assert_eq!(highest(&mut scene), DVec3::new(6.0, 2.0, 0.0));
     animation.rest(&mut scene).unwrap();
     assert_eq!(highest(&mut scene), DVec3::new(1.0, 1.0, 0.0));
+}
+
+#[test]
+fn meshes_of_a_scene_without_its_animation_deform_no_longer() {
+    let nodes = r#"{"mesh":1,"skin":0,"children":[1,2]},{},{}"#;
+    let channels = r#"{"sampler":0,"target":{"node":2,"path":"translation"}}"#;
+    let more = r#","skins":[{"joints":[1,2]}]"#;
+    let file = file(nodes, channels, r#"{"input":2,"output":3}"#, more);
+    let deform = |scene: &Scene| {
+        let mut drawables = scene.drawables();
+        drawables.any(|(_, drawable)| scene.deforms(drawable.mesh))
+    };
+    assert!(deform(&load(&file).unwrap().scene));
+    let still = load(&file).unwrap().at_rest();
+    assert!(still.animation.is_none() && !deform(&still.scene));
+    let options = LoadOptions::default();
+    let still = load_slice(SceneFormat::Gltf, &file, None, &options).unwrap();
+    assert!(!deform(&still));
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("bent.glb");
+    std::fs::write(&path, &file).unwrap();
+    assert!(!deform(&antumbra_formats::load(&path, &options).unwrap()));
 }
 
 #[test]
