@@ -126,6 +126,17 @@ fn keyframes_that_cannot_be_sampled_are_refused() {
         needed: 2,
     };
     assert_eq!(new(&[0.0, 1.0], &[0.0; 3]), Err(length));
+    let endless = Keyframes::new(
+        Interpolation::CubicSpline,
+        vec![0.0, 1.0],
+        vec![0.0; 6],
+        usize::MAX,
+    );
+    let length = KeyframesProblem::Length {
+        values: 6,
+        needed: usize::MAX,
+    };
+    assert_eq!(endless, Err(length));
 }
 
 #[test]

@@ -62,7 +62,8 @@ impl Keyframes {
         if times.is_empty() || width == 0 {
             return Err(KeyframesProblem::Empty);
         }
-        let needed = times.len() * width * interpolation.values_per_key();
+        let rows = times.len().saturating_mul(interpolation.values_per_key());
+        let needed = rows.saturating_mul(width);
         if values.len() != needed {
             return Err(KeyframesProblem::Length {
                 values: values.len(),
