@@ -43,6 +43,8 @@ fn obj_lines_continue_and_end_with_comments() {
         "f 1 2\\\r\n3 \\\r\n 4\r\n",
         "f 1 2 3 4 # a square",
         "g a#b\nf 1 2 3 4\n",
+        "f 1 2 3 \\\n\nf 1 3 4\n",
+        "f 1 2 3 \\\n \nf 1 3 4\n",
     ] {
         let text = format!("\u{feff}{corners}{face}");
         assert_eq!(triangles(SceneFormat::Obj, text.as_bytes()), 2, "{face}");

@@ -11,7 +11,7 @@ pub(super) struct Statement<'a> {
 
 /// The statements of a text that are not empty. A comment begins with `#` at the start of a line or after a space, since names may contain one.
 pub(super) fn statements(text: &str) -> impl Iterator<Item = Statement<'_>> {
-    let mut lines = lines(text).filter(|line| !line.text.is_empty());
+    let mut lines = lines(text);
     std::iter::from_fn(move || {
         loop {
             let first = lines.next()?;
@@ -33,7 +33,7 @@ pub(super) fn statements(text: &str) -> impl Iterator<Item = Statement<'_>> {
     })
 }
 
-/// A statement that goes on in other lines, up to the first without a backslash.
+/// A statement that goes on in other lines, up to the first without a backslash, which may be empty.
 fn joined<'a>(start: &str, others: impl Iterator<Item = &'a str>) -> String {
     let mut whole = start.to_owned();
     for line in others {
