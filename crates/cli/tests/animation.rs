@@ -123,8 +123,16 @@ fn what_cannot_play_is_said() {
     let with = |more: &[&'static str]| [&render[..], more].concat();
     let words = ["no such animation", "0 \"go\", 1 \"turn\""];
     refuses(&with(&["--animation", "stop"]), 2, &words);
-    refuses(&with(&["--time", "-1"]), 2, &["seconds from 0"]);
-    refuses(&with(&["--animate=0"]), 2, &["poses a second"]);
+    refuses(
+        &with(&["--time", "-1"]),
+        2,
+        &["seconds from 0 to 1000000000"],
+    );
+    refuses(
+        &with(&["--animate=0"]),
+        2,
+        &["poses a second from 0.001 to 1000000"],
+    );
     let built_in = [
         "render",
         "grid:2",

@@ -113,7 +113,7 @@ pub struct RasterOptions {
     /// else metres.
     pub units: Units,
     /// Units of what lies beside the file, for those that the file itself does not name. [`load_raster_with`] asks a `.prj` file where these say nothing;
-    /// whoever reads from memory finds them with [`units_beside`].
+    /// a caller that reads from memory finds them with [`units_beside`].
     pub beside: SaidUnits,
     /// The latitude, in degrees, about which degrees are taken to metres. By default the middle of the file's own; rasters that shall lie beside
     /// each other need one.

@@ -29,13 +29,13 @@ impl MotionArgs {
 fn seconds(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(seconds) if (0.0..=1e9).contains(&seconds) => Ok(seconds),
-        _ => Err("it takes seconds from 0 on: 1.5".to_owned()),
+        _ => Err("it takes seconds from 0 to 1000000000: 1.5".to_owned()),
     }
 }
 
 fn rate(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(rate) if (0.001..=1e6).contains(&rate) => Ok(rate),
-        _ => Err("it takes poses a second, more than 0: 30".to_owned()),
+        _ => Err("it takes poses a second from 0.001 to 1000000: 30".to_owned()),
     }
 }

@@ -7,7 +7,7 @@ use antumbra::scene::{Aabb, Scene};
 use crate::args::MotionArgs;
 use crate::failure::Failure;
 
-/// The times of a clip at which the scene is measured, so that a camera sees all of it.
+/// The times of a clip, its beginning and its end among them, at which the scene is measured, so that a camera sees all of it.
 const LOOKS: usize = 24;
 
 /// The names that a message lists.
@@ -70,7 +70,7 @@ fn chosen(name: &str, animation: &Animation) -> Result<usize, Failure> {
 pub fn bounds(playback: &Playback, scene: &mut Scene) -> Result<Option<Aabb>, Failure> {
     let mut all: Option<Aabb> = None;
     for look in 0..LOOKS {
-        playback.show_part(scene, look as f64 / LOOKS as f64)?;
+        playback.show_part(scene, look as f64 / (LOOKS - 1) as f64)?;
         scene.update();
         all = match (all, scene.bounds()) {
             (Some(all), Some(now)) => Some(all.union(&now)),
