@@ -30,7 +30,7 @@ fn surface(local: vec3<f32>, slot: u32, normal: vec4<f32>, uv: vec2<f32>, colour
     let cofactor = vec3<f32>(dot(cross(y, z), normal.xyz), dot(cross(z, x), normal.xyz), dot(cross(x, y), normal.xyz));
     let mirrored = dot(x, cross(y, z)) < 0.0;
     out.normal = select(cofactor, -cofactor, mirrored);
-    out.uv = uv;
+    out.uv = image_place(instance.material, uv);
     out.colour = colour;
     out.material = instance.material;
     return out;

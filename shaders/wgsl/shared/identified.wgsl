@@ -33,7 +33,7 @@ fn masked_vertex(
     var out: MaskedVarying;
     out.clip = clip_position(relative_position(instances[slot], local));
     out.slot = slot;
-    out.uv = uv;
+    out.uv = image_place(instances[slot].material, uv);
     out.colour = colour;
     return out;
 }

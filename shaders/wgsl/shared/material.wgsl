@@ -27,11 +27,17 @@ struct Material {
 // Whether materials have an image. A pipeline constant, so that pipelines without one do not sample.
 override textured: bool = true;
 
-fn base_colour(material: Material, uv: vec2<f32>, vertex_colour: vec4<f32>) -> vec4<f32> {
+// Where in the image a vertex is. Vertex stages call it, and not fragments: helper invocations need not get what buffers hold, so that a place which comes from a material there
+// has no derivatives along the edges of triangles (Mesa's llvmpipe gives zeros).
+fn image_place(material: u32, uv: vec2<f32>) -> vec2<f32> {
+    let place = vec3<f32>(uv, 1.0);
+    return vec2<f32>(dot(materials[material].uv_u, place), dot(materials[material].uv_v, place));
+}
+
+// `place` is an `image_place`.
+fn base_colour(material: Material, place: vec2<f32>, vertex_colour: vec4<f32>) -> vec4<f32> {
     if !textured {
         return material.base_colour * vertex_colour;
     }
-    let place = vec3<f32>(uv, 1.0);
-    let st = vec2<f32>(dot(material.uv_u, place), dot(material.uv_v, place));
-    return material.base_colour * vertex_colour * textureSample(base_colour_texture, base_colour_sampler, st);
+    return material.base_colour * vertex_colour * textureSample(base_colour_texture, base_colour_sampler, place);
 }

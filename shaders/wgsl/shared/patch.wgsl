@@ -41,7 +41,7 @@ fn textured_vertex(
     out.clip = clip_position(relative_position(instances[slot], local));
     out.patch_number = patch_number;
     out.slot = slot;
-    out.uv = uv;
+    out.uv = image_place(instances[slot].material, uv);
     out.colour = colour;
     return out;
 }

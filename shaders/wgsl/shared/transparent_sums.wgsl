@@ -24,7 +24,7 @@ fn vertex(
     var out: Varying;
     out.clip = clip_position(relative_position(instances[slot], local));
     out.slot = slot;
-    out.uv = uv;
+    out.uv = image_place(instances[slot].material, uv);
     out.colour = colour;
     return out;
 }
