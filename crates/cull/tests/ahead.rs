@@ -127,14 +127,19 @@ fn stretch(host: &mut Scene, mesh: MeshKey, factor: f32, grown: bool) {
     host.set_vertices(mesh, stretched.collect(), ball.normals)
         .unwrap();
     if grown {
-        let drawable = Drawable {
-            mesh: host
-                .add_mesh(Mesh::new("large", icosphere(5, 0.5)))
-                .unwrap(),
-            ..host.drawables().next().unwrap().1
-        };
-        add(host, DAffine3::from_translation(DVec3::X * 2.0), drawable);
+        grow(host);
     }
+}
+
+/// Adds a mesh that the arenas have no room for.
+fn grow(host: &mut Scene) {
+    let drawable = Drawable {
+        mesh: host
+            .add_mesh(Mesh::new("large", icosphere(5, 0.5)))
+            .unwrap(),
+        ..host.drawables().next().unwrap().1
+    };
+    add(host, DAffine3::from_translation(DVec3::X * 2.0), drawable);
 }
 
 #[test]
@@ -176,7 +181,10 @@ fn vertices_that_are_replaced_ahead_leave_the_frame_before_as_it_was() {
 
 #[test]
 fn vertices_that_are_not_submitted_yet_outlive_the_buffer_that_they_were_written_to() {
-    for gpu in gpus() {
+    for (gpu, stops) in gpus()
+        .into_iter()
+        .flat_map(|gpu| [(gpu, false), (gpu, true)])
+    {
         let (mut host, mesh) = deforming();
         stretch(&mut host, mesh, 2.0, true);
         let expected = {
@@ -191,7 +199,10 @@ fn vertices_that_are_not_submitted_yet_outlive_the_buffer_that_they_were_written
         let mut first = encoder(gpu);
         scene.sync_in(&mut host, &mut first).unwrap();
         // The scene grows, and its vertices are as before.
-        stretch(&mut host, mesh, 2.0, true);
+        if stops {
+            host.stop_deforming(mesh);
+        }
+        grow(&mut host);
         let mut second = encoder(gpu);
         scene.sync_in(&mut host, &mut second).unwrap();
         let (second, images) = record(&mut embedded(&scene), &scene, second);

@@ -140,7 +140,26 @@ impl<T: Pod> Arena<T> {
     }
 }
 
+/// How what changes reaches the device.
+pub enum Upload<'a> {
+    /// Before everything that is submitted from now on.
+    AtOnce,
+    /// By an encoder, through staging memory.
+    Recorded {
+        encoder: &'a mut wgpu::CommandEncoder,
+        belt: &'a mut wgpu::util::StagingBelt,
+    },
+}
+
 impl<T: Pod> Arena<T> {
+    /// [`Self::write`] or [`Self::write_in`].
+    pub fn write_by(&mut self, gpu: &Gpu, upload: &mut Upload<'_>, first: u64, elements: &[T]) {
+        match upload {
+            Upload::AtOnce => self.write(gpu, first, elements),
+            Upload::Recorded { encoder, belt } => self.write_in(encoder, belt, first, elements),
+        }
+    }
+
     /// The same in an encoder: after its commands so far, and not before it is submitted. The size of `T` must be a multiple of four bytes.
     pub fn write_in(
         &mut self,

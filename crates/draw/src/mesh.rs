@@ -5,8 +5,6 @@
 
 mod deform;
 
-pub use deform::VertexUpload;
-
 use antumbra_scene::{Aabb, Geometry, Mesh};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};

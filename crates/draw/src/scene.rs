@@ -8,7 +8,7 @@ mod changes;
 mod deform;
 mod groups;
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
 use antumbra_cull::{
@@ -17,7 +17,7 @@ use antumbra_cull::{
 use antumbra_scene::{EntityKey, Environment, ImageKey, MaterialKey, MeshKey, Scene, SceneChanges};
 use slotmap::SecondaryMap;
 
-use crate::arena::Arena;
+use crate::arena::{Arena, Upload};
 use crate::builtin::BuiltinRenderer;
 use crate::environment;
 use crate::error::DrawError;
@@ -74,19 +74,10 @@ pub struct GpuScene {
     max_groups: usize,
     free: Vec<u32>,
     classes: u128,
+    /// Meshes whose vertices were written anew.
+    rewritten: BTreeSet<MeshKey>,
     /// Staging memory of [`Self::sync_in`].
     belt: Option<wgpu::util::StagingBelt>,
-}
-
-/// How changed instances reach the device.
-enum Upload<'a> {
-    /// Before everything that is submitted from now on.
-    AtOnce,
-    /// By an encoder.
-    Recorded {
-        encoder: &'a mut wgpu::CommandEncoder,
-        belt: &'a mut wgpu::util::StagingBelt,
-    },
 }
 
 /// Bytes of a chunk of the staging belt: 4,096 instances.
@@ -136,6 +127,7 @@ impl GpuScene {
             max_groups: usize::MAX,
             free: Vec::new(),
             classes: 0,
+            rewritten: BTreeSet::new(),
             belt: None,
         };
         let all = SceneChanges {
@@ -259,8 +251,8 @@ impl GpuScene {
         self.arenas.flush(&self.gpu);
         if matches!(upload, Upload::Recorded { .. }) && self.arenas.vertex_capacity() != room {
             // What encoders that are not submitted yet will write into the old buffers is not in the copies.
-            let deforming = self.deforming(scene);
-            self.deform(table, scene, &deforming, &mut upload);
+            let rewritten: Vec<MeshKey> = self.rewritten.iter().copied().collect();
+            self.deform(table, scene, &rewritten, &mut upload);
         }
         self.materials.flush(&self.gpu);
         self.clear_groups(table, scene);

@@ -4,44 +4,23 @@ use antumbra_cull::{Gpu, IndexRange, MeshRanges, NewShape};
 use antumbra_scene::{Geometry, Mesh};
 
 use super::{MeshArenas, attributes, box_margin, widened};
-use crate::arena::Arena;
-
-/// How vertices reach the device.
-pub enum VertexUpload<'a> {
-    /// Before everything that is submitted from now on.
-    AtOnce(&'a Gpu),
-    /// By an encoder.
-    Recorded {
-        /// It.
-        encoder: &'a mut wgpu::CommandEncoder,
-        /// Its staging memory.
-        belt: &'a mut wgpu::util::StagingBelt,
-    },
-}
-
-impl VertexUpload<'_> {
-    fn write<T: bytemuck::Pod>(&mut self, arena: &mut Arena<T>, first: u64, elements: &[T]) {
-        match self {
-            Self::AtOnce(gpu) => arena.write(gpu, first, elements),
-            Self::Recorded { encoder, belt } => arena.write_in(encoder, belt, first, elements),
-        }
-    }
-}
+use crate::arena::Upload;
 
 impl MeshArenas {
     /// Rewrites the vertices of a mesh that lies in `ranges`. Everything appended must have been flushed.
     pub fn rewrite(
         &mut self,
+        gpu: &Gpu,
         mesh: &Mesh,
         ranges: &MeshRanges,
-        mut upload: VertexUpload<'_>,
+        upload: &mut Upload<'_>,
     ) -> Option<NewShape> {
         let (full, level) = (mesh.full()?, ranges.levels.first()?);
         let bounds = mesh.bounds()?;
         let box_margin = box_margin(&bounds);
-        self.rewrite_vertices(full, level, &mut upload);
+        self.rewrite_vertices(gpu, full, level, upload);
         let boxed = Geometry::from_box(&widened(&bounds, box_margin));
-        self.rewrite_vertices(&boxed, &ranges.boxed, &mut upload);
+        self.rewrite_vertices(gpu, &boxed, &ranges.boxed, upload);
         Some(NewShape { bounds, box_margin })
     }
 
@@ -52,13 +31,16 @@ impl MeshArenas {
 
     fn rewrite_vertices(
         &mut self,
+        gpu: &Gpu,
         geometry: &Geometry,
         range: &IndexRange,
-        upload: &mut VertexUpload<'_>,
+        upload: &mut Upload<'_>,
     ) {
         if let Ok(first) = u64::try_from(range.base_vertex) {
-            upload.write(&mut self.positions, first, &geometry.positions);
-            upload.write(&mut self.attributes, first, &attributes(geometry));
+            let positions = &geometry.positions;
+            self.positions.write_by(gpu, upload, first, positions);
+            let attributes = attributes(geometry);
+            self.attributes.write_by(gpu, upload, first, &attributes);
         }
     }
 }

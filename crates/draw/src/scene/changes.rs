@@ -6,7 +6,8 @@ use antumbra_scene::{EntityKey, MeshKey, PartBoxes, Scene};
 use glam::DAffine3;
 use rayon::prelude::*;
 
-use super::{EntityChanges, GpuScene, Upload};
+use super::{EntityChanges, GpuScene};
+use crate::arena::Upload;
 use crate::error::DrawError;
 use crate::instance::Instance;
 use crate::mesh::LastingShape;
@@ -214,12 +215,7 @@ impl GpuScene {
             let last = rest.get(run - 1).copied().unwrap_or(*first);
             if let Some(changed) = self.host_instances.get(*first as usize..=last as usize) {
                 let first = u64::from(*first);
-                match &mut upload {
-                    Upload::AtOnce => self.instances.write(&self.gpu, first, changed),
-                    Upload::Recorded { encoder, belt } => {
-                        self.instances.write_in(encoder, belt, first, changed);
-                    }
-                }
+                (self.instances).write_by(&self.gpu, &mut upload, first, changed);
             }
             rest = rest.get(run..).unwrap_or_default();
         }

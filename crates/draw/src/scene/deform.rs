@@ -3,8 +3,8 @@
 use antumbra_cull::SceneTable;
 use antumbra_scene::{MeshKey, Scene};
 
-use super::{GpuScene, Upload};
-use crate::mesh::VertexUpload;
+use super::GpuScene;
+use crate::arena::Upload;
 
 impl GpuScene {
     /// Takes over new vertices.
@@ -22,19 +22,11 @@ impl GpuScene {
             let Some(ranges) = table.mesh(*number) else {
                 continue;
             };
-            let upload = match upload {
-                Upload::AtOnce => VertexUpload::AtOnce(&self.gpu),
-                Upload::Recorded { encoder, belt } => VertexUpload::Recorded { encoder, belt },
-            };
-            if let Some(shape) = self.arenas.rewrite(mesh, ranges, upload) {
+            let shape = self.arenas.rewrite(&self.gpu, mesh, ranges, upload);
+            if let Some(shape) = shape {
                 table.reshape(*number, shape);
             }
+            self.rewritten.insert(*key);
         }
-    }
-
-    /// The meshes on the device that deform.
-    pub(super) fn deforming(&self, scene: &Scene) -> Vec<MeshKey> {
-        let known = self.mesh_index.keys();
-        known.filter(|mesh| scene.deforms(*mesh)).collect()
     }
 }
