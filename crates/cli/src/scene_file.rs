@@ -53,18 +53,17 @@ pub fn load_at_rest(
     args: &LoadArgs,
     quiet: bool,
 ) -> Result<LoadedScene, Failure> {
-    let mut loaded = load(file, attachments, args, quiet)?;
-    if let Some(animation) = loaded.animation.take() {
-        if !quiet {
-            let count = match animation.clips().len() {
-                1 => "an animation".to_owned(),
-                many => format!("{many} animations"),
-            };
-            warn(format!("{}: shown at rest; it has {count}", file.display()));
-        }
-        animation.stop(&mut loaded.scene);
+    let loaded = load(file, attachments, args, quiet)?;
+    if let Some(animation) = &loaded.animation
+        && !quiet
+    {
+        let count = match animation.clips().len() {
+            1 => "an animation".to_owned(),
+            many => format!("{many} animations"),
+        };
+        warn(format!("{}: shown at rest; it has {count}", file.display()));
     }
-    Ok(loaded)
+    Ok(loaded.at_rest())
 }
 
 /// The limits of a load, with what the command line says.

@@ -66,6 +66,15 @@ pub struct LoadedScene {
 }
 
 impl LoadedScene {
+    /// The scene at rest for good: nothing moves it any longer, so that its meshes may get levels, proxies and all else that is found out about a lasting shape.
+    #[must_use]
+    pub fn at_rest(mut self) -> Self {
+        if let Some(animation) = self.animation.take() {
+            animation.stop(&mut self.scene);
+        }
+        self
+    }
+
     /// The scene, and what belongs to it, unless it has nothing to draw: neither a triangle nor a line nor a point. Files of cameras or
     /// lights alone are scenes too, so loading does not refuse them.
     ///
@@ -91,12 +100,13 @@ impl LoadedScene {
 /// Loads a scene from a file. The extension determines the format (.glb, .gltf, .json and .jsonl for CityJSON, .obj,
 /// .ply, .stl).
 ///
-/// The scene is named after the file, and at rest: [`load_with_attachments`] gives what moves in it too. [`update`](Scene::update) has not been called yet.
+/// The scene is named after the file, and at rest for good: [`load_with_attachments`] gives what moves in it too. [`update`](Scene::update) has not been called yet.
 ///
 /// # Errors
 /// A [`LoadProblem`] with the file's name.
 pub fn load(path: &Path, options: &LoadOptions) -> Result<Scene, LoadError> {
-    Ok(load_with_attachments(path, options, &[])?.scene)
+    let loaded = load_with_attachments(path, options, &[])?;
+    Ok(loaded.at_rest().scene)
 }
 
 /// As [`load`], with the attachments of these names. Only glTF has attachments.
@@ -143,7 +153,7 @@ pub fn load_with_attachments(
     })
 }
 
-/// Loads a scene from memory. Files it refers to are looked up below `base`, or refused without one.
+/// Loads a scene from memory, at rest for good. Files it refers to are looked up below `base`, or refused without one.
 ///
 /// # Errors
 /// As for [`load`].
@@ -153,7 +163,8 @@ pub fn load_slice(
     base: Option<&Path>,
     options: &LoadOptions,
 ) -> Result<Scene, LoadError> {
-    Ok(load_slice_with_attachments(format, bytes, base, options, &[])?.scene)
+    let loaded = load_slice_with_attachments(format, bytes, base, options, &[])?;
+    Ok(loaded.at_rest().scene)
 }
 
 /// As [`load_slice`], with the attachments of these names.

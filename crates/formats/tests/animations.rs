@@ -4,14 +4,16 @@
 mod common;
 
 use antumbra_formats::{
-    LoadError, LoadOptions, LoadProblem, LoadedScene, SceneFormat, load_slice_with_attachments,
+    LoadError, LoadOptions, LoadProblem, LoadedScene, SceneFormat, load_slice,
+    load_slice_with_attachments,
 };
 use antumbra_scene::Scene;
 use common::{floats, glb};
 use glam::DVec3;
 
 /// A file of a square whose animation has these channels and samplers. Accessors: 0 the positions, 1 the indices, 2 the times 0 and 1, 3 the vectors (0,0,0) and
-/// (4,0,0), 4 the times 1 and 0, 5 a time that is not a number, 6 two weights, 7 joints, 8 weights of joints, 9 three vectors, 10 a great many zeros.
+/// (4,0,0), 4 the times 1 and 0, 5 a time that is not a number, 6 two weights, 7 joints, 8 weights of joints, 9 three vectors, 10 and 11 a great many zeros,
+/// 12 the vectors (0,0,0) and (4,4,4).
 fn file(nodes: &str, channels: &str, samplers: &str, more: &str) -> Vec<u8> {
     let mut binary = common::square();
     let mut views = vec![(0, 48), (48, 12)];
@@ -27,6 +29,7 @@ fn file(nodes: &str, channels: &str, samplers: &str, more: &str) -> Vec<u8> {
     push([0_u8, 1, 0, 0].repeat(4));
     push(floats(&[0.0, 1.0, 0.0, 0.0].repeat(4)));
     push(floats(&[0.0; 9]));
+    push(floats(&[0.0, 0.0, 0.0, 4.0, 4.0, 4.0]));
     let views: Vec<String> = (views.iter())
         .map(|(at, length)| format!(r#"{{"buffer":0,"byteOffset":{at},"byteLength":{length}}}"#))
         .collect();
@@ -48,6 +51,7 @@ fn file(nodes: &str, channels: &str, samplers: &str, more: &str) -> Vec<u8> {
         accessor(9, 5126, 3, "VEC3"),
         r#"{"componentType":5126,"count":4000000000,"type":"SCALAR"}"#.to_owned(),
         r#"{"componentType":5126,"count":4000000000,"type":"VEC3"}"#.to_owned(),
+        accessor(10, 5126, 2, "VEC3"),
     ];
     let json = format!(
         r#"{{"asset":{{"version":"2.0"}},"buffers":[{{"byteLength":{}}}],"bufferViews":[{}],"accessors":[{}],
@@ -116,6 +120,28 @@ fn skins_and_morph_targets_play_and_their_meshes_deform() {
 }
 
 #[test]
+fn meshes_of_a_scene_without_its_animation_deform_no_longer() {
+    let nodes = r#"{"mesh":1,"skin":0,"children":[1,2]},{},{}"#;
+    let channels = r#"{"sampler":0,"target":{"node":2,"path":"translation"}}"#;
+    let more = r#","skins":[{"joints":[1,2]}]"#;
+    let file = file(nodes, channels, r#"{"input":2,"output":3}"#, more);
+    let deform = |scene: &Scene| {
+        let mut drawables = scene.drawables();
+        drawables.any(|(_, drawable)| scene.deforms(drawable.mesh))
+    };
+    assert!(deform(&load(&file).unwrap().scene));
+    let still = load(&file).unwrap().at_rest();
+    assert!(still.animation.is_none() && !deform(&still.scene));
+    let options = LoadOptions::default();
+    let still = load_slice(SceneFormat::Gltf, &file, None, &options).unwrap();
+    assert!(!deform(&still));
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("bent.glb");
+    std::fs::write(&path, &file).unwrap();
+    assert!(!deform(&antumbra_formats::load(&path, &options).unwrap()));
+}
+
+#[test]
 fn skins_that_nothing_moves_are_baked() {
     let nodes = r#"{"mesh":1,"skin":0},{},{"translation":[3,0,0]},{"mesh":0}"#;
     let channels = r#"{"sampler":0,"target":{"node":3,"path":"translation"}}"#;
@@ -131,13 +157,13 @@ fn what_is_scaled_to_nothing_at_rest_may_grow() {
     let nodes = r#"{"mesh":1,"skin":0,"scale":[0,0,0],"children":[1]},{"children":[2]},{}"#;
     let channels = r#"{"sampler":0,"target":{"node":0,"path":"scale"}}"#;
     let more = r#","skins":[{"joints":[1,2]}]"#;
-    let file = file(nodes, channels, r#"{"input":2,"output":3}"#, more);
+    let file = file(nodes, channels, r#"{"input":2,"output":12}"#, more);
     let loaded = load(&file).unwrap();
     assert!(loaded.left_out.is_empty(), "{}", loaded.left_out);
     let (mut scene, animation) = (loaded.scene, loaded.animation.unwrap());
-    for time in [0.0, 0.5, 1.0] {
+    for (time, size) in [(0.0, 0.0), (0.5, 2.0), (1.0, 4.0)] {
         animation.pose(&mut scene, 0, time).unwrap();
-        assert!(highest(&mut scene).is_finite());
+        assert_eq!(highest(&mut scene), DVec3::new(size, size, 0.0), "{time}");
     }
 }
 

@@ -255,6 +255,33 @@ fn morph_targets_times_vertices_are_bounded() {
 }
 
 #[test]
+fn channels_times_sparse_indices_are_bounded() {
+    let _turn = turn();
+    // No channel has as many times as values, so that none of them is read further.
+    let (channels, replaced) = (100, 1 << 20);
+    let channel = r#"{"sampler":0,"target":{"node":0,"path":"rotation"}}"#;
+    let channels = vec![channel; channels].join(",");
+    let length = 4 * replaced;
+    let json = format!(
+        r#"{{"asset":{{"version":"2.0"}},"buffers":[{{"byteLength":{length}}}],"bufferViews":[{{"buffer":0,"byteLength":{length}}}],
+            "accessors":[{{"componentType":5126,"count":1,"type":"SCALAR"}},
+                {{"componentType":5121,"normalized":true,"count":{replaced},"type":"VEC4","sparse":{{"count":{replaced},
+                    "indices":{{"bufferView":0,"componentType":5125}},"values":{{"bufferView":0}}}}}}],
+            "animations":[{{"channels":[{channels}],"samplers":[{{"input":0,"output":1}}]}}],"nodes":[{{}}]}}"#
+    );
+    let indices: Vec<u8> = (0..replaced as u32).flat_map(u32::to_le_bytes).collect();
+    let options = LoadOptions {
+        max_work: 1 << 24,
+        ..LoadOptions::default()
+    };
+    let bomb = glb(&json, &indices);
+    let error = load_slice(SceneFormat::Gltf, &bomb, None, &options).unwrap_err();
+    let message = error.to_string();
+    assert!(message.contains("animation 0"), "{message}");
+    assert!(message.contains("max_work"), "{message}");
+}
+
+#[test]
 fn objects_of_a_cityjson_are_paid_for() {
     let _turn = turn();
     let objects: Vec<String> = (0..60_000)

@@ -173,7 +173,9 @@ impl Scene {
                 self.transforms.remove(node.slot);
             }
             self.names.remove(entity);
-            self.drawables.remove(entity);
+            if let Some(had) = self.drawables.remove(entity) {
+                self.deforming.unused(had.mesh, entity);
+            }
             self.untested.remove(entity);
             self.lights.remove(entity);
             self.cameras.remove(entity);

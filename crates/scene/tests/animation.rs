@@ -362,3 +362,70 @@ fn only_meshes_that_deform_take_new_vertices_and_only_whole_ones() {
         assert!(scene.mesh(rigid).unwrap().proxy.is_some());
     }
 }
+
+#[test]
+fn boxes_are_those_of_the_last_pose_where_meshes_deform_no_longer() {
+    let (mut scene, entity, mesh) = deforming();
+    let other = scene.spawn(None, DAffine3::IDENTITY).unwrap();
+    let drawable = scene.drawable(entity).unwrap();
+    scene.set_drawable(other, drawable).unwrap();
+    scene.update();
+    let weights = keys(Interpolation::Step, &[0.0], &[1.0], 1);
+    let animation = Animation::new(AnimationParts {
+        nodes: vec![node(None, Some(entity))],
+        meshes: vec![DeformedMesh {
+            targets: vec![MorphTarget {
+                positions: vec![[0.0, 0.0, 8.0]; 3],
+                normals: Vec::new(),
+            }],
+            weights: vec![0.0],
+            ..plain(mesh)
+        }],
+        clips: vec![Clip::new(
+            "rise",
+            vec![Channel {
+                node: 0,
+                curve: Curve::Weights(weights),
+            }],
+        )],
+        ..AnimationParts::default()
+    })
+    .unwrap();
+    animation.pose(&mut scene, 0, 0.0).unwrap();
+    animation.stop(&mut scene);
+    assert!(!scene.deforms(mesh));
+    let changes = scene.update();
+    assert_eq!(
+        (changes.moved, changes.deformed),
+        (vec![entity, other], vec![mesh])
+    );
+    for entity in [entity, other] {
+        let bounds = scene.world_bounds(entity).unwrap();
+        assert!((bounds.max.z - 8.0).abs() < 1e-5, "{bounds:?}");
+    }
+    assert!(scene.update().is_empty());
+}
+
+#[test]
+fn entities_that_have_a_deforming_mesh_no_longer_do_not_move_with_it() {
+    let (mut scene, entity, mesh) = deforming();
+    let drawable = scene.drawable(entity).unwrap();
+    let rigid = Drawable {
+        mesh: scene.add_mesh(triangle()).unwrap(),
+        ..drawable
+    };
+    let [cleared, gone, back] = [(); 3].map(|()| {
+        let entity = scene.spawn(None, DAffine3::IDENTITY).unwrap();
+        scene.set_drawable(entity, drawable).unwrap();
+        entity
+    });
+    scene.set_drawable(entity, rigid).unwrap();
+    scene.clear_drawable(cleared);
+    scene.despawn(gone);
+    scene.set_drawable(back, rigid).unwrap();
+    scene.set_drawable(back, drawable).unwrap();
+    scene.update();
+    let lifted = POSITIONS.map(|[x, y, _]| [x, y, 2.0]).to_vec();
+    scene.set_vertices(mesh, lifted, Vec::new()).unwrap();
+    assert_eq!(scene.update().moved, [back]);
+}

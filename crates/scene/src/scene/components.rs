@@ -38,7 +38,9 @@ impl Scene {
         if !self.materials.contains_key(drawable.material) {
             return Err(self.unknown_asset("material", &drawable.material, self.describe(entity)));
         }
-        self.drawables.insert(entity, drawable);
+        if let Some(before) = self.drawables.insert(entity, drawable) {
+            self.deforming.unused(before.mesh, entity);
+        }
         self.changes.touched(entity);
         self.deforming.used(drawable.mesh, entity);
         if self.transforms.mesh[slot] != drawable.mesh {
@@ -51,6 +53,7 @@ impl Scene {
     /// Removes an entity's mesh and material, and returns them.
     pub fn clear_drawable(&mut self, entity: EntityKey) -> Option<Drawable> {
         let had = self.drawables.remove(entity)?;
+        self.deforming.unused(had.mesh, entity);
         let slot = self.tree.get(entity)?.slot as usize;
         self.changes.touched(entity);
         self.transforms.mesh[slot] = MeshKey::null();

@@ -2,6 +2,8 @@
 //!
 //! What is true of such a mesh's shape is true of one pose alone: it has no proxy and no coarser level, and its box is found anew with every change of its vertices.
 
+use std::collections::BTreeSet;
+
 use super::Scene;
 use super::transforms::BOUNDS_DIRTY;
 use crate::error::SceneError;
@@ -11,10 +13,12 @@ use crate::mesh::{Geometry, Mesh};
 /// The meshes that deform, and the changes of their vertices.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Deforming {
-    /// The entities that got such a mesh, more than once maybe, and maybe without it by now.
-    users: slotmap::SparseSecondaryMap<MeshKey, Vec<EntityKey>>,
+    /// The entities that have such a mesh.
+    users: slotmap::SparseSecondaryMap<MeshKey, BTreeSet<EntityKey>>,
     /// The meshes with new vertices since the last update.
-    changed: Vec<MeshKey>,
+    changed: BTreeSet<MeshKey>,
+    /// The entities with a mesh that got new vertices since the last update, and deforms no longer.
+    stopped: Vec<EntityKey>,
 }
 
 impl Deforming {
@@ -25,10 +29,15 @@ impl Deforming {
 
     /// Records that an entity has got a mesh.
     pub(super) fn used(&mut self, mesh: MeshKey, entity: EntityKey) {
-        if let Some(users) = self.users.get_mut(mesh)
-            && users.last() != Some(&entity)
-        {
-            users.push(entity);
+        if let Some(users) = self.users.get_mut(mesh) {
+            users.insert(entity);
+        }
+    }
+
+    /// Records that an entity has a mesh no longer.
+    pub(super) fn unused(&mut self, mesh: MeshKey, entity: EntityKey) {
+        if let Some(users) = self.users.get_mut(mesh) {
+            users.remove(&entity);
         }
     }
 }
@@ -47,7 +56,7 @@ impl Scene {
             });
         }
         let key = self.add_mesh(mesh)?;
-        self.deforming.users.insert(key, Vec::new());
+        self.deforming.users.insert(key, BTreeSet::new());
         Ok(key)
     }
 
@@ -57,9 +66,13 @@ impl Scene {
         self.deforming.contains(mesh)
     }
 
-    /// Declares that a mesh keeps the vertices that it has. A renderer that has it already may go on as before.
+    /// Declares that a mesh keeps the vertices that it has, new ones among them. A renderer that has it already may go on as before.
     pub fn stop_deforming(&mut self, mesh: MeshKey) {
-        self.deforming.users.remove(mesh);
+        if let Some(users) = self.deforming.users.remove(mesh)
+            && self.deforming.changed.contains(&mesh)
+        {
+            self.deforming.stopped.extend(users);
+        }
     }
 
     /// Replaces the vertices of a mesh that deforms, for every entity that has it. [`Self::update`] makes boxes follow, and reports the entities as moved. Vertices that are
@@ -97,32 +110,28 @@ impl Scene {
         if let Some(bounds) = full.bounds() {
             self.mesh_bounds.insert(mesh, bounds);
         }
-        self.deforming.changed.push(mesh);
+        self.deforming.changed.insert(mesh);
         Ok(())
     }
 
     /// The meshes with new vertices, and the entities that have them, whose boxes are marked to be found anew. Both in arena order.
     pub(super) fn take_deformed(&mut self) -> (Vec<MeshKey>, Vec<EntityKey>) {
-        let mut meshes = std::mem::take(&mut self.deforming.changed);
-        meshes.sort_unstable();
-        meshes.dedup();
-        let mut entities = Vec::new();
+        let meshes = std::mem::take(&mut self.deforming.changed);
+        let mut entities = std::mem::take(&mut self.deforming.stopped);
+        // These may have got another mesh since.
+        entities.retain(|entity| {
+            let drawable = self.drawables.get(*entity);
+            drawable.is_some_and(|drawable| meshes.contains(&drawable.mesh))
+        });
         for mesh in &meshes {
-            if let Some(users) = self.deforming.users.get_mut(*mesh) {
-                users.sort_unstable();
-                users.dedup();
-                users.retain(|user| {
-                    let drawable = self.drawables.get(*user);
-                    drawable.is_some_and(|drawable| drawable.mesh == *mesh)
-                });
-                entities.extend_from_slice(users);
-            }
+            entities.extend(self.deforming.users.get(*mesh).into_iter().flatten());
         }
         entities.sort_unstable();
+        entities.dedup();
         for entity in &entities {
             self.mark_dirty(*entity, BOUNDS_DIRTY);
         }
-        (meshes, entities)
+        (meshes.into_iter().collect(), entities)
     }
 }
 

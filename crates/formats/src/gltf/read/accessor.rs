@@ -3,6 +3,7 @@
 
 use super::document::{Document, View, item, label};
 use super::extensions;
+use crate::budget::Budget;
 use crate::error::LoadProblem;
 use gltf::json::accessor::{ComponentType, Type};
 use gltf::json::validation::Checked;
@@ -35,11 +36,12 @@ struct Sparse<'a> {
 }
 
 impl<'a> Accessor<'a> {
-    /// Opens an accessor. `user` names its use in errors.
+    /// Opens an accessor. `user` names its use in errors. Sparse indices are checked one by one, which is work.
     pub(super) fn open(
         document: &'a Document<'_>,
         index: usize,
         user: &str,
+        budget: &mut Budget,
     ) -> Result<Self, LoadProblem> {
         let source = item(&document.root.accessors, index, "accessor", user)?;
         let name = format!(
@@ -109,6 +111,8 @@ impl<'a> Accessor<'a> {
                     document.view(&name, sparse.indices.buffer_view.value())?;
                 let offset = sparse.indices.byte_offset.0;
                 let bytes = elements(bytes, offset, width, width, replaced, &name)?;
+                budget.work(replaced as u64)?;
+                budget.memory((replaced as u64).saturating_mul(size_of::<u32>() as u64))?;
                 let indices: Vec<u32> = bytes.chunks_exact(width).map(unsigned).collect();
                 if !indices.is_sorted_by(|a, b| a < b)
                     || indices.last().is_some_and(|last| *last as usize >= count)

@@ -46,13 +46,13 @@ pub(super) fn instances(
     let Some(attributes) = attributes else {
         return Ok(None);
     };
-    let open = |name: &str, shape: Type| {
+    let mut open = |name: &str, shape: Type| {
         let accessor = attributes.get(name).and_then(|value| value.as_u64());
         let Some(accessor) = accessor.and_then(|value| usize::try_from(value).ok()) else {
             return Ok(None);
         };
         let user = format!("the instances' {name} of {}", document.node_label(index));
-        let accessor = Accessor::open(document, accessor, &user)?;
+        let accessor = Accessor::open(document, accessor, &user, budget)?;
         accessor.expect(accessor.shape == shape, name)?;
         Ok::<_, LoadProblem>(Some(accessor))
     };

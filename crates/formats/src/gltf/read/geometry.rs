@@ -54,26 +54,27 @@ pub(super) fn read(
     let name = format!("{mesh}, primitive {}", request.primitive);
     #[cfg(feature = "draco")]
     let decoded = draco::decode(document, source, &name, budget)?;
-    let attribute = |semantic: Semantic| -> Result<Option<Accessor<'_>>, LoadProblem> {
-        let user = format!("{} of {name}", semantic.to_string());
-        let Some(index) = source.attributes.get(&Checked::Valid(semantic.clone())) else {
-            return Ok(None);
-        };
-        #[cfg(feature = "draco")]
-        if let Some(decoded) = &decoded {
-            let values = decoded.values(&semantic);
-            let values = values.map_err(|problem| LoadProblem::BadPrimitive {
-                primitive: user.clone(),
-                problem,
-            })?;
-            if let Some(values) = values {
-                let accessor = Accessor::of_values(values, document, index.value(), &user)?;
-                return Ok(Some(accessor));
+    let attribute =
+        |semantic: Semantic, budget: &mut Budget| -> Result<Option<Accessor<'_>>, LoadProblem> {
+            let user = format!("{} of {name}", semantic.to_string());
+            let Some(index) = source.attributes.get(&Checked::Valid(semantic.clone())) else {
+                return Ok(None);
+            };
+            #[cfg(feature = "draco")]
+            if let Some(decoded) = &decoded {
+                let values = decoded.values(&semantic);
+                let values = values.map_err(|problem| LoadProblem::BadPrimitive {
+                    primitive: user.clone(),
+                    problem,
+                })?;
+                if let Some(values) = values {
+                    let accessor = Accessor::of_values(values, document, index.value(), &user)?;
+                    return Ok(Some(accessor));
+                }
             }
-        }
-        Accessor::open(document, index.value(), &user).map(Some)
-    };
-    let Some(positions) = attribute(Semantic::Positions)? else {
+            Accessor::open(document, index.value(), &user, budget).map(Some)
+        };
+    let Some(positions) = attribute(Semantic::Positions, budget)? else {
         return Ok(None);
     };
     let fits = positions.shape == Type::Vec3 && positions.component != ComponentType::U32;
@@ -115,15 +116,15 @@ pub(super) fn read(
         .iter()
         .map(|v| positions.finite(v))
         .collect::<Result<_, _>>()?;
-    let optional = |semantic: Semantic, fits: fn(Type) -> bool, what: &str| {
-        let found = attribute(semantic)?;
+    let optional = |semantic: Semantic, fits: fn(Type) -> bool, what: &str, budget: &mut Budget| {
+        let found = attribute(semantic, budget)?;
         if let Some(found) = &found {
             found.expect(fits(found.shape), what)?;
             same_count(found, positions.count)?;
         }
         Ok::<_, LoadProblem>(found)
     };
-    if let Some(normals) = optional(Semantic::Normals, |t| t == Type::Vec3, "normals")? {
+    if let Some(normals) = optional(Semantic::Normals, |t| t == Type::Vec3, "normals", budget)? {
         geometry.normals = vertices.iter().map(|v| normals.numbers(v)).collect();
         normals::mend(&mut geometry, &name, budget);
     }
@@ -131,6 +132,7 @@ pub(super) fn read(
         Semantic::TexCoords(request.uv_set),
         |t| t == Type::Vec2,
         "texture coordinates",
+        budget,
     )? {
         let mut lost = 0;
         geometry.uvs = vertices.iter().map(|v| uvs.or_zero(v, &mut lost)).collect();
@@ -139,7 +141,7 @@ pub(super) fn read(
         left_out.add_many(LostPart::Attribute, reason, lost, &name);
     }
     let is_colour = |t| matches!(t, Type::Vec3 | Type::Vec4);
-    if let Some(colours) = optional(Semantic::Colors(0), is_colour, "colours")? {
+    if let Some(colours) = optional(Semantic::Colors(0), is_colour, "colours", budget)? {
         let byte = |c: f32| (c.clamp(0.0, 1.0) * 255.0).round() as u8;
         let opaque = colours.shape == Type::Vec3;
         let colour = |v| {
@@ -164,8 +166,13 @@ pub(super) fn read(
     if let Some(pose) = request.pose {
         let mut sets = Vec::new();
         for set in 0.. {
-            let joints = optional(Semantic::Joints(set), |t| t == Type::Vec4, "joints")?;
-            let weights = optional(Semantic::Weights(set), |t| t == Type::Vec4, "weights")?;
+            let joints = optional(Semantic::Joints(set), |t| t == Type::Vec4, "joints", budget)?;
+            let weights = optional(
+                Semantic::Weights(set),
+                |t| t == Type::Vec4,
+                "weights",
+                budget,
+            )?;
             let (Some(joints), Some(weights)) = (joints, weights) else {
                 break;
             };
@@ -240,8 +247,12 @@ fn indices(
     let accessor = match source.indices {
         None => None,
         Some(index) => {
-            let accessor =
-                Accessor::open(document, index.value(), &format!("the indices of {name}"))?;
+            let accessor = Accessor::open(
+                document,
+                index.value(),
+                &format!("the indices of {name}"),
+                budget,
+            )?;
             let unsigned = matches!(
                 accessor.component,
                 ComponentType::U8 | ComponentType::U16 | ComponentType::U32

@@ -32,11 +32,14 @@ impl ChannelLoss {
     }
 }
 
-/// What is wrong with a channel's accessors costs the channel.
+/// What is wrong with a channel's accessors costs the channel, unless they exceed the limits.
 fn unreadable(problem: LoadProblem) -> ChannelLoss {
-    ChannelLoss::LeftOut {
-        reason: "its keyframes cannot be read".to_owned(),
-        detail: Some(problem.to_string()),
+    match problem {
+        LoadProblem::TooMuchWork { .. } | LoadProblem::TooMuchMemory(_) => refused(problem),
+        _ => ChannelLoss::LeftOut {
+            reason: "its keyframes cannot be read".to_owned(),
+            detail: Some(problem.to_string()),
+        },
     }
 }
 
@@ -68,7 +71,7 @@ pub(super) fn read(
             return Err(ChannelLoss::reason("its interpolation is not known"));
         }
     };
-    let open = |index: usize, user: &str| Accessor::open(document, index, user);
+    let mut open = |index: usize, user: &str| Accessor::open(document, index, user, budget);
     let times = open(sampler.input.value(), "the times of keyframes").map_err(unreadable)?;
     let values = open(sampler.output.value(), "the values of keyframes").map_err(unreadable)?;
     let fits = times.shape == Type::Scalar && times.component == ComponentType::F32;

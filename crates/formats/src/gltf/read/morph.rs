@@ -41,9 +41,9 @@ pub(super) fn apply(
         if deformation.is_some() {
             budget.memory(count.saturating_mul(TARGET_VERTEX))?;
         }
-        let read = |index: usize| {
+        let mut read = |index: usize| {
             let user = format!("morph target {number} of {name}");
-            let deltas = Accessor::open(document, index, &user)?;
+            let deltas = Accessor::open(document, index, &user, budget)?;
             deltas.expect(deltas.shape == Type::Vec3, "displacements")?;
             same_count(&deltas, vertices.all)?;
             vertices
@@ -51,7 +51,7 @@ pub(super) fn apply(
                 .map(|vertex| deltas.finite::<3>(vertex))
                 .collect()
         };
-        let read = |index: Option<usize>| index.map_or_else(|| Ok(Vec::new()), read);
+        let mut read = |index: Option<usize>| index.map_or_else(|| Ok(Vec::new()), &mut read);
         let mut target = MorphTarget {
             positions: read(target.positions.map(|index| index.value()))?,
             normals: read(target.normals.map(|index| index.value()))?,

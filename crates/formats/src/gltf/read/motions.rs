@@ -9,6 +9,7 @@ use crate::budget::Budget;
 use crate::error::LoadProblem;
 use crate::left_out::LostPart;
 use antumbra_scene::animation::{Channel, Clip, Curve};
+use gltf::json::Mesh;
 use gltf::json::accessor::Type;
 use gltf::json::animation::{Animation, Property, Sampler};
 use gltf::json::validation::Checked;
@@ -31,11 +32,13 @@ impl Motions {
         budget: &mut Budget,
     ) -> Result<Self, LoadProblem> {
         let count = document.root.nodes.len();
+        let meshes = document.root.meshes.iter();
+        let targets: Vec<usize> = meshes.map(most_targets).collect();
         let mut clips = Vec::new();
         for (index, animation) in document.root.animations.iter().enumerate() {
             let place = label("animation", index, animation.name.as_deref());
             budget.enter(place.as_str());
-            let channels = channels(document, animation, &place, budget)?;
+            let channels = channels(document, &targets, animation, &place, budget)?;
             if channels.is_empty() {
                 let reason = "no channel of it can be played";
                 budget.left_out.add(LostPart::Animation, reason, &place);
@@ -100,9 +103,17 @@ impl Motions {
     }
 }
 
-/// The channels that can be played; the others are noted.
+/// The morph targets of that primitive of a mesh which has the most.
+fn most_targets(mesh: &Mesh) -> usize {
+    let targets = mesh.primitives.iter();
+    let targets = targets.map(|one| one.targets.as_ref().map_or(0, Vec::len));
+    targets.max().unwrap_or(0)
+}
+
+/// The channels that can be played; the others are noted. `targets` are the morph targets of each mesh.
 fn channels(
     document: &Document<'_>,
+    targets: &[usize],
     animation: &Animation,
     place: &str,
     budget: &mut Budget,
@@ -117,7 +128,7 @@ fn channels(
         budget.memory(size_of::<Channel>() as u64)?;
         let read = match target {
             (Checked::Valid(property), Some(sampler)) => {
-                curve(document, node, property, sampler, budget)
+                curve(document, targets, node, property, sampler, budget)
             }
             (Checked::Invalid, _) => {
                 Err(ChannelLoss::reason("it moves a property that is not read"))
@@ -141,6 +152,7 @@ fn channels(
 
 fn curve(
     document: &Document<'_>,
+    targets: &[usize],
     node: usize,
     property: Property,
     sampler: &Sampler,
@@ -159,10 +171,7 @@ fn curve(
         Property::Scale => Curve::Scale(read(Type::Vec3, 1)?),
         Property::MorphTargetWeights => {
             let mesh = at(target.mesh.as_ref());
-            let mesh = mesh.and_then(|mesh| document.root.meshes.get(mesh));
-            let primitives = mesh.iter().flat_map(|mesh| &mesh.primitives);
-            let targets = primitives.map(|one| one.targets.as_ref().map_or(0, Vec::len));
-            match targets.max() {
+            match mesh.and_then(|mesh| targets.get(mesh).copied()) {
                 None | Some(0) => {
                     return Err(ChannelLoss::reason("its node has no morph targets"));
                 }

@@ -168,7 +168,7 @@ impl SceneBuilder<'_, '_> {
         let skin = at(node.skin.as_ref()).and_then(|skin| self.document.root.skins.get(skin));
         let joints = skin.map_or(0, |skin| skin.joints.len());
         self.budget.work(joints as u64)?;
-        let pose = Pose::of(self.document, index, &self.worlds)?;
+        let pose = Pose::of(self.document, index, &self.worlds, self.budget)?;
         if pose.is_placed() || deforms {
             return Ok(Some(pose));
         }

@@ -83,7 +83,7 @@ impl Skins {
         if let Some(number) = self.numbers.get(&skin) {
             return Ok(*number);
         }
-        let joints = skin::joints(document, skin, place)?;
+        let joints = skin::joints(document, skin, place, budget)?;
         budget.memory((joints.len() * size_of::<Joint>()) as u64)?;
         let joints = joints.into_iter().map(|joint| Joint {
             node: joint.node,

@@ -24,13 +24,14 @@ pub(super) fn joints(
     document: &Document<'_>,
     index: usize,
     user: &str,
+    budget: &mut Budget,
 ) -> Result<Vec<BoundJoint>, LoadProblem> {
     let skin = item(&document.root.skins, index, "skin", user)?;
     let user = format!("skin {index}");
     let binds = match at(skin.inverse_bind_matrices.as_ref()) {
         None => None,
         Some(index) => {
-            let binds = Accessor::open(document, index, &user)?;
+            let binds = Accessor::open(document, index, &user, budget)?;
             let fits = binds.shape == Type::Mat4 && binds.component == ComponentType::F32;
             binds.expect(fits, "inverse bind matrices")?;
             if binds.count < skin.joints.len() {
@@ -70,11 +71,12 @@ impl Pose {
         document: &Document<'_>,
         node: usize,
         worlds: &[DAffine3],
+        budget: &mut Budget,
     ) -> Result<Self, LoadProblem> {
         let user = document.node_label(node);
         let source = item(&document.root.nodes, node, "node", &user)?;
         let joints = match at(source.skin.as_ref()) {
-            Some(index) => joints(document, index, &user)?,
+            Some(index) => joints(document, index, &user, budget)?,
             None => Vec::new(),
         };
         let own = item(worlds, node, "node", &user)?.inverse();
