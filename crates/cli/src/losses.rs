@@ -42,7 +42,7 @@ fn sentence(pose: &DrawnPose, reference: &IdBuffer, found: &Differences) -> Opti
     let percent = |of: usize| {
         let percent = (100.0 * wrong as f64 / of.max(1) as f64).min(100.0);
         // Two digits that are not zero, however few pixels are wrong.
-        let decimals = (1.0 - percent.log10().floor()).clamp(1.0, 9.0) as usize;
+        let decimals = (1.0 - percent.log10().floor()).clamp(0.0, 9.0) as usize;
         format!("{percent:.decimals$} %")
     };
     let (wrong_pixels, are) = match wrong {
