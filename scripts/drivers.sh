@@ -48,31 +48,44 @@ END
     VK_DRIVER_FILES="$work/swiftshader.json" "$@"
 }
 
-# The layer writes to standard output, where a test's own words are held back unless it fails: so it writes to a file.
+# The layer writes to standard output, where a test's own words are held back unless it fails: so it writes to a file, which it opens anew for each of a program's instances. A pipe keeps
+# what was said before.
 with_validation() {
-    local said="$work/said.txt"
+    local said="$work/said.txt" status=0
     say "validation: $*"
-    cat >"$work/VkLayer_khronos_validation.json" <<END
+    mkdir "$work/layers"
+    cat >"$work/layers/VkLayer_khronos_validation.json" <<END
 {"file_format_version": "1.2.0", "layer": {"name": "VK_LAYER_KHRONOS_validation", "type": "GLOBAL", "library_path": "$VALIDATION",
  "api_version": "1.4.300", "implementation_version": "1", "description": "Khronos's validation layer"}}
 END
     cat >"$work/vk_layer_settings.txt" <<END
 khronos_validation.debug_action = VK_DBG_LAYER_ACTION_LOG_MSG
 khronos_validation.report_flags = error,warn
-khronos_validation.log_filename = $said
+khronos_validation.log_filename = $work/pipe
 khronos_validation.message_id_filter = $MUTED
 END
-    VK_LAYER_PATH="$work" VK_INSTANCE_LAYERS=VK_LAYER_KHRONOS_validation VK_LAYER_SETTINGS_PATH="$work/vk_layer_settings.txt" "$@"
-    # The layer makes its file when it is loaded: without it nothing was validated.
-    if [ ! -e "$said" ]; then
+    mkfifo "$work/pipe"
+    # Held open for writing too, so that it does not end with the first program.
+    exec 9<>"$work/pipe"
+    cat <&9 >"$said" &
+    local reader=$!
+    VK_LAYER_PATH="$work/layers" VK_INSTANCE_LAYERS=VK_LAYER_KHRONOS_validation VK_LAYER_SETTINGS_PATH="$work/vk_layer_settings.txt" \
+        "$@" | tee "$work/output.txt" || status=$?
+    sleep 1
+    kill "$reader"
+    wait "$reader" 2>/dev/null || true
+    exec 9>&-
+    # It says where it writes to.
+    if ! grep -q "^Validation Layer Info" "$work/output.txt"; then
         say "the validation layer was not loaded" >&2
-        return 1
+        status=1
     fi
     if [ -s "$said" ]; then
         say "validation says:" >&2
         head -c 20000 "$said" >&2
-        return 1
+        status=1
     fi
+    return "$status"
 }
 
 if [ $# -eq 0 ]; then
@@ -82,5 +95,7 @@ fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 see_to_drivers
-with_swiftshader "$@"
-with_validation "$@"
+failed=0
+with_swiftshader "$@" || failed=1
+with_validation "$@" || failed=1
+exit "$failed"

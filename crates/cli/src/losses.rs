@@ -22,7 +22,9 @@ pub fn losses(pose: &DrawnPose) -> Result<Vec<String>, Failure> {
     for (view, camera) in pose.cameras.iter().enumerate() {
         let verdicts = pose.stage.verdicts(view, &pose.scene)?;
         let reference = oracle.render(&pose.scene, camera, EntitySet::InFrustum)?;
+        pose.watch.sign();
         let found = oracle.differences(&pose.scene, camera, &reference, &verdicts)?;
+        pose.watch.sign();
         let eye = match (pose.cameras.len(), view) {
             (1, _) => "",
             (_, 0) => ", left eye",
@@ -37,11 +39,20 @@ pub fn losses(pose: &DrawnPose) -> Result<Vec<String>, Failure> {
 /// What one view lacks; `None` where nothing is wrong.
 fn sentence(pose: &DrawnPose, reference: &IdBuffer, found: &Differences) -> Option<String> {
     let wrong = found.wrong_pixels();
-    let percent = |of: usize| 100.0 * wrong as f64 / of.max(1) as f64;
+    let percent = |of: usize| {
+        let percent = (100.0 * wrong as f64 / of.max(1) as f64).min(100.0);
+        // Two digits that are not zero, however few pixels are wrong.
+        let decimals = (1.0 - percent.log10().floor()).clamp(0.0, 9.0) as usize;
+        format!("{percent:.decimals$} %")
+    };
+    let (wrong_pixels, are) = match wrong {
+        1 => ("1 pixel".to_owned(), "is"),
+        _ => (format!("{wrong} pixels"), "are"),
+    };
     let pixels = format!(
-        "{wrong} pixels are wrong, {:.2} % of the image and {:.2} % of the pixels that entities own",
+        "{wrong_pixels} {are} wrong, {} of the image and {} of the pixels that entities own",
         percent(reference.pixels().count()),
-        percent(reference.owned_pixels()).min(100.0),
+        percent(reference.owned_pixels()),
     );
     let missing = found.false_culls();
     if missing == 0 {

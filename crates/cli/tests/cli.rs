@@ -472,7 +472,7 @@ fn an_image_that_lacks_visible_entities_says_so_on_standard_error() {
     let said = drawn(losing, &[]);
     assert!(said.contains("visible entities are not drawn"), "{said}");
     assert!(
-        said.contains("100.00 % of the pixels that entities own"),
+        said.contains("100 % of the pixels that entities own"),
         "{said}"
     );
     assert_eq!(said.lines().count(), 1, "{said}");

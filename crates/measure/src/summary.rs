@@ -131,7 +131,8 @@ fn draws_nothing(strategy: &StrategyReport) -> bool {
 
 /// Why a strategy is not recommended, in words; `None` for one that may be: it draws nothing, loses more than half of the visible entities for good, or more than
 /// half of the pixels that entities own are wrong.
-fn loses_the_scene(strategy: &StrategyReport) -> Option<String> {
+/// What a strategy loses that loses most of the scene: see [`withheld`].
+pub(crate) fn loses_the_scene(strategy: &StrategyReport) -> Option<String> {
     let most = |lost: &LostEntities| 2 * lost.entities > lost.of;
     let owned = strategy.error.wrong_of_owned_percent;
     let wrong = owned.filter(|owned| owned.mean > 50.0).map(|owned| {

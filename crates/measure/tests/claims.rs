@@ -9,7 +9,7 @@ use antumbra_measure::report::{ErrorBasis, ErrorMeasure, Report, StrategyReport}
 use antumbra_measure::summary::{following, recommendations, summarise, withheld};
 use antumbra_measure::table::{Table, facts};
 use antumbra_measure::trade_off::choose;
-use antumbra_scene::{Material, Scene};
+use antumbra_scene::{Drawable, Material, Mesh, Scene, icosphere};
 use antumbra_strategies::registry;
 use antumbra_testing::{add, auto, cuboid, drawable, perspective_degrees};
 use glam::{DAffine3, DVec3};
@@ -152,6 +152,10 @@ fn a_strategy_that_loses_a_fleet_of_one_pixel_ships_is_not_recommended() {
     let limit = choose(&report, "wrong_pixels=2%".parse().unwrap());
     assert_eq!(limit.measure, ErrorMeasure::WrongOfOwnedPercent);
     assert!(limit.choices.iter().all(|choice| choice.setting == EXACT));
+    // Nor is it a choice where the limit lets it pass.
+    let limit = choose(&report, "false_culls=100000".parse().unwrap());
+    assert!(!limit.choices.is_empty());
+    assert!(limit.choices.iter().all(|choice| choice.setting == EXACT));
     let table = Table::new(&report).terminal(false);
     assert!(
         table.contains("of owned") && table.contains("for good"),
@@ -230,6 +234,28 @@ fn flip_is_computed_from_images_and_ties_are_no_errors() {
     assert!(other.flip.mean > 0.0 && other.ties.unwrap().shown_percent.mean > 0.0);
     let table = Table::new(&report).terminal(false);
     assert!(table.contains("ties"), "{table}");
+}
+
+#[test]
+fn the_colours_of_a_coarser_level_are_no_ties() {
+    let mut scene = Scene::new();
+    let mesh = Mesh {
+        name: "ball".to_owned(),
+        levels: [3, 0].map(|splits| icosphere(splits, 1.0)).into(),
+        proxy: None,
+    };
+    let mesh = scene.add_mesh(mesh).unwrap();
+    let material = scene.add_material(Material::default());
+    for at in 0..9 {
+        let place = DVec3::new(f64::from(at % 3) - 1.0, f64::from(at / 3) - 1.0, -6.0) * 3.0;
+        let ball = Drawable { mesh, material };
+        add(&mut scene, DAffine3::from_translation(place), ball);
+    }
+    let coarser = "three-pass:latency=same-frame:coarser=100000";
+    let report = saved(&compared(scene, &["frustum", coarser]));
+    let error = &titled(&report, coarser).error;
+    assert!(error.flip.max > 0.0);
+    assert_eq!(error.ties.unwrap().shown_percent.max, 0.0);
 }
 
 #[test]

@@ -26,19 +26,11 @@ pub fn run(args: &DoctorArgs) -> Result<(), Failure> {
             info.driver,
             info.driver_info
         ))?;
-        let mut lines = Vec::new();
-        let watch = Watch::start(USUAL_PATIENCE);
-        let found = examine(adapter, args, &mut lines);
-        // The adapter's work is done, and a reader of the lines may be slow.
-        drop(watch);
-        lines.iter().try_for_each(print)?;
-        match found? {
-            Found::Unusable => {}
-            Found::Usable => usable += 1,
-            Found::Wrong(title) => {
-                usable += 1;
-                wrong.push(title);
-            }
+        let gpu = told(|lines| Ok(examine(adapter, lines)))?;
+        let Some(gpu) = gpu else { continue };
+        usable += 1;
+        if args.self_test && !told(|lines| self_test(&gpu, lines))? {
+            wrong.push(gpu.title());
         }
     }
     if usable == 0 {
@@ -58,34 +50,28 @@ pub fn run(args: &DoctorArgs) -> Result<(), Failure> {
     }
 }
 
-/// What an adapter is good for.
-enum Found {
-    /// Antumbra cannot draw with it.
-    Unusable,
-    /// It can, and no answer of its driver was found wrong.
-    Usable,
-    /// It can, and its driver, of this title, gives wrong answers.
-    Wrong(String),
+/// Watches over an adapter's work, and prints the lines that it leaves, those before an error too. The watch ends first, since a reader of the lines may be slow.
+fn told<T>(work: impl FnOnce(&mut Vec<String>) -> Result<T, Failure>) -> Result<T, Failure> {
+    let mut lines = Vec::new();
+    let watch = Watch::start(USUAL_PATIENCE);
+    let done = work(&mut lines);
+    drop(watch);
+    lines.iter().try_for_each(print)?;
+    done
 }
 
-/// Opens an adapter and describes it, line by line. What was found before an error is in the lines as well.
-fn examine(
-    adapter: &wgpu::Adapter,
-    args: &DoctorArgs,
-    lines: &mut Vec<String>,
-) -> Result<Found, Failure> {
-    let gpu = match pollster::block_on(Gpu::from_adapter(adapter)) {
-        Ok(gpu) => gpu,
+/// Opens an adapter and describes it; `None` where Antumbra cannot draw with it.
+fn examine(adapter: &wgpu::Adapter, lines: &mut Vec<String>) -> Option<Gpu> {
+    match pollster::block_on(Gpu::from_adapter(adapter)) {
+        Ok(gpu) => {
+            describe(&gpu, lines);
+            Some(gpu)
+        }
         Err(error) => {
             lines.push(format!("  not usable: {error}"));
-            return Ok(Found::Unusable);
+            None
         }
-    };
-    describe(&gpu, lines);
-    Ok(match args.self_test && !self_test(&gpu, lines)? {
-        true => Found::Wrong(gpu.title()),
-        false => Found::Usable,
-    })
+    }
 }
 
 /// Tries a driver with one sample a pixel and with four, and describes what was found. Whether every answer is right.

@@ -176,7 +176,7 @@ pub(super) fn tested() -> Vec<(Rect, &'static str)> {
     ]
 }
 
-/// Sheets before everything, tilted in many ways, where none of what is [tested] is. Their depths are no binary fractions: a fragment has the depth that the same fragment has stored, or it has not.
+/// Sheets before everything, tilted in many ways, where none of what is [tested] is. Their depths are no binary fractions, so that a driver which computes a depth in two ways gets two depths.
 pub(super) fn slopes() -> Vec<Rect> {
     vec![
         Rect::new(72..83, 26..37, 0.9).tilted(0.031, -0.017),

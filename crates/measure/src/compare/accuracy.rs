@@ -282,7 +282,11 @@ impl Comparer {
         let strategy = picture(stage, view, scene, self.size)?;
         if sampled {
             record.flips.push(flip(painted, &strategy)?.mean);
-            let shown = shown_otherwise(&reference.ids, &found, painted, &strategy);
+            // A coarser level shows other colours of its own.
+            let shown = match verdicts.levels() {
+                1 => shown_otherwise(&reference.ids, &found, painted, &strategy),
+                _ => 0,
+            };
             record.shown_percent.push(self.percent(shown));
         }
         if worse {

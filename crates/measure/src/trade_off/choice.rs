@@ -4,6 +4,7 @@ use super::limit::ErrorLimit;
 use super::settings::{TimedSetting, settings};
 use super::speed::SpeedComparison;
 use crate::report::{Aggregate, Choice, LimitChoices, Report, StrategyReport};
+use crate::summary::loses_the_scene;
 
 /// A setting with its time and the limited error.
 #[derive(Clone, Copy)]
@@ -16,7 +17,8 @@ struct Candidate<'a> {
 /// Selects settings for a limit: one for the mean and one for the worst pose; for false culls, one for their sum.
 ///
 /// The selected setting is the fastest within the limit. Where others are not significantly slower, it is the one of them with the least
-/// error. Where no setting is within the limit, it is the setting with the least error. A limit of wrong pixels goes by [`Report::error_basis`]. A report without measured settings gets no choices.
+/// error. Where no setting is within the limit, it is the setting with the least error. A limit of wrong pixels goes by [`Report::error_basis`]. What loses most of the scene is no choice
+/// ([`withheld`](crate::summary::withheld)). A report without other measured settings gets none.
 pub fn choose(report: &Report, limit: ErrorLimit) -> LimitChoices {
     let speeds = SpeedComparison::of(report);
     let limit = limit.in_report(report);
@@ -37,6 +39,7 @@ fn choice(
     over: Aggregate,
 ) -> Option<Choice> {
     let mut candidates: Vec<Candidate<'_>> = settings(report)
+        .filter(|timed| loses_the_scene(timed.setting).is_none())
         .filter_map(|TimedSetting { setting, time }| {
             let error = limit.measure().of(&setting.error, over)?;
             Some(Candidate {
