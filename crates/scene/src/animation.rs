@@ -169,7 +169,7 @@ impl Animation {
             let weights = weights.get(&deformed.node).map(|keys| keys.sample(time));
             let weights = weights.as_deref().unwrap_or(&deformed.weights);
             let skin = deformed.skin.and_then(|skin| self.parts.skins.get(skin));
-            let joints = skin.and_then(|skin| pose.joints(skin, deformed.node));
+            let joints = skin.and_then(|skin| skin.transforms(&pose.worlds, deformed.node));
             let vertices = deformed.vertices(weights, joints.as_deref());
             if scene.mesh(deformed.mesh).is_some() {
                 scene.set_vertices(deformed.mesh, vertices.positions, vertices.normals)?;
