@@ -12,7 +12,7 @@ pub enum VertexUpload<'a> {
     AtOnce(&'a Gpu),
     /// By an encoder.
     Recorded {
-        /// It.
+        /// The encoder.
         encoder: &'a mut wgpu::CommandEncoder,
         /// Its staging memory.
         belt: &'a mut wgpu::util::StagingBelt,
