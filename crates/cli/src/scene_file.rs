@@ -43,7 +43,7 @@ pub fn none(args: &LoadArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The same where nothing plays. The scene is at rest for good, and that is said where it has animations.
+/// As [`load`], where nothing plays: the scene is at rest for good, and that is said where it has animations.
 ///
 /// # Errors
 /// What is wrong with the file.

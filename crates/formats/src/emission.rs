@@ -28,7 +28,7 @@ pub(crate) struct Shown<I> {
     pub(crate) was_infinite: bool,
 }
 
-/// A part of an emission that a number of the GPU can hold; 0 for one that is no number, such as no light infinitely bright.
+/// A part of an emission that a number of the GPU can hold; 0 for one that is no number, such as black times an infinite strength.
 fn finite(part: f32) -> f32 {
     match part {
         _ if part.is_finite() => part,

@@ -8,13 +8,21 @@ use crate::error::{LoadProblem, shorten};
 use base64::Engine;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 use std::borrow::Cow;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::ffi::OsString;
 use std::io::{ErrorKind, Read};
 use std::path::{Component, Path, PathBuf};
 
 /// The folder in which the references of a file are resolved.
 pub(super) struct FileResolver<'a> {
     base: Option<&'a Path>,
+    /// The folders in which a name was looked for in another case. Each is listed once.
+    folders: RefCell<HashMap<PathBuf, Names>>,
 }
+
+/// The names of a folder, by their lower case.
+type Names = HashMap<String, OsString>;
 
 /// What a reference that costs no shape led to.
 pub(super) enum Found {
@@ -30,12 +38,15 @@ const BASE64: GeneralPurpose = GeneralPurpose::new(
     GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent),
 );
 
-/// The most names of a folder that are compared with one that has another case.
+/// The most names of a folder that are listed, to find those of another case.
 const MOST_NAMES: usize = 1 << 16;
 
-/// Steps of work of a question to the operating system, and of a name that is compared.
+/// Steps of work of a question to the operating system, and of a name that is listed.
 const LOOK_UP: u64 = 1024;
 const NAME: u64 = 64;
+
+/// Bytes of memory of a listed name besides its letters.
+const LISTED: u64 = 128;
 
 const OUTSIDE: &str = "only files in the scene file's own folder or below are opened; copy it there and refer to it by its relative name";
 
@@ -61,7 +72,10 @@ pub(super) fn read(path: &Path, budget: &mut Budget) -> Result<Vec<u8>, LoadProb
 
 impl<'a> FileResolver<'a> {
     pub(super) fn new(base: Option<&'a Path>) -> Self {
-        Self { base }
+        Self {
+            base,
+            folders: RefCell::default(),
+        }
     }
 
     /// The bytes of the reference `uri` at `place`.
@@ -162,51 +176,87 @@ impl<'a> FileResolver<'a> {
         } else {
             base
         };
-        let path = existing(base, relative, budget)?;
+        let path = self.existing(base, relative, budget)?;
         // A symbolic link may lead elsewhere.
         Ok(match (base.canonicalize(), path.canonicalize()) {
             (Ok(base), Ok(path)) if !path.starts_with(&base) => Err(OUTSIDE),
             _ => Ok(path),
         })
     }
-}
 
-/// The path below `base`; where a part of it is not there, the file that differs in case alone.
-///
-/// # Errors
-/// Work that exceeds the budget.
-fn existing(base: &Path, relative: &Path, budget: &mut Budget) -> Result<PathBuf, LoadProblem> {
-    budget.work(LOOK_UP)?;
-    let exact = base.join(relative);
-    if exact.exists() {
-        return Ok(exact);
-    }
-    let mut path = base.to_owned();
-    for part in relative.components() {
+    /// The path below `base`; where a part of it is not there, the file that differs in case alone.
+    ///
+    /// # Errors
+    /// Work or memory that exceeds the budget.
+    fn existing(
+        &self,
+        base: &Path,
+        relative: &Path,
+        budget: &mut Budget,
+    ) -> Result<PathBuf, LoadProblem> {
         budget.work(LOOK_UP)?;
-        let own = path.join(part);
-        if own.exists() {
-            path = own;
-            continue;
+        let exact = base.join(relative);
+        if exact.exists() {
+            return Ok(exact);
         }
-        let wanted = part.as_os_str().to_string_lossy().to_lowercase();
-        let listed = path.read_dir().into_iter().flatten().take(MOST_NAMES);
-        let mut same = Vec::new();
-        for entry in listed {
-            budget.work(NAME)?;
-            let name = entry.map(|entry| entry.file_name()).unwrap_or_default();
-            if name.to_string_lossy().to_lowercase() == wanted {
-                same.push(name);
+        let mut path = base.to_owned();
+        for part in relative.components() {
+            budget.work(LOOK_UP)?;
+            let own = path.join(part);
+            if own.exists() {
+                path = own;
+                continue;
+            }
+            match self.in_any_case(&path, &part.as_os_str().to_string_lossy(), budget)? {
+                Some(name) => path.push(name),
+                None => return Ok(exact),
             }
         }
+        Ok(path)
+    }
+
+    /// The name in a folder that differs from this one in case alone.
+    ///
+    /// # Errors
+    /// Work or memory that exceeds the budget.
+    fn in_any_case(
+        &self,
+        folder: &Path,
+        name: &str,
+        budget: &mut Budget,
+    ) -> Result<Option<OsString>, LoadProblem> {
+        let wanted = name.to_lowercase();
+        let mut folders = self.folders.borrow_mut();
+        if let Some(names) = folders.get(folder) {
+            return Ok(names.get(&wanted).cloned());
+        }
+        let names = names_of(folder, budget)?;
+        let found = names.get(&wanted).cloned();
+        folders.insert(folder.to_owned(), names);
+        Ok(found)
+    }
+}
+
+/// The names of a folder, as many as are listed. Of names that differ in case alone it has the first in order.
+///
+/// # Errors
+/// Work or memory that exceeds the budget.
+fn names_of(folder: &Path, budget: &mut Budget) -> Result<Names, LoadProblem> {
+    let mut names = Names::new();
+    for entry in folder.read_dir().into_iter().flatten().take(MOST_NAMES) {
+        budget.work(NAME)?;
+        let Ok(name) = entry.map(|entry| entry.file_name()) else {
+            continue;
+        };
+        budget.memory(LISTED + 2 * name.len() as u64)?;
+        let lower = name.to_string_lossy().to_lowercase();
         // The order of a folder's entries is not determined.
-        same.sort();
-        match same.first() {
-            Some(name) => path.push(name),
-            None => return Ok(exact),
+        let known = names.entry(lower).or_insert_with(|| name.clone());
+        if name < *known {
+            *known = name;
         }
     }
-    Ok(path)
+    Ok(names)
 }
 
 /// The last part of an absolute path of any system; any other name as it is.

@@ -65,9 +65,16 @@ impl Triangulator {
 
     /// Appends the surface's vertices, normals and triangles. Returns the number of triangles, 0 for a surface
     /// without an area.
-    pub(crate) fn finish(&mut self, geometry: &mut Geometry) -> u64 {
-        let Some(normal) = self.cut() else {
-            return 0;
+    ///
+    /// # Errors
+    /// Work that exceeds the budget.
+    pub(crate) fn finish(
+        &mut self,
+        geometry: &mut Geometry,
+        budget: &mut Budget,
+    ) -> Result<u64, LoadProblem> {
+        let Some(normal) = self.cut(budget)? else {
+            return Ok(0);
         };
         let first = geometry.positions.len() as u32;
         let positions = self
@@ -79,7 +86,7 @@ impl Triangulator {
         geometry.normals.extend(normals);
         let corners = self.triangles.iter().map(|corner| first + corner);
         geometry.indices.extend(corners);
-        (self.triangles.len() / 3) as u64
+        Ok((self.triangles.len() / 3) as u64)
     }
 
     /// The triangles of one ring, as numbers of its corners, counter-clockwise about the ring's normal. A ring without an area becomes a fan,
@@ -99,10 +106,7 @@ impl Triangulator {
         if count > MAX_CORNERS {
             return Ok(None);
         }
-        if count > FEW_CORNERS {
-            budget.work((count * count / FEW_CORNERS) as u64)?;
-        }
-        if count == 3 || !self.is_fan() && self.cut().is_none() {
+        if count == 3 || !self.is_fan() && self.cut(budget)?.is_none() {
             self.fan();
         }
         Ok(Some(self.triangles.as_chunks::<3>().0))
@@ -123,12 +127,21 @@ impl Triangulator {
     }
 
     /// Cuts the surface into triangles, counter-clockwise about its normal, which is returned; `None` if it has no area.
-    fn cut(&mut self) -> Option<DVec3> {
+    ///
+    /// # Errors
+    /// Work that exceeds the budget.
+    fn cut(&mut self, budget: &mut Budget) -> Result<Option<DVec3>, LoadProblem> {
         let outer = self
             .holes
             .first()
             .map_or(self.corners.len(), |hole| *hole as usize);
-        let normal = self.corners.get(..outer).and_then(normal)?;
+        let Some(normal) = self.corners.get(..outer).and_then(normal) else {
+            return Ok(None);
+        };
+        let count = self.corners.len();
+        if count > FEW_CORNERS {
+            budget.work((count as u64).saturating_pow(2) / FEW_CORNERS as u64)?;
+        }
         self.flatten(normal);
         self.earcut
             .earcut_slice(&self.flat, &self.holes, &mut self.triangles);
@@ -139,7 +152,7 @@ impl Triangulator {
             }
         }
         self.triangles = triangles;
-        (!self.triangles.is_empty()).then_some(normal)
+        Ok((!self.triangles.is_empty()).then_some(normal))
     }
 
     /// Projects the corners.

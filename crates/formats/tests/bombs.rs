@@ -293,3 +293,51 @@ fn objects_of_a_cityjson_are_paid_for() {
     );
     scene(SceneFormat::CityJson, bomb.as_bytes(), &["line 1", "MiB"]);
 }
+
+#[test]
+fn surfaces_of_a_cityjson_with_many_corners_are_bounded() {
+    let _turn = turn();
+    let options = LoadOptions {
+        max_work: 1 << 20,
+        ..LoadOptions::default()
+    };
+    for is_template in [false, true] {
+        let load = |surfaces| {
+            let file = combs(surfaces, is_template);
+            load_slice(SceneFormat::CityJson, file.as_bytes(), None, &options)
+        };
+        // A comb of 2,002 corners takes a sixteenth of the work.
+        assert_ne!(load(8).unwrap().triangle_count(), 0);
+        let message = load(20).unwrap_err().to_string();
+        let part = match is_template {
+            false => "the objects of line 1",
+            true => "template 0",
+        };
+        assert!(message.contains(part), "{message}");
+        assert!(message.contains("max_work"), "{message}");
+    }
+}
+
+/// A CityJSON of one object, with the same comb for each of its surfaces; these are the object's own, or those of a template that it places.
+fn combs(surfaces: usize, is_template: bool) -> String {
+    let teeth = (0..2_000).map(|i| format!("[{i},0,{}]", i % 2 * 100));
+    let ends = ["[2000,0,-1]", "[0,0,-1]"].map(str::to_owned);
+    let corners = teeth.chain(ends).collect::<Vec<_>>().join(",");
+    let ring = (0..2_002).map(|i| i.to_string()).collect::<Vec<_>>();
+    let surface = format!("[[{}]]", ring.join(","));
+    let boundaries = vec![surface; surfaces].join(",");
+    let shape = format!(r#"{{"type":"MultiSurface","lod":"1","boundaries":[{boundaries}]}}"#);
+    let own = r#"{"type":"GeometryInstance","template":0,"boundaries":[0]}"#;
+    let (templates, geometry) = match is_template {
+        false => (String::new(), shape),
+        true => (
+            format!(
+                r#""geometry-templates":{{"templates":[{shape}],"vertices-templates":[{corners}]}},"#
+            ),
+            own.to_owned(),
+        ),
+    };
+    format!(
+        r#"{{"type":"CityJSON","version":"2.0","transform":{{"scale":[1,1,1],"translate":[0,0,0]}},{templates}"CityObjects":{{"a":{{"type":"Building","geometry":[{geometry}]}}}},"vertices":[{corners}]}}"#
+    )
+}

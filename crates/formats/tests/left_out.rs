@@ -29,6 +29,21 @@ fn lost(format: SceneFormat, bytes: &[u8]) -> String {
 }
 
 #[test]
+fn attributes_of_an_obj_that_are_left_out_have_the_line_of_the_first() {
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n\
+        f 1/1 2/1 3/1\nf 1/1 2/1 3\nf 1 2 3\nl 1/1 2/1\nl 1/7 2/1 3/7\np 1//2\n";
+    let loaded = loaded(SceneFormat::Obj, obj.as_bytes());
+    let losses: Vec<_> = (loaded.left_out.losses().iter())
+        .map(|loss| (loss.part, loss.count, loss.examples.join(", ")))
+        .collect();
+    let expected = [
+        (LostPart::Attribute, 3, "line 9, line 10".to_owned()),
+        (LostPart::Attribute, 4, "line 6".to_owned()),
+    ];
+    assert_eq!(losses, expected);
+}
+
+#[test]
 fn images_that_cannot_be_had_cost_the_image_alone() {
     let image = |image: &str, extensions: &str| {
         gltf(&format!(

@@ -165,17 +165,45 @@ impl Animation {
             _ => None,
         });
         let weights: HashMap<usize, &Keyframes> = weights.collect();
+        let mut palette = Palette::default();
         for deformed in &self.parts.meshes {
+            if scene.mesh(deformed.mesh).is_none() {
+                continue;
+            }
             let weights = weights.get(&deformed.node).map(|keys| keys.sample(time));
             let weights = weights.as_deref().unwrap_or(&deformed.weights);
-            let skin = deformed.skin.and_then(|skin| self.parts.skins.get(skin));
-            let joints = skin.and_then(|skin| pose.joints(skin, deformed.node));
-            let vertices = deformed.vertices(weights, joints.as_deref());
-            if scene.mesh(deformed.mesh).is_some() {
-                scene.set_vertices(deformed.mesh, vertices.positions, vertices.normals)?;
-            }
+            let joints = palette.of(&self.parts.skins, &pose, deformed);
+            let vertices = deformed.vertices(weights, joints);
+            scene.set_vertices(deformed.mesh, vertices.positions, vertices.normals)?;
         }
         Ok(())
+    }
+}
+
+/// The joints of the last mesh in a pose. The primitives of a mesh in glTF follow one another and share skin and node. Earlier ones are not kept: joints times nodes
+/// may be many.
+#[derive(Default)]
+struct Palette {
+    /// The skin and the node.
+    user: Option<(usize, usize)>,
+    transforms: Option<Vec<JointTransform>>,
+}
+
+impl Palette {
+    /// The transforms of a mesh's joints; `None` for one without a skin, or as flat as its node.
+    fn of(
+        &mut self,
+        skins: &[Skin],
+        pose: &Pose,
+        deformed: &DeformedMesh,
+    ) -> Option<&[JointTransform]> {
+        let (number, node) = (deformed.skin?, deformed.node);
+        let skin = skins.get(number)?;
+        if self.user != Some((number, node)) {
+            self.user = Some((number, node));
+            self.transforms = skin.transforms(&pose.worlds, node);
+        }
+        self.transforms.as_deref()
     }
 }
 

@@ -257,6 +257,71 @@ fn skins_follow_their_joints_whatever_their_own_node_does() {
 }
 
 #[test]
+fn a_skin_moves_each_mesh_as_its_own_node_sees_it() {
+    let (mut scene, _, first) = deforming();
+    let mut more = || scene.add_deforming_mesh(triangle()).unwrap();
+    let (second, third, fourth) = (more(), more(), more());
+    // Nodes 0 and 1 have meshes, node 2 is the joint of all.
+    let aside = RigNode {
+        rest: NodeTransform::from_parts(DVec3::new(0.0, 0.0, 7.0), DQuat::IDENTITY, DVec3::ONE),
+        ..node(None, None)
+    };
+    let skinned = |mesh, node| DeformedMesh {
+        node,
+        skin: Some(0),
+        influences: Influences {
+            per_vertex: 1,
+            list: vec![
+                Influence {
+                    joint: 0,
+                    weight: 1.0
+                };
+                3
+            ],
+        },
+        ..plain(mesh)
+    };
+    let lift = keys(
+        Interpolation::Linear,
+        &[0.0, 1.0],
+        &[0.0, 4.0, 0.0, 0.0, 8.0, 0.0],
+        3,
+    );
+    let animation = Animation::new(AnimationParts {
+        nodes: vec![node(None, None), aside, node(None, None)],
+        skins: vec![Skin {
+            joints: vec![Joint {
+                node: 2,
+                inverse_bind: DAffine3::IDENTITY,
+            }],
+        }],
+        meshes: vec![
+            skinned(first, 0),
+            skinned(second, 0),
+            skinned(third, 1),
+            skinned(fourth, 0),
+        ],
+        clips: vec![Clip::new(
+            "lift",
+            vec![Channel {
+                node: 2,
+                curve: Curve::Translation(lift),
+            }],
+        )],
+    })
+    .unwrap();
+    for (time, height) in [(0.0, 4.0), (0.5, 6.0)] {
+        animation.pose(&mut scene, 0, time).unwrap();
+        let depths = [(first, 0.0), (second, 0.0), (third, -7.0), (fourth, 0.0)];
+        for (mesh, depth) in depths {
+            let positions = &scene.mesh(mesh).unwrap().levels[0].positions;
+            let moved = POSITIONS.map(|[x, y, z]| [x, y + height, z + depth]);
+            assert_eq!(*positions, moved, "{mesh:?} at {time}");
+        }
+    }
+}
+
+#[test]
 fn morph_targets_are_weighed_and_equal_poses_change_nothing() {
     let (mut scene, entity, mesh) = deforming();
     let weights = keys(Interpolation::Linear, &[0.0, 1.0], &[0.0, 2.0], 1);

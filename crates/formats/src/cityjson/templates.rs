@@ -115,7 +115,7 @@ fn geometry(
             })?;
             triangulator.ring(points);
         }
-        let triangles = triangulator.finish(&mut geometry);
+        let triangles = triangulator.finish(&mut geometry, budget)?;
         if triangles == 0 {
             (budget.left_out).add(LostPart::Face, "without an area", name);
         }

@@ -166,21 +166,37 @@ impl MeshBuilder<'_> {
 
 /// Notes the corners whose texture coordinates or normals do not exist, and those without texture coordinates where others have them.
 fn note_attributes(source: &Source, elements: &Elements, budget: &mut Budget) {
-    let corners = elements.corners.iter();
-    let beyond = |index: Option<u32>, count: usize| index.is_some_and(|i| i as usize >= count);
-    let count = |is_lost: &dyn Fn(&Corner) -> bool| {
-        let lost = corners.clone().filter(|corner| is_lost(corner));
-        lost.count() as u64
+    let beyond = |index: Option<u32>, count: usize| {
+        let is_beyond = index.is_some_and(|index| index as usize >= count);
+        u64::from(is_beyond)
     };
-    let wrong = count(&|corner| beyond(corner.uv, source.uvs.len()))
-        + count(&|corner| beyond(corner.normal, source.normals.len()));
-    let without = count(&|corner| corner.uv.is_none());
-    let has_some = corners.clone().any(|corner| corner.uv.is_some());
-    let left_out = &mut budget.left_out;
-    let place = "a face's corner";
-    left_out.add_many(LostPart::Attribute, "it does not exist", wrong, place);
-    if has_some {
+    let wrong = |corner: &Corner| {
+        beyond(corner.uv, source.uvs.len()) + beyond(corner.normal, source.normals.len())
+    };
+    note(elements, "it does not exist", &wrong, budget);
+    if elements.corners.iter().any(|corner| corner.uv.is_some()) {
         let reason = "texture coordinates that other corners of the part have";
-        left_out.add_many(LostPart::Attribute, reason, without, place);
+        let without = |corner: &Corner| u64::from(corner.uv.is_none());
+        note(elements, reason, &without, budget);
     }
+}
+
+/// Notes attributes that are left out for a reason, so many of each corner, with the line of the first.
+fn note(
+    elements: &Elements,
+    reason: &str,
+    of_corner: &dyn Fn(&Corner) -> u64,
+    budget: &mut Budget,
+) {
+    let of_element = |element: Element<'_>| {
+        let count: u64 = element.corners.iter().map(of_corner).sum();
+        (element.line, count)
+    };
+    let mut each = elements.each().map(of_element);
+    let Some((line, first)) = each.find(|(_, count)| *count > 0) else {
+        return;
+    };
+    let count = first + each.map(|(_, count)| count).sum::<u64>();
+    let place = format!("line {line}");
+    (budget.left_out).add_many(LostPart::Attribute, reason, count, &place);
 }

@@ -117,6 +117,35 @@ fn names_of_material_libraries_are_looked_up_once_and_are_work() {
 }
 
 #[test]
+fn a_folder_is_listed_once_however_many_names_are_not_in_it() {
+    let _turn = turn();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.obj");
+    for i in 0..500 {
+        std::fs::write(folder.path().join(format!("{i}.txt")), "").unwrap();
+    }
+    let materials: String = (0..500)
+        .map(|i| format!("newmtl {i}\nmap_Kd {i}.png\n"))
+        .collect();
+    std::fs::write(folder.path().join("Look.mtl"), materials).unwrap();
+    let faces: String = (0..500).map(|i| format!("usemtl {i}\nf 1 2 3\n")).collect();
+    let shape = "mtllib look.MTL\nv 0 0 0\nv 1 0 0\nv 0 1 0\n".to_owned();
+    std::fs::write(&path, shape + &faces).unwrap();
+    let load = |max_work| {
+        let options = LoadOptions {
+            max_work,
+            ..options()
+        };
+        load_with_attachments(&path, &options, &[])
+    };
+    let loaded = load(1 << 21).unwrap();
+    assert_eq!(loaded.left_out.to_string(), "500 images (missing)");
+    // The names that are listed are work.
+    let message = load(16 << 10).unwrap_err().to_string();
+    assert!(message.contains("max_work"), "{message}");
+}
+
+#[test]
 fn triangles_of_an_stl_are_paid_for() {
     let _turn = turn();
     let bomb = common::stl_binary(b"bomb", 300_000);

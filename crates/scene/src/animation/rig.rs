@@ -78,6 +78,19 @@ pub struct Skin {
     pub joints: Vec<Joint>,
 }
 
+impl Skin {
+    /// The transforms of the joints, as seen from the node that has the mesh. `worlds` are the transforms of all nodes relative to the same origin.
+    ///
+    /// `None` where that node's own transform cannot be undone, since the mesh is then as flat as it, and for a node that does not exist.
+    #[must_use]
+    pub fn transforms(&self, worlds: &[DAffine3], node: usize) -> Option<Vec<JointTransform>> {
+        let own = worlds.get(node)?.inverse();
+        let joint = |joint: &Joint| Some(own * *worlds.get(joint.node)? * joint.inverse_bind);
+        let joints = own.is_finite().then(|| self.joints.iter().map(joint))?;
+        joints.collect()
+    }
+}
+
 /// A joint of a skin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joint {
@@ -91,7 +104,8 @@ pub struct Joint {
 pub(super) struct Pose {
     /// Relative to the parents.
     pub(super) locals: Vec<DAffine3>,
-    worlds: Vec<DAffine3>,
+    /// Relative to the rig's origin.
+    pub(super) worlds: Vec<DAffine3>,
 }
 
 impl Pose {
@@ -126,13 +140,5 @@ impl Pose {
             worlds.push(above.map_or(*local, |above| *above * *local));
         }
         Self { locals, worlds }
-    }
-
-    /// The transforms of a skin's joints, as seen from the node that has the mesh; `None` where that node's own transform cannot be undone: the mesh is as flat as it.
-    pub(super) fn joints(&self, skin: &Skin, node: usize) -> Option<Vec<JointTransform>> {
-        let own = self.worlds.get(node)?.inverse();
-        let joint = |joint: &Joint| Some(own * *self.worlds.get(joint.node)? * joint.inverse_bind);
-        let joints = own.is_finite().then(|| skin.joints.iter().map(joint))?;
-        joints.collect()
     }
 }

@@ -92,7 +92,7 @@ impl SceneBuilder<'_> {
                 self.triangulator
                     .ring(corners.map(|corner| corner - origin));
             }
-            let triangles = self.triangulator.finish(&mut level);
+            let triangles = self.triangulator.finish(&mut level, self.budget)?;
             if triangles == 0 {
                 let left_out = &mut self.budget.left_out;
                 left_out.add(LostPart::Face, "without an area", &context.name(id));

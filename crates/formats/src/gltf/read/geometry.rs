@@ -31,6 +31,16 @@ pub(super) struct Request<'a> {
     pub(super) deforms: bool,
 }
 
+impl Request<'_> {
+    /// What the primitive is called in messages.
+    pub(super) fn label(&self, document: &Document<'_>) -> String {
+        let mesh = document.root.meshes.get(self.mesh);
+        let name = mesh.and_then(|mesh| mesh.name.as_deref());
+        let mesh = label("mesh", self.mesh, name);
+        format!("{mesh}, primitive {}", self.primitive)
+    }
+}
+
 /// A primitive at rest.
 pub(super) struct ReadGeometry {
     pub(super) geometry: Geometry,
@@ -45,13 +55,7 @@ pub(super) fn read(
     request: &Request<'_>,
     budget: &mut Budget,
 ) -> Result<Option<ReadGeometry>, LoadProblem> {
-    let mesh = document.root.meshes.get(request.mesh);
-    let mesh = label(
-        "mesh",
-        request.mesh,
-        mesh.and_then(|mesh| mesh.name.as_deref()),
-    );
-    let name = format!("{mesh}, primitive {}", request.primitive);
+    let name = request.label(document);
     #[cfg(feature = "draco")]
     let decoded = draco::decode(document, source, &name, budget)?;
     let attribute =

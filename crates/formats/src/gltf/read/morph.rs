@@ -2,7 +2,7 @@
 
 use super::accessor::Accessor;
 use super::deformation::Deformation;
-use super::document::{Document, label};
+use super::document::Document;
 use super::geometry::{Request, Vertices, same_count};
 use crate::budget::Budget;
 use crate::error::LoadProblem;
@@ -24,13 +24,7 @@ pub(super) fn apply(
     geometry: &mut Geometry,
     mut deformation: Option<&mut Deformation>,
 ) -> Result<(), LoadProblem> {
-    let mesh = document.root.meshes.get(request.mesh);
-    let mesh = label(
-        "mesh",
-        request.mesh,
-        mesh.and_then(|mesh| mesh.name.as_deref()),
-    );
-    let name = format!("{mesh}, primitive {}", request.primitive);
+    let name = request.label(document);
     let count = vertices.count() as u64;
     for (number, target) in source.targets.iter().flatten().enumerate() {
         let weight = request.weights.get(number).copied().unwrap_or(0.0);

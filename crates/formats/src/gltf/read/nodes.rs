@@ -6,7 +6,7 @@ use super::extras;
 use super::lights_and_cameras::{projection, punctual};
 use super::material::Materials;
 use super::motions::Motions;
-use super::parts::{MeshPart, PartKey};
+use super::parts::PartKey;
 use super::tree::Tree;
 use crate::budget::Budget;
 use crate::error::LoadProblem;
@@ -181,18 +181,18 @@ impl SceneBuilder<'_, '_> {
     fn set_parts(
         &mut self,
         entity: EntityKey,
-        parts: &[MeshPart],
+        parts: &[Drawable],
         tested: bool,
     ) -> Result<(), LoadProblem> {
         if let [only] = parts {
-            self.scene.set_drawable(entity, only.drawable)?;
+            self.scene.set_drawable(entity, *only)?;
             return Ok(());
         }
         for part in parts {
-            let mesh = self.scene.mesh(part.drawable.mesh);
+            let mesh = self.scene.mesh(part.mesh);
             let name = mesh.map_or_else(String::new, |mesh| mesh.name.clone());
             let child = self.spawn(Some(entity), DAffine3::IDENTITY, &name)?;
-            self.scene.set_drawable(child, part.drawable)?;
+            self.scene.set_drawable(child, *part)?;
             self.set_tested(child, tested)?;
         }
         Ok(())

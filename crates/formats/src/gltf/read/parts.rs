@@ -25,11 +25,6 @@ pub(super) struct PartKey {
     node: Option<usize>,
 }
 
-/// A primitive of a node's mesh.
-pub(super) struct MeshPart {
-    pub(super) drawable: Drawable,
-}
-
 impl SceneBuilder<'_, '_> {
     /// The parts of a node's mesh. Each part is read once, for any number of nodes.
     pub(super) fn parts(
@@ -37,7 +32,7 @@ impl SceneBuilder<'_, '_> {
         index: usize,
         node: &Node,
         mesh: usize,
-    ) -> Result<Vec<MeshPart>, LoadProblem> {
+    ) -> Result<Vec<Drawable>, LoadProblem> {
         let user = self.document.node_label(index);
         let source = item(&self.document.root.meshes, mesh, "mesh", &user)?;
         let mut lods = self.lods(index, node, source.primitives.len());
@@ -76,9 +71,7 @@ impl SceneBuilder<'_, '_> {
                     part
                 }
             };
-            if let Some(drawable) = part {
-                parts.push(MeshPart { drawable });
-            }
+            parts.extend(part);
         }
         Ok(parts)
     }

@@ -83,16 +83,10 @@ impl Skins {
         if let Some(number) = self.numbers.get(&skin) {
             return Ok(*number);
         }
-        let joints = skin::joints(document, skin, place, budget)?;
-        budget.memory((joints.len() * size_of::<Joint>()) as u64)?;
-        let joints = joints.into_iter().map(|joint| Joint {
-            node: joint.node,
-            inverse_bind: joint.inverse_bind,
-        });
+        let read = skin::read(document, skin, place, budget)?;
+        budget.memory((read.joints.len() * size_of::<Joint>()) as u64)?;
         let number = self.list.len();
-        self.list.push(Skin {
-            joints: joints.collect(),
-        });
+        self.list.push(read);
         self.numbers.insert(skin, number);
         Ok(number)
     }

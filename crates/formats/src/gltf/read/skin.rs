@@ -9,23 +9,17 @@ use super::geometry::Vertices;
 use crate::budget::Budget;
 use crate::error::LoadProblem;
 use antumbra_scene::Geometry;
-use antumbra_scene::animation::{Influence, Influences, JointTransform};
+use antumbra_scene::animation::{Influence, Influences, Joint, JointTransform, Skin};
 use glam::{DAffine3, DMat4};
 use gltf::json::accessor::{ComponentType, Type};
 
-/// A joint: its node, and the way from the mesh to it.
-pub(super) struct BoundJoint {
-    pub(super) node: usize,
-    pub(super) inverse_bind: DAffine3,
-}
-
-/// The joints of a skin.
-pub(super) fn joints(
+/// A skin of the file. Its joints are the file's nodes.
+pub(super) fn read(
     document: &Document<'_>,
     index: usize,
     user: &str,
     budget: &mut Budget,
-) -> Result<Vec<BoundJoint>, LoadProblem> {
+) -> Result<Skin, LoadProblem> {
     let skin = item(&document.root.skins, index, "skin", user)?;
     let user = format!("skin {index}");
     let binds = match at(skin.inverse_bind_matrices.as_ref()) {
@@ -50,12 +44,15 @@ pub(super) fn joints(
                 DAffine3::from_mat4(DMat4::from_cols_array(&numbers))
             }
         };
-        Ok(BoundJoint {
+        Ok(Joint {
             node: joint.value(),
             inverse_bind,
         })
     };
-    skin.joints.iter().enumerate().map(joint).collect()
+    let joints = skin.joints.iter().enumerate().map(joint);
+    Ok(Skin {
+        joints: joints.collect::<Result<_, LoadProblem>>()?,
+    })
 }
 
 /// The joints of a node's skin at rest.
@@ -75,27 +72,13 @@ impl Pose {
     ) -> Result<Self, LoadProblem> {
         let user = document.node_label(node);
         let source = item(&document.root.nodes, node, "node", &user)?;
-        let joints = match at(source.skin.as_ref()) {
-            Some(index) => joints(document, index, &user, budget)?,
-            None => Vec::new(),
-        };
-        let own = item(worlds, node, "node", &user)?.inverse();
-        let place = |joint: &BoundJoint| {
-            let world = item(worlds, joint.node, "node", &user)?;
-            Ok(own * *world * joint.inverse_bind)
-        };
-        let transforms = match own.is_finite() {
-            true => Some(
-                joints
-                    .iter()
-                    .map(place)
-                    .collect::<Result<_, LoadProblem>>()?,
-            ),
-            false => None,
+        let skin = match at(source.skin.as_ref()) {
+            Some(index) => read(document, index, &user, budget)?,
+            None => Skin::default(),
         };
         Ok(Self {
-            transforms,
-            count: joints.len(),
+            transforms: skin.transforms(worlds, node),
+            count: skin.joints.len(),
         })
     }
 
