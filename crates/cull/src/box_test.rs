@@ -5,7 +5,7 @@ use antumbra_graph::{Bind, Buffer, BufferDesc, Texture};
 use antumbra_shaders::{Job, jobs};
 
 use crate::compute_pipeline::rows_of;
-use crate::frame_graph::{CULL, FrameGraph, Shared};
+use crate::frame_graph::{CULL, FrameGraph};
 use crate::judge::{
     AT_MIDDLES, BOXES_ALONE, CULL_UNKNOWN, Eye, FORGET, FRAME_LATE, GpuJudgedView, HostDepth,
     ONE_LOOK, PyramidNodes, WHOLE_BOXES, declare_pyramid, fill_pyramid,
@@ -210,11 +210,9 @@ impl FrameGraph<'_> {
         self.relies_on(Capability::BoxTest);
         let host = self.own_depth();
         let depth = view.targets.depth;
-        let Shared { gpu, pipelines, .. } = &mut *self.shared;
         let pyramid = fill_pyramid(
             self.graph,
-            gpu,
-            pipelines,
+            &self.shared.gpu,
             &view.named(""),
             (depth, host),
             view.size(),

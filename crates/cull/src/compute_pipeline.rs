@@ -1,19 +1,24 @@
 //! A compute pipeline made from one of the shaders, and how it is dispatched.
 
 use antumbra_graph::{Bind, BodyError, ComputeContext};
+use antumbra_shaders::Job;
 
 use crate::device::Gpu;
 
-/// A compute pipeline of one bind group.
-#[derive(Debug, Clone)]
+/// A compute pipeline of one bind group. Two are equal that are the same on a device.
+#[derive(Debug, Clone, PartialEq)]
 pub struct ComputePipeline {
     pipeline: wgpu::ComputePipeline,
     layout: wgpu::BindGroupLayout,
 }
 
 impl ComputePipeline {
-    /// Compiles an entry point of a shader. It is bound to what this entry point uses, so that others of the same shader may have bindings of their own.
-    pub fn new(gpu: &Gpu, job: &antumbra_shaders::Job, entry: &'static str) -> Self {
+    /// The pipeline of an entry point of a shader, compiled once a device. It is bound to what this entry point uses, so that others of the same shader may have bindings of their own.
+    pub fn new(gpu: &Gpu, job: &Job, entry: &'static str) -> Self {
+        gpu.compute_pipeline(job, entry).as_ref().clone()
+    }
+
+    pub(crate) fn compile(gpu: &Gpu, job: &Job, entry: &'static str) -> Self {
         let entries: Vec<_> = job
             .bindings
             .iter()

@@ -3,6 +3,7 @@
 //! Adapters are chosen by backend on purpose. Where Vulkan is missing, wgpu would silently fall back to a GL driver, and timings would not be
 //! comparable.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 use std::sync::{Arc, Mutex};
@@ -11,6 +12,7 @@ use antumbra_graph::CompileOptions;
 use antumbra_shaders::Job;
 use thiserror::Error;
 
+use crate::pipelines::Pipelines;
 use crate::renderer::{DEPTH_FORMAT, IDENTITY_FORMAT};
 use crate::self_test::SelfTests;
 
@@ -122,6 +124,7 @@ pub struct Gpu {
     failures: Arc<Mutex<Failures>>,
     /// What self-tests found, for all stages on this device.
     pub(crate) self_tests: Arc<SelfTests>,
+    pub(crate) pipelines: Arc<Pipelines>,
     /// Replaces the text of shaders; see [`Self::with_changed_shaders`].
     change: Option<ShaderChange>,
 }
@@ -219,25 +222,29 @@ impl Gpu {
             adapter: None,
             failures: Arc::default(),
             self_tests: Arc::default(),
+            pipelines: Arc::default(),
             change: None,
         }
     }
 
     /// The module of a shader, to make pipelines with.
     pub fn shader_module(&self, job: &Job) -> wgpu::ShaderModule {
+        let source = self.shader_text(job);
+        antumbra_shaders::module(
+            &self.device,
+            &Job {
+                source,
+                ..job.clone()
+            },
+        )
+    }
+
+    /// The text that a shader is compiled from.
+    pub(crate) fn shader_text(&self, job: &Job) -> Cow<'static, str> {
         let changed = self
             .change
             .and_then(|change| change(&job.name, &job.source));
-        match changed {
-            None => antumbra_shaders::module(&self.device, job),
-            Some(source) => {
-                let job = Job {
-                    source: source.into(),
-                    ..job.clone()
-                };
-                antumbra_shaders::module(&self.device, &job)
-            }
-        }
+        changed.map_or_else(|| job.source.clone(), Cow::Owned)
     }
 
     /// This device with a fault, for tests of what finds faults: all pipelines that are made with it have the changed shaders. Nothing is known of its self-tests.

@@ -20,7 +20,6 @@ use crate::draw_source::{DrawList, ListDraws};
 use crate::entities::SceneTable;
 use crate::narrowing::Narrowing;
 use crate::order::back_to_front;
-use crate::pipelines::Pipelines;
 use crate::renderer::{DEPTH_FORMAT, IDENTITY_FORMAT, Renderer, ShadeTargets};
 use crate::resident_scene::ResidentScene;
 use crate::self_test::Capability;
@@ -61,7 +60,6 @@ pub(crate) struct Shared {
     pub colour_format: wgpu::TextureFormat,
     pub samples: u32,
     pub output: StageOutput,
-    pub pipelines: Pipelines,
     /// The trees, one a shape, for all views.
     pub trees: HashMap<HierarchyShape, Host<Tree>>,
     /// The scene on the device, for all views.
@@ -188,19 +186,12 @@ impl<'g> FrameGraph<'g> {
     /// The pipeline that draws boxes for queries.
     pub fn box_pipeline(&mut self) -> Arc<BoxPipeline> {
         self.relies_on(Capability::OcclusionQueries);
-        let Shared {
-            gpu,
-            pipelines,
-            samples,
-            ..
-        } = &mut *self.shared;
-        pipelines.boxes(gpu, *samples)
+        self.shared.gpu.box_pipeline(self.shared.samples)
     }
 
-    /// A compute pipeline of one bind group, of the bindings that the entry point uses. It is made once a stage.
+    /// A compute pipeline of one bind group, of the bindings that the entry point uses. It is compiled once a device.
     pub fn compute_pipeline(&mut self, job: &Job, entry: &'static str) -> Arc<ComputePipeline> {
-        let Shared { gpu, pipelines, .. } = &mut *self.shared;
-        pipelines.compute(gpu, job, entry)
+        self.shared.gpu.compute_pipeline(job, entry)
     }
 
     /// A list of at most `most` boxes, and the buffer that they are uploaded to.

@@ -74,7 +74,6 @@ use submitted::Submitted;
 
 use crate::box_test::TestDetail;
 use crate::device::Gpu;
-use crate::pipelines::Pipelines;
 use crate::verdict::Verdicts;
 
 /// In how many phases a host draws.
@@ -125,7 +124,6 @@ pub struct Judge {
     gpu: Gpu,
     options: JudgeOptions,
     views: Vec<Judged>,
-    pipelines: Pipelines,
     first: FirstPlan,
     test: TestPlan,
     begun: Option<Begun>,
@@ -205,12 +203,11 @@ impl Judge {
                 });
             }
         }
-        let mut pipelines = Pipelines::default();
         Ok(Self {
             gpu: gpu.clone(),
             options,
-            first: FirstPlan::new(gpu, &mut pipelines, &views)?,
-            test: TestPlan::new(gpu, &mut pipelines, &views)?,
+            first: FirstPlan::new(gpu, &views)?,
+            test: TestPlan::new(gpu, &views)?,
             views: views
                 .into_iter()
                 .map(|spec| Judged {
@@ -223,7 +220,6 @@ impl Judge {
                     inside: Vec::new(),
                 })
                 .collect(),
-            pipelines,
             begun: None,
             submitted: Submitted::default(),
             of: None,
@@ -489,17 +485,17 @@ impl Judge {
         }
         let specs = self.views.iter().map(|view| view.spec.clone());
         let specs: Vec<JudgeView> = specs.collect();
-        self.test = TestPlan::new(&self.gpu, &mut self.pipelines, &specs)?;
+        self.test = TestPlan::new(&self.gpu, &specs)?;
         Ok(true)
     }
 }
 
 impl FirstPlan {
-    fn new(gpu: &Gpu, pipelines: &mut Pipelines, specs: &[JudgeView]) -> Result<Self, JudgeError> {
+    fn new(gpu: &Gpu, specs: &[JudgeView]) -> Result<Self, JudgeError> {
         let mut graph = Graph::new("judge: first");
         let views = specs.iter().map(|spec| {
             let prefix = prefix(spec, specs.len());
-            passes::first(&mut graph, gpu, pipelines, &prefix)
+            passes::first(&mut graph, gpu, &prefix)
         });
         let views = views.collect();
         let plan = graph.compile(&CompileOptions::embedded(&gpu.device))?;
@@ -508,13 +504,13 @@ impl FirstPlan {
 }
 
 impl TestPlan {
-    fn new(gpu: &Gpu, pipelines: &mut Pipelines, specs: &[JudgeView]) -> Result<Self, JudgeError> {
+    fn new(gpu: &Gpu, specs: &[JudgeView]) -> Result<Self, JudgeError> {
         let mut graph = Graph::new("judge: test");
         let views = specs.iter().map(|spec| {
             let prefix = prefix(spec, specs.len());
             let JudgeView { size, depth, .. } = *spec;
             let desc = TestDesc { depth, size };
-            passes::test(&mut graph, gpu, pipelines, &prefix, desc)
+            passes::test(&mut graph, gpu, &prefix, desc)
         });
         Ok(Self {
             views: views.collect(),

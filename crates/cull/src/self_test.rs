@@ -28,7 +28,6 @@ pub use report::{Capability, Failure, Outcome, SelfTestReport};
 
 use crate::counting::Counting;
 use crate::device::{DeviceError, Gpu};
-use crate::pipelines::Pipelines;
 
 /// What the self-tests of a device found, by samples a pixel. A report has what was tried so far.
 #[derive(Debug, Default)]
@@ -42,15 +41,14 @@ impl Gpu {
     /// [`DeviceError::Samples`] for samples that the device does not have; [`DeviceError::Lost`] where the device is lost meanwhile.
     pub fn self_test(&self, samples: u32) -> Result<Arc<SelfTestReport>, DeviceError> {
         let all = Capability::ALL.into_iter().collect();
-        self.tried(samples, &all, &mut Pipelines::default())
+        self.tried(samples, &all)
     }
 
-    /// The same of these capabilities alone, with the pipelines of a stage.
+    /// The same of these capabilities alone.
     pub(crate) fn tried(
         &self,
         samples: u32,
         capabilities: &BTreeSet<Capability>,
-        pipelines: &mut Pipelines,
     ) -> Result<Arc<SelfTestReport>, DeviceError> {
         self.check_samples(samples)?;
         let tests = &self.self_tests.0;
@@ -65,7 +63,7 @@ impl Gpu {
         new.retain(|capability| known.outcome(*capability).is_none());
         if !new.is_empty() {
             let mut outcomes = known.outcomes.clone();
-            outcomes.extend(run(self, samples, new, pipelines)?);
+            outcomes.extend(run(self, samples, new)?);
             outcomes.sort_by_key(|(capability, _)| *capability);
             *known = Arc::new(SelfTestReport { samples, outcomes });
         }
@@ -78,9 +76,8 @@ fn run(
     gpu: &Gpu,
     samples: u32,
     capabilities: BTreeSet<Capability>,
-    pipelines: &mut Pipelines,
 ) -> Result<Vec<(Capability, Outcome)>, DeviceError> {
-    let mut bench = Bench::new(gpu, pipelines, samples);
+    let mut bench = Bench::new(gpu, samples);
     let scene = bench.attempt(Scene::new);
     let mut trials = Vec::new();
     for capability in capabilities {

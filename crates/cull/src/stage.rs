@@ -32,7 +32,6 @@ use crate::candidates::{Candidates, Queried};
 use crate::count_layout::CountLayout;
 use crate::device::Gpu;
 use crate::narrowing::{Narrowing, hide};
-use crate::pipelines::Pipelines;
 use crate::read_back;
 use crate::renderer::Renderer;
 use crate::samples::Samples;
@@ -52,7 +51,6 @@ pub struct Stage {
     options: StageOptions,
     built: Built,
     kept: KeptPlans,
-    pipelines: Pipelines,
     renderer: Box<dyn Renderer>,
     /// Why there is another plan, until a frame has run with it.
     rebuilt: Option<Rebuilt>,
@@ -110,10 +108,8 @@ impl Stage {
             .budget
             .map(|budget| BudgetController::new(budget, strategy.as_mut(), options.mode))
             .transpose()?;
-        let mut pipelines = Pipelines::default();
         let mut renderer = scene.renderer();
         let inherited = Inherited {
-            pipelines: &mut pipelines,
             audits: &[],
             frames: 0,
             step: step(controller.as_ref()),
@@ -131,7 +127,6 @@ impl Stage {
             options,
             built,
             kept: KeptPlans::default(),
-            pipelines,
             renderer,
             rebuilt: None,
             cuts,
@@ -296,7 +291,6 @@ impl Stage {
         }
         let inherited = Inherited {
             trust: self.trust(),
-            pipelines: &mut self.pipelines,
             audits: &self.audits,
             frames: self.frames,
             step: step(self.controller.as_ref()),

@@ -21,13 +21,14 @@ pub struct GpuView {
 assert_layout!(GpuView, "depth", "View", { clip_from_relative, eye_high, pixels_wide, eye_low, pixels_high });
 
 impl GpuView {
-    /// The view of a matrix, from the world's origin, with an image of `size` pixels.
-    pub(crate) fn of_matrix(clip_from_relative: Mat4, size: [u32; 2]) -> Self {
+    /// The view from `eye` by a matrix from world space relative to it, with an image of `size` pixels.
+    pub(crate) fn new(clip_from_relative: Mat4, eye: DVec3, size: [u32; 2]) -> Self {
+        let SplitPoint { high, low } = SplitPoint::new(eye);
         Self {
             clip_from_relative: clip_from_relative.to_cols_array(),
-            eye_high: [0.0; 3],
+            eye_high: high,
             pixels_wide: size[0] as f32,
-            eye_low: [0.0; 3],
+            eye_low: low,
             pixels_high: size[1] as f32,
         }
     }
@@ -99,15 +100,7 @@ impl ViewFrame {
 
     /// The uniform that shaders read.
     pub fn uniform(&self) -> GpuView {
-        let clip_from_relative = self.clip_from_relative();
-        let eye = SplitPoint::new(self.camera.position);
-        GpuView {
-            clip_from_relative: clip_from_relative.to_cols_array(),
-            eye_high: eye.high,
-            pixels_wide: self.size[0] as f32,
-            eye_low: eye.low,
-            pixels_high: self.size[1] as f32,
-        }
+        GpuView::new(self.clip_from_relative(), self.camera.position, self.size)
     }
 
     /// A lower bound of the pixels that a length, in metres, covers anywhere within these bounds, seen from the side.

@@ -1,5 +1,6 @@
+//!import eye_relative
 //!import judged_instance
-// A judged instance's box as the eye of `view` sees it: differences are taken of both halves of a coordinate, so they are exact far from the origin.
+// A judged instance's box as the eye of `view` sees it.
 
 // A box relative to the eye.
 struct RelativeBox {
@@ -14,10 +15,9 @@ struct RelativeBox {
 }
 
 fn relative_box(instance: JudgedInstance) -> RelativeBox {
-    let high = vec3<f32>(instance.row_x.w, instance.row_y.w, instance.row_z.w) - view.eye_high;
-    let low = instance.centre_low - view.eye_low;
+    let high = vec3<f32>(instance.row_x.w, instance.row_y.w, instance.row_z.w);
     var made: RelativeBox;
-    made.centre = high + low;
+    made.centre = eye_relative(high, instance.centre_low);
     made.x = vec3<f32>(instance.row_x.x, instance.row_y.x, instance.row_z.x);
     made.y = vec3<f32>(instance.row_x.y, instance.row_y.y, instance.row_z.y);
     made.z = vec3<f32>(instance.row_x.z, instance.row_y.z, instance.row_z.z);

@@ -1,6 +1,4 @@
-// The view's uniform. World positions are f64 on the host. The eye is the sum of two f32 (high + low), so subtracting it from an instance's
-// origin is exact to about 48 bits.
-// (Relative to the eye with two floats a coordinate: Cozzi and Ring, 3D Engine Design for Virtual Globes, 2011, section 5.4.)
+// The view's uniform. World positions are f64 on the host. The eye is the sum of two f32 (high + low).
 struct View {
     // Rotation and projection: from world space relative to the camera to clip space, with reversed depth.
     clip_from_relative: mat4x4<f32>,

@@ -11,7 +11,6 @@ use super::view::JudgeView;
 use crate::compute_pipeline::rows_of;
 use crate::device::Gpu;
 use crate::frame_graph::CULL;
-use crate::pipelines::Pipelines;
 
 /// A view's imports in either plan.
 #[derive(Debug, Clone, Copy)]
@@ -67,15 +66,10 @@ fn imports(graph: &mut Graph, prefix: &str) -> (Imports, Buffer) {
 }
 
 /// Declares what a view draws first.
-pub(super) fn first(
-    graph: &mut Graph,
-    gpu: &Gpu,
-    pipelines: &mut Pipelines,
-    prefix: &str,
-) -> FirstNodes {
+pub(super) fn first(graph: &mut Graph, gpu: &Gpu, prefix: &str) -> FirstNodes {
     let (imports, uniform) = imports(graph, prefix);
     let first = graph.import_buffer(format!("{prefix}first"), BufferDesc::new(4));
-    let pipeline = pipelines.compute(gpu, &jobs::judge_first::JOB, "choose");
+    let pipeline = gpu.compute_pipeline(&jobs::judge_first::JOB, "choose");
     let mut node = graph.compute(format!("{prefix}choose first"));
     node.group(CULL)
         .read(imports.view)
@@ -107,7 +101,6 @@ pub(super) struct TestDesc {
 pub(super) fn test(
     graph: &mut Graph,
     gpu: &Gpu,
-    pipelines: &mut Pipelines,
     prefix: &str,
     TestDesc { depth: host, size }: TestDesc,
 ) -> TestNodes {
@@ -115,8 +108,7 @@ pub(super) fn test(
     let [width, height] = size;
     let desc = TextureDesc::new(width, height, host.format).samples(host.samples);
     let depth = graph.import_texture(format!("{prefix}depth"), desc);
-    let PyramidNodes { layout, texels } =
-        depth_pyramid(graph, gpu, pipelines, prefix, (depth, host), size);
+    let PyramidNodes { layout, texels } = depth_pyramid(graph, gpu, prefix, (depth, host), size);
     let mask = |graph: &mut Graph, what: &str| {
         graph.import_buffer(format!("{prefix}{what}"), BufferDesc::new(4))
     };
@@ -127,7 +119,7 @@ pub(super) fn test(
         1 => &jobs::judge_one::JOB,
         _ => &jobs::judge_many::JOB,
     };
-    let pipeline = pipelines.compute(gpu, job, "test");
+    let pipeline = gpu.compute_pipeline(job, "test");
     let mut node = graph.compute(format!("{prefix}test"));
     node.group(CULL)
         .read(imports.view)

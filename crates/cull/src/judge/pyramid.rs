@@ -14,7 +14,6 @@ use super::depth::HostDepth;
 use crate::compute_pipeline::ComputePipeline;
 use crate::device::Gpu;
 use crate::frame_graph::CULL;
-use crate::pipelines::Pipelines;
 
 /// Mirrors `Pyramid` of `shared/pyramid.wgsl`.
 #[repr(C)]
@@ -95,13 +94,12 @@ pub(crate) struct PyramidNodes {
 pub(crate) fn depth_pyramid(
     graph: &mut Graph,
     gpu: &Gpu,
-    pipelines: &mut Pipelines,
     prefix: &str,
     depth: (Texture, HostDepth),
     size: [u32; 2],
 ) -> PyramidNodes {
     let declared = declare_pyramid(graph, prefix, depth.1, size);
-    fill_pyramid(graph, gpu, pipelines, prefix, depth, size, declared)
+    fill_pyramid(graph, gpu, prefix, depth, size, declared)
 }
 
 /// Adds the node that lays a pyramid out. Its texels are not written yet; those of the last frame can be read.
@@ -130,14 +128,13 @@ pub(crate) fn declare_pyramid(
 pub(crate) fn fill_pyramid(
     graph: &mut Graph,
     gpu: &Gpu,
-    pipelines: &mut Pipelines,
     prefix: &str,
     (texture, host): (Texture, HostDepth),
     size: [u32; 2],
     PyramidNodes { layout, texels }: PyramidNodes,
 ) -> PyramidNodes {
     let made = GpuPyramid::new(size, host);
-    let reduce = pipelines.compute(gpu, first_levels(host), "reduce");
+    let reduce = gpu.compute_pipeline(first_levels(host), "reduce");
     let mut node = graph.compute(format!("{prefix}first levels"));
     node.group(CULL).storage_read(layout).sample(texture);
     let texels = node.storage_write(texels);
@@ -155,7 +152,7 @@ pub(crate) fn fill_pyramid(
     }
     let texels = rest(
         graph,
-        pipelines.compute(gpu, &jobs::pyramid_rest::JOB, "rest"),
+        gpu.compute_pipeline(&jobs::pyramid_rest::JOB, "rest"),
         prefix,
         layout,
         texels,

@@ -7,13 +7,11 @@ use wgpu::util::DeviceExt;
 use super::picture::{Painted, Rect, SHUTTER};
 use super::report::Failure;
 use crate::device::{DeviceError, Gpu};
-use crate::pipelines::Pipelines;
 use crate::read_back;
 
 /// Where trials are recorded.
 pub(super) struct Bench<'a> {
     pub gpu: &'a Gpu,
-    pub pipelines: &'a mut Pipelines,
     /// Samples a pixel.
     pub samples: u32,
     pub encoder: wgpu::CommandEncoder,
@@ -23,10 +21,9 @@ pub(super) struct Bench<'a> {
 }
 
 impl<'a> Bench<'a> {
-    pub fn new(gpu: &'a Gpu, pipelines: &'a mut Pipelines, samples: u32) -> Self {
+    pub fn new(gpu: &'a Gpu, samples: u32) -> Self {
         Self {
             gpu,
-            pipelines,
             samples,
             encoder: encoder(gpu),
             recorded: Vec::new(),

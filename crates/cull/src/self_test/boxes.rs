@@ -3,13 +3,12 @@
 use antumbra_shaders::jobs;
 
 use super::bench::Bench;
-use super::picture::{CLIP_FROM_RELATIVE, Rect, SIZE, WALL};
+use super::picture::{CLIP_FROM_RELATIVE, EYE, Rect, SIZE, WALL};
 use super::pyramid;
 use super::scene::Scene;
 use super::trial::{Answer, Expected, Trial};
 use crate::entities::GpuPartBox;
 use crate::judge::{AT_MIDDLES, Eye, GpuJudgedView, HostDepth, JudgedInstance, Part};
-use glam::DVec3;
 
 /// A box, and what is known of it.
 struct Case {
@@ -163,7 +162,7 @@ pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> Trial {
     let cases = cases(bench.shutter());
     let count = cases.len();
     let flags = if samples == 1 { AT_MIDDLES } else { 0 };
-    let eye = Eye::new(CLIP_FROM_RELATIVE, DVec3::ZERO);
+    let eye = Eye::new(CLIP_FROM_RELATIVE, EYE);
     let view = GpuJudgedView::new(&eye, SIZE, host, count as u32, flags);
     let instances: Vec<_> = cases.iter().map(|case| case.instance).collect();
     let seen: Vec<_> = cases.iter().map(|case| u32::from(case.seen)).collect();
@@ -177,7 +176,7 @@ pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> Trial {
         1 => &jobs::test_slots_one::JOB,
         _ => &jobs::test_slots_many::JOB,
     };
-    let pipeline = bench.pipelines.compute(bench.gpu, job, "test_slots");
+    let pipeline = bench.gpu.compute_pipeline(job, "test_slots");
     let binds = [
         (0, view.as_entire_binding()),
         (1, instances.as_entire_binding()),

@@ -146,9 +146,7 @@ pub(super) fn record(bench: &mut Bench<'_>) -> Trial {
         ),
     ];
     for (entry, bindings, groups) in steps {
-        let pipeline = bench
-            .pipelines
-            .compute(bench.gpu, &jobs::compact::JOB, entry);
+        let pipeline = bench.gpu.compute_pipeline(&jobs::compact::JOB, entry);
         let used = bound
             .iter()
             .filter(|(binding, _)| bindings.contains(binding))

@@ -31,7 +31,7 @@ pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> Trial {
         1 => &jobs::histogram_one::JOB,
         _ => &jobs::histogram_many::JOB,
     };
-    let histogram = bench.pipelines.compute(bench.gpu, job, "count");
+    let histogram = bench.gpu.compute_pipeline(job, "count");
     let counts = bench.zeroes(scene.tested.count() as usize);
     let binds = [
         (0, wgpu::BindingResource::TextureView(&ids)),

@@ -6,15 +6,20 @@ use std::ops::Range;
 
 use antumbra_shaders::assert_layout;
 use bytemuck::{Pod, Zeroable};
-use glam::Mat4;
+use glam::{DVec3, Mat4, Vec3};
 
 use crate::judge::{JudgedInstance, Part};
+use crate::split_point::SplitPoint;
 
 /// Width and height of the picture. Neither is a power of two, so that the pyramid's levels have odd sides; the longer one has a level above 6.
 pub(super) const SIZE: [u32; 2] = [100, 70];
 
-/// The clip space of the picture is its world: x to the right, y upwards, and depth.
+/// The clip space of the picture is its world, seen from `EYE`: x to the right, y upwards, and depth.
 pub(super) const CLIP_FROM_RELATIVE: Mat4 = Mat4::IDENTITY;
+
+/// Where the picture is seen from: so far from the world's origin that an f32 has steps of half a unit. A device that joins the halves of a coordinate before it subtracts the eye draws another
+/// picture.
+pub(super) const EYE: DVec3 = DVec3::splat(6e6);
 
 /// A rectangle.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,16 +64,17 @@ impl Rect {
     /// The instance that draws the quad from -1 to 1 as this rectangle.
     pub fn instance(&self, size: [u32; 2]) -> GpuInstance {
         let [[x, y], [half_x, half_y]] = self.place(size);
+        let SplitPoint { high, low } = in_world([x, y, self.depth]);
         GpuInstance {
-            row_x: [half_x, 0.0, 0.0, x],
-            row_y: [0.0, half_y, 0.0, y],
-            row_z: [self.tilt[0], self.tilt[1], 1.0, self.depth],
-            origin_low: [0.0; 3],
+            row_x: [half_x, 0.0, 0.0, high[0]],
+            row_y: [0.0, half_y, 0.0, high[1]],
+            row_z: [self.tilt[0], self.tilt[1], 1.0, high[2]],
+            origin_low: low,
             material: 0,
         }
     }
 
-    /// Centre and half edges of the box whose near face this rectangle is, so deep.
+    /// Centre, relative to the eye, and half edges of the box whose near face this rectangle is, so deep.
     pub fn solid(&self, deep: f32) -> [[f32; 3]; 4] {
         let [[x, y], [half_x, half_y]] = self.place(SIZE);
         let half = deep * 0.5;
@@ -83,12 +89,13 @@ impl Rect {
     /// The same box as it is judged.
     pub fn judged(&self, deep: f32, part: Part) -> JudgedInstance {
         let [centre, x, y, z] = self.solid(deep);
-        let row = |axis: usize| [x[axis], y[axis], z[axis], centre[axis]];
+        let SplitPoint { high, low } = in_world(centre);
+        let row = |axis: usize| [x[axis], y[axis], z[axis], high[axis]];
         JudgedInstance {
             row_x: row(0),
             row_y: row(1),
             row_z: row(2),
-            centre_low: [0.0; 3],
+            centre_low: low,
             traits: JudgedInstance::traits(part, 0),
         }
     }
@@ -100,6 +107,11 @@ impl Rect {
         let rows = self.y.start.min(height)..self.y.end.min(height);
         rows.flat_map(move |y| columns.clone().map(move |x| (y * width + x) as usize))
     }
+}
+
+/// A place relative to the eye in the world.
+fn in_world(relative: [f32; 3]) -> SplitPoint {
+    SplitPoint::new(EYE + Vec3::from(relative).as_dvec3())
 }
 
 /// Mirrors `Instance` of `shared/instance.wgsl`.

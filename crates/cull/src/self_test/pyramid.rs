@@ -36,12 +36,8 @@ pub(super) fn make(bench: &mut Bench<'_>, scene: &Scene) -> Pyramid {
     let made = GpuPyramid::new(SIZE, host);
     let layout = bench.buffer(&[made], wgpu::BufferUsages::STORAGE);
     let texels = bench.zeroes(made.texels() as usize);
-    let reduce = bench
-        .pipelines
-        .compute(bench.gpu, first_levels(host), "reduce");
-    let rest = bench
-        .pipelines
-        .compute(bench.gpu, &jobs::pyramid_rest::JOB, "rest");
+    let reduce = bench.gpu.compute_pipeline(first_levels(host), "reduce");
+    let rest = bench.gpu.compute_pipeline(&jobs::pyramid_rest::JOB, "rest");
     let buffers = [
         (5, layout.as_entire_binding()),
         (6, texels.as_entire_binding()),

@@ -29,7 +29,7 @@ pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> Trial {
         bench.gpu,
         &RasterDesc::depth(DepthUse::Tests, bench.samples),
     );
-    let boxes = bench.pipelines.boxes(bench.gpu, bench.samples);
+    let boxes = bench.gpu.box_pipeline(bench.samples);
     let solids: Vec<GpuBox> = all
         .iter()
         .map(|(rect, _)| {

@@ -3,7 +3,7 @@
 use antumbra_shaders::{Job, jobs};
 
 use super::bench::Bench;
-use super::picture::{CLIP_FROM_RELATIVE, GpuInstance, Rect};
+use super::picture::{CLIP_FROM_RELATIVE, EYE, GpuInstance, Rect};
 use crate::device::Gpu;
 use crate::renderer::{DEPTH_FORMAT, IDENTITY_FORMAT};
 use crate::view::GpuView;
@@ -208,7 +208,7 @@ impl Sheets {
             [1.0, 1.0, 0.0],
             [-1.0, 1.0, 0.0],
         ];
-        let view = GpuView::of_matrix(CLIP_FROM_RELATIVE, size);
+        let view = GpuView::new(CLIP_FROM_RELATIVE, EYE, size);
         Self {
             view: bench.buffer(&[view], wgpu::BufferUsages::UNIFORM),
             instances: bench.buffer(&instances, wgpu::BufferUsages::STORAGE),

@@ -12,7 +12,6 @@ use crate::audit::{Audit, Lessons};
 use crate::draw_source::DrawSource;
 use crate::frame_graph::{CULL, DRAW, FrameGraph, Shared, Shown};
 use crate::narrowing::Narrowing;
-use crate::pipelines::Pipelines;
 use crate::renderer::{DEPTH_FORMAT, Renderer, Targets, ViewInputs};
 use crate::stage_scene::{SceneFrame, SceneLayout, StageScene};
 use crate::strategy::{SetVerdicts, Strategy, VerdictSource};
@@ -114,7 +113,6 @@ impl Stretch {
 
 /// What earlier plans of a stage leave to the next one.
 pub(super) struct Inherited<'a> {
-    pub pipelines: &'a mut Pipelines,
     pub audits: &'a [Audit],
     /// Frames that the stage has run.
     pub frames: u64,
@@ -145,7 +143,6 @@ pub(super) fn build(
         colour_format: options.colour_format,
         samples: options.samples,
         output: options.output,
-        pipelines: std::mem::take(inherited.pipelines),
         trees: HashMap::new(),
         resident: None,
         shown: Vec::new(),
@@ -160,8 +157,6 @@ pub(super) fn build(
         options,
         &mut inherited,
     );
-    // Also on failure: what was compiled stays compiled.
-    *inherited.pipelines = std::mem::take(&mut shared.pipelines);
     let views = declared?;
     let compile = CompileOptions {
         mode: options.mode,

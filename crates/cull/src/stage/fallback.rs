@@ -69,7 +69,7 @@ impl Stage {
             // Other steps rely on other things.
             which.extend(Capability::ALL);
         }
-        let report = self.gpu.tried(samples, &which, &mut self.pipelines)?;
+        let report = self.gpu.tried(samples, &which)?;
         self.tested = Some(Arc::clone(&report));
         Ok(report)
     }

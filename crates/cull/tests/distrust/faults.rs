@@ -219,8 +219,29 @@ pub const LOST_INSTANCE: Fault = Fault {
     breaks: &[Capability::IdHistogram, Capability::IndirectFirstInstance],
 };
 
+/// A compiler joins the halves of coordinates before it subtracts the eye.
+pub const REORDERED: Fault = Fault {
+    name: "reordered positions",
+    change: |_, source| {
+        let halves = "bitcast<vec3<f32>>(far) + bitcast<vec3<f32>>(near)";
+        let joined = "(high + low) - (view.eye_high + view.eye_low)";
+        source
+            .contains(halves)
+            .then(|| source.replace(halves, joined))
+    },
+    breaks: &[
+        Capability::FragmentAtomics,
+        Capability::FragmentCompare,
+        Capability::IdHistogram,
+        Capability::OcclusionQueries,
+        Capability::DepthPyramid,
+        Capability::IndirectFirstInstance,
+    ],
+};
+
 /// All of them.
-pub const ALL: [Fault; 13] = [
+pub const ALL: [Fault; 14] = [
+    REORDERED,
     LOST_COUNT,
     LOST_COUNTS,
     LOST_HISTOGRAM,
