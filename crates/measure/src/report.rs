@@ -322,6 +322,13 @@ impl StrategyReport {
         }
     }
 
+    /// The sum of the passes' GPU times, milliseconds, where it exceeds the serialised frame by more than a tenth, as a sum of medians may: passes overlap on this GPU, as they do on tiled ones, and each time says how long its pass was
+    /// under way and not what it costs.
+    pub fn overlapping_passes_ms(&self) -> Option<f64> {
+        let sum: f64 = self.passes.iter().filter_map(|pass| pass.gpu_ms).sum();
+        (sum > 1.1 * self.frame_ms.median).then_some(sum)
+    }
+
     /// Time of `ideal` over its own time: 1 is perfect. `None` where `ideal` was not measured.
     pub fn efficiency(&self) -> Option<f64> {
         self.time_vs_ideal

@@ -319,3 +319,25 @@ fn odd_sweeps_are_drawn_too() {
     let html = page(&strange, dir.path()).unwrap();
     assert!(!html.contains("<script") && !html.contains("<img src=x"));
 }
+
+#[test]
+fn passes_that_overlap_are_said_to() {
+    let mut report = synthetic::report();
+    let dir = tempfile::tempdir().unwrap();
+    let text = |report: &Report| page(report, dir.path()).unwrap();
+    assert!(!text(&report).contains("overlap on this GPU"));
+    let strategy = &mut report.strategies[0];
+    strategy.frame_ms.median = 3.0;
+    let times = [0.5, 1.0, 1.5];
+    for (pass, time) in strategy.passes.iter_mut().zip(times) {
+        pass.gpu_ms = Some(time);
+    }
+    assert_eq!(strategy.overlapping_passes_ms(), None);
+    strategy.passes[0].gpu_ms = Some(0.75);
+    assert_eq!(strategy.overlapping_passes_ms(), None, "a sum of medians");
+    strategy.passes[0].gpu_ms = Some(1.0);
+    assert_eq!(strategy.overlapping_passes_ms(), Some(3.5));
+    let text = text(&report);
+    let words = "together 3.50 ms in a frame of 3.00 ms";
+    assert!(text.contains(words), "{text}");
+}

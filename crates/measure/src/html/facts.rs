@@ -18,8 +18,15 @@ pub(super) fn passes(report: &Report) -> String {
         .iter()
         .map(|strategy| {
             let rows: String = strategy.passes.iter().map(pass).collect();
+            let overlap = strategy.overlapping_passes_ms().map_or_else(String::new, |sum| {
+                format!(
+                    "<p>The passes overlap on this GPU: together {} ms in a frame of {} ms. A time says how long its pass was under way.</p>\n",
+                    format::milliseconds(sum),
+                    format::milliseconds(strategy.frame_ms.median)
+                )
+            });
             format!(
-                "<h3>{}</h3>\n<table class=\"narrow\"><thead><tr><th>pass</th><th>group</th><th class=\"n\">GPU<small>ms</small></th>\
+                "<h3>{}</h3>\n{overlap}<table class=\"narrow\"><thead><tr><th>pass</th><th>group</th><th class=\"n\">GPU<small>ms</small></th>\
                  <th class=\"n\">CPU<small>ms</small></th></tr></thead><tbody>\n{rows}</tbody></table>\n",
                 escape(strategy.title())
             )
