@@ -63,7 +63,7 @@ pub fn measure(
     let losses = input.left_out.losses().iter();
     comparison.report.scene.left_out = losses
         .map(|loss| MissingParts {
-            part: loss.part.name(1).to_owned(),
+            part: loss.part.name(loss.count).to_owned(),
             count: loss.count,
             reason: loss.reason.clone(),
         })

@@ -39,12 +39,12 @@ fn lines(report: &Report, strategy: &StrategyReport) -> Vec<String> {
         .collect()
 }
 
-/// ", 12 % of the pixels that entities own"; nothing in old reports.
+/// " (12 % of the pixels that entities own)"; nothing in old reports.
 fn of_owned(strategy: &StrategyReport) -> String {
     let owned = strategy.error.wrong_of_owned_percent;
     owned.map_or_else(String::new, |owned| {
         let percent = format::percent(owned.mean);
-        format!(", which is {percent} % {}", ErrorBasis::Owned.words())
+        format!(" ({percent} % {})", ErrorBasis::Owned.words())
     })
 }
 
@@ -73,7 +73,7 @@ fn budget_line(strategy: &StrategyReport, budget: &BudgetReport) -> String {
     let outcome = match (budget.kept, budget.kept_of_owned) {
         (Some(true), Some(false)) => {
             format!(
-                "kept of the image with {wrong} % wrong pixels on average{owned}: not kept of these"
+                "kept as a share of the image with {wrong} % wrong pixels on average{owned}; not kept as a share of the pixels that entities own"
             )
         }
         (Some(true), _) => format!("kept with {wrong} % wrong pixels on average{owned}"),

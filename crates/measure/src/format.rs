@@ -75,14 +75,13 @@ pub(crate) fn flip(flip: f64) -> String {
     }
 }
 
-/// A number and its noun, in the plural but for exactly one. Of "level of detail" the first word is the noun.
+/// A number and its noun, in the plural but for exactly one.
 pub(crate) fn plural(n: u64, noun: &str) -> String {
     let number = count(n as f64);
-    let (noun, rest) = noun.split_at(noun.find(" of ").unwrap_or(noun.len()));
     match (n, noun.strip_suffix('y')) {
-        (1, _) => format!("1 {noun}{rest}"),
-        (_, Some(stem)) => format!("{number} {stem}ies{rest}"),
-        (_, None) => format!("{number} {noun}s{rest}"),
+        (1, _) => format!("1 {noun}"),
+        (_, Some(stem)) => format!("{number} {stem}ies"),
+        (_, None) => format!("{number} {noun}s"),
     }
 }
 

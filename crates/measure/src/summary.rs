@@ -88,8 +88,7 @@ pub fn summarise(report: &Report, strategy: &StrategyReport) -> Summary {
 
 /// The pixels in which a strategy shows another entity of equal depth, in words; `None` without any.
 fn ties(strategy: &StrategyReport) -> Option<String> {
-    let ties = strategy.error.ties?;
-    let percent = ties.culled_percent.mean + ties.shown_percent.mean;
+    let percent = strategy.error.ties?.percent();
     (percent > 0.0).then(|| {
         let percent = format::percent(percent);
         format!("ties in {percent} % of the image (another entity of equal depth is shown)")

@@ -5,11 +5,14 @@ use std::io::IsTerminal;
 use unicode_width::UnicodeWidthStr;
 
 use crate::format;
-use crate::report::{MissingParts, Report, StrategyReport};
+use crate::report::{Report, StrategyReport};
 
 mod eyes;
+mod facts;
 mod motion;
 mod sweep;
+
+pub use facts::facts;
 
 /// A report as rows and columns of text.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -204,10 +207,7 @@ const COLUMNS: &[Definition] = &[
 
 /// Pixels that show another entity of equal depth; a column that is left out where no strategy has any.
 fn ties(report: &Report, strategy: &StrategyReport) -> Option<String> {
-    let percent = |s: &StrategyReport| {
-        let ties = s.error.ties?;
-        Some(ties.culled_percent.mean + ties.shown_percent.mean)
-    };
+    let percent = |s: &StrategyReport| s.error.ties.map(|ties| ties.percent());
     let any = |s: &StrategyReport| percent(s).is_some_and(|percent| percent > 0.0);
     report.strategies.iter().find(|s| any(s))?;
     percent(strategy).map(format::percent)
@@ -362,71 +362,6 @@ impl Table {
 /// Whether to colour the output to a stream: it is a terminal, and `NO_COLOR` is not set.
 pub fn wants_colour(stream: &impl IsTerminal) -> bool {
     stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty())
-}
-
-/// The comparison in two lines: first the scene with the views and the path, then the adapter and the noise.
-pub fn facts(report: &Report) -> [String; 2] {
-    let scene = &report.scene;
-    let path = if scene.path.is_empty() {
-        String::new()
-    } else {
-        format!(" along {}", format::clean(&scene.path))
-    };
-    let [width, height] = scene.size;
-    let samples = match scene.samples {
-        1 => String::new(),
-        many => format!(" of {many} samples"),
-    };
-    let eyes = scene.stereo.map_or_else(String::new, |stereo| {
-        format!(
-            " (eyes {} m apart, converging at {} m)",
-            format::metres(stereo.interocular),
-            format::metres(stereo.convergence)
-        )
-    });
-    let motion = scene
-        .motion
-        .as_ref()
-        .map_or_else(String::new, motion::words);
-    let noise = match report.noise.frame_time_ratio_p95 {
-        Some(ratio) => format!("noise {} %", format::percent((ratio - 1.0) * 100.0)),
-        None => "noise not measured".to_owned(),
-    };
-    let missing = scene.left_out.iter().map(|parts| {
-        let MissingParts {
-            part,
-            count,
-            reason,
-        } = parts;
-        let parts = format::plural(*count, &format::clean(part));
-        format!("{parts} ({})", format::clean(reason))
-    });
-    let missing = match missing.collect::<Vec<_>>().join(", ") {
-        none if none.is_empty() => none,
-        parts => format!("; left out of its file: {parts}"),
-    };
-    let owned = scene.owned_percent.map_or_else(String::new, |percent| {
-        format!(
-            "; entities own {} % of the pixels",
-            format::percent(percent)
-        )
-    });
-    [
-        format!(
-            "scene {}: {}, {}; {width} x {height} pixels{samples}, {}{eyes}, {}{path}{motion}{owned}{missing}",
-            format::clean(&scene.name),
-            format::plural(scene.entities, "entity"),
-            format::plural(scene.triangles, "triangle"),
-            format::plural(u64::from(scene.views), "view"),
-            format::plural(scene.frames, "frame"),
-        ),
-        format!(
-            "adapter {} ({}, {}); {noise}",
-            format::clean(&report.adapter.name),
-            format::clean(&report.adapter.backend),
-            format::clean(&report.adapter.kind)
-        ),
-    ]
 }
 
 /// Escapes the characters that have a meaning in Markdown, or in HTML within it.

@@ -125,9 +125,9 @@ fn parts_that_a_scene_lacks_are_counted_in_words() {
     };
     report.scene.left_out = vec![
         lost("image", 1),
-        lost("image", 2),
-        lost("geometry", 2),
-        lost("level of detail", 2),
+        lost("images", 2),
+        lost("geometries", 2),
+        lost("levels of detail", 2),
     ];
     let [text, _] = facts(&report);
     let words = "1 image (missing), 2 images (missing), 2 geometries (missing), 2 levels of detail (missing)";

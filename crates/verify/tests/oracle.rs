@@ -146,6 +146,7 @@ fn ties_are_told_from_losses(gpu: &Gpu, samples: u32) {
     let tied = without(&[twin]);
     assert_eq!(tied.undrawn, [twin]);
     assert_eq!((tied.false_culls(), tied.wrong_pixels()), (0, 0));
+    assert!(tied.wrong.is_empty(), "a mask of nothing");
     let ties = tied.tie_pixels();
     assert!(ties > 0);
     // With both of them, the background is seen.

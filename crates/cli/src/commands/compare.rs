@@ -86,14 +86,14 @@ fn show(report: &Report, notes: &[String]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What the settings that follow the image are, and what share of wrong pixels the sentences below go by.
+/// What the settings that follow the image are, and what share of wrong pixels the recommendations go by.
 pub(super) fn print_basis(report: &Report) -> Result<(), Failure> {
     for line in following(report) {
         print(format_args!("{line}."))?;
     }
     if report.error_basis() == ErrorBasis::Owned {
         print(
-            "Entities own less than half of the pixels: what follows goes by wrong pixels as a share of those that they own.",
+            "Entities own less than half of the pixels: the recommendations go by wrong pixels as a share of those that they own.",
         )?;
     }
     Ok(())

@@ -45,6 +45,13 @@ pub struct Ties {
     pub shown_percent: MeanMax,
 }
 
+impl Ties {
+    /// Both kinds, in percent of the view, each the mean of the poses at which it is measured: all for the first, and those of FLIP for the second.
+    pub fn percent(&self) -> f64 {
+        self.culled_percent.mean + self.shown_percent.mean
+    }
+}
+
 /// Entities that own a pixel of the reference in at least one pose, and lost it in each pose in which they do.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct LostEntities {

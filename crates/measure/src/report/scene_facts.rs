@@ -43,7 +43,7 @@ pub struct SceneFacts {
 /// Parts of a scene's file that were left out for one reason.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct MissingParts {
-    /// Their kind, in the singular for any number: `image`, `animation`, ...
+    /// Their kind, in the plural but for exactly one: `image`, `animations`, ...
     pub part: String,
     /// Their number.
     pub count: u64,

@@ -77,6 +77,9 @@ impl Oracle {
             let over = self.render(scene, camera, over)?;
             found.set_ties_apart(reference, &seen, &over);
         }
+        if !found.wrong.contains(&true) {
+            found.wrong.clear();
+        }
         Ok(found)
     }
 }
