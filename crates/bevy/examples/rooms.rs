@@ -60,35 +60,33 @@ fn spawn(app: &mut App, rooms: u32, half: f32) {
         meshes.add(Cylinder::new(0.5, 1.0)),
     ];
     let mut materials = world.resource_mut::<Assets<StandardMaterial>>();
-    let plaster = materials.add(Color::srgb(0.8, 0.78, 0.74));
+    // No light comes into the rooms but what is everywhere: each way that a wall faces has its own tone.
+    let [floor, ceiling, along_x, along_z] = [0.35, 0.9, 0.75, 0.6]
+        .map(|tone| materials.add(Color::srgb(tone, tone * 0.97, tone * 0.92)));
     let paints: Vec<_> = (0..6)
         .map(|number| materials.add(Color::hsl(60.0 * number as f32, 0.6, 0.5)))
         .collect();
-    let mut wall = |middle: Vec3, size: Vec3| {
+    let mut wall = |middle: Vec3, size: Vec3, paint: &Handle<StandardMaterial>| {
         let place = Transform::from_translation(middle).with_scale(size);
-        world.spawn((Mesh3d(cube.clone()), MeshMaterial3d(plaster.clone()), place));
+        world.spawn((Mesh3d(cube.clone()), MeshMaterial3d(paint.clone()), place));
     };
     let size = 2.0 * half;
-    wall(Vec3::new(0.0, -0.05, 0.0), Vec3::new(size, 0.1, size));
-    wall(
-        Vec3::new(0.0, HEIGHT + 0.05, 0.0),
-        Vec3::new(size, 0.1, size),
-    );
+    let slab = Vec3::new(size, 0.1, size);
+    wall(Vec3::new(0.0, -0.05, 0.0), slab, &floor);
+    wall(Vec3::new(0.0, HEIGHT + 0.05, 0.0), slab, &ceiling);
     for line in 0..=rooms {
         let at = line as f32 * ROOM - half;
         for room in 0..rooms {
             let middle = (room as f32 + 0.5) * ROOM - half;
             let is_outer = line == 0 || line == rooms;
             // Along X and along Z.
-            for turn in [
-                Quat::IDENTITY,
-                Quat::from_rotation_y(std::f32::consts::FRAC_PI_2),
-            ] {
+            let quarter = Quat::from_rotation_y(std::f32::consts::FRAC_PI_2);
+            for (turn, paint) in [(Quat::IDENTITY, &along_x), (quarter, &along_z)] {
                 for (side, width, low) in parts(is_outer) {
                     let height = HEIGHT - low;
                     let place = turn * Vec3::new(middle + side, low + height * 0.5, at);
                     let size = turn * Vec3::new(width, height, 0.15);
-                    wall(place, size.abs());
+                    wall(place, size.abs(), paint);
                 }
             }
         }

@@ -1,4 +1,4 @@
-//! Shows what is culled: the boxes of what a camera has left out, and the volume that a frozen camera has seen. Off until its group is enabled.
+//! Shows what is culled: the boxes of what a camera has left out, and the volume that a frozen camera has seen. Off until its group is enabled, and then drawn over everything.
 
 use bevy::prelude::*;
 
@@ -39,7 +39,10 @@ pub(crate) fn add(app: &mut App) {
     }
     app.init_gizmo_group::<CullingGizmos>();
     let mut store = app.world_mut().resource_mut::<GizmoConfigStore>();
-    store.config_mut::<CullingGizmos>().0.enabled = false;
+    let config = store.config_mut::<CullingGizmos>().0;
+    config.enabled = false;
+    // What is culled lies behind something.
+    config.depth_bias = -1.0;
     app.add_systems(PostUpdate, draw.after(crate::AntumbraSystems::Cull));
 }
 

@@ -1,6 +1,7 @@
 //! What a camera leaves out, frame by frame, and that pictures are those without the plug-in.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod gizmos;
 #[allow(dead_code, reason = "the examples use the rest")]
 #[path = "../../examples/shared/headless.rs"]
 mod headless;
