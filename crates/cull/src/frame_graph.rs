@@ -61,6 +61,7 @@ pub(crate) struct Shared {
     pub colour_format: wgpu::TextureFormat,
     pub samples: u32,
     pub output: StageOutput,
+    pub frames_in_flight: u32,
     pub pipelines: Pipelines,
     /// The trees, one a shape, for all views.
     pub trees: HashMap<HierarchyShape, Host<Tree>>,
@@ -105,6 +106,11 @@ impl<'g> FrameGraph<'g> {
     /// The device.
     pub fn gpu(&self) -> &Gpu {
         &self.shared.gpu
+    }
+
+    /// Frames that the host has in flight, at least 1: by as many frames answers may be late.
+    pub fn frames_in_flight(&self) -> u32 {
+        self.shared.frames_in_flight
     }
 
     /// What the plan depends on: the scene's sizes, pipeline classes, transparency and lights.

@@ -47,7 +47,7 @@ impl FrameGraph<'_> {
         }
     }
 
-    /// `counts.previous()`, read by a host node: no stall, the answer is one frame old. The newest answer stays in use until a newer one arrives.
+    /// `counts.previous()`, read by a host node: no stall, the answer is as many frames old as there are in flight. The newest answer stays in use until a newer one arrives.
     fn visible_late(
         &mut self,
         view: &mut ViewNodes,

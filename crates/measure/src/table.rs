@@ -5,7 +5,7 @@ use std::io::IsTerminal;
 use unicode_width::UnicodeWidthStr;
 
 use crate::format;
-use crate::report::{MissingParts, Report, StrategyReport};
+use crate::report::{AnswerReport, MissingParts, Report, StrategyReport};
 
 mod eyes;
 mod motion;
@@ -146,6 +146,12 @@ const COLUMNS: &[Definition] = &[
         None,
     ),
     number(
+        "answers",
+        "frames old",
+        |_, s| Some(answer_age(s.answers?)),
+        None,
+    ),
+    number(
         "wrong px",
         "mean %",
         |_, s| Some(format::percent(s.error.wrong_pixels_percent.mean)),
@@ -201,6 +207,14 @@ const COLUMNS: &[Definition] = &[
         Some(|s| Some(s.error.flip.mean)),
     ),
 ];
+
+/// `1`, or `1-3` where answers differ in age.
+fn answer_age(answers: AnswerReport) -> String {
+    match answers.youngest == answers.oldest {
+        true => answers.oldest.to_string(),
+        false => format!("{}-{}", answers.youngest, answers.oldest),
+    }
+}
 
 /// Pixels that show another entity of equal depth; a column that is left out where no strategy has any.
 fn ties(report: &Report, strategy: &StrategyReport) -> Option<String> {
@@ -377,6 +391,10 @@ pub fn facts(report: &Report) -> [String; 2] {
         1 => String::new(),
         many => format!(" of {many} samples"),
     };
+    let in_flight = match scene.in_flight {
+        None | Some(1) => String::new(),
+        Some(many) => format!(" with {many} in flight"),
+    };
     let eyes = scene.stereo.map_or_else(String::new, |stereo| {
         format!(
             " (eyes {} m apart, converging at {} m)",
@@ -413,7 +431,7 @@ pub fn facts(report: &Report) -> [String; 2] {
     });
     [
         format!(
-            "scene {}: {}, {}; {width} x {height} pixels{samples}, {}{eyes}, {}{path}{motion}{owned}{missing}",
+            "scene {}: {}, {}; {width} x {height} pixels{samples}, {}{eyes}, {}{in_flight}{path}{motion}{owned}{missing}",
             format::clean(&scene.name),
             format::plural(scene.entities, "entity"),
             format::plural(scene.triangles, "triangle"),

@@ -145,6 +145,7 @@ pub(super) fn build(
         colour_format: options.colour_format,
         samples: options.samples,
         output: options.output,
+        frames_in_flight: options.frames_in_flight.max(1),
         pipelines: std::mem::take(inherited.pipelines),
         trees: HashMap::new(),
         resident: None,
@@ -166,6 +167,8 @@ pub(super) fn build(
     let compile = CompileOptions {
         mode: options.mode,
         timing: options.timing,
+        frames_in_flight: options.frames_in_flight,
+        late_results: options.late_results,
         ..gpu.compile_options()
     };
     let plan = graph

@@ -42,6 +42,7 @@ impl ChcPlusPlus {
             },
             order: DrawOrder::State,
             sketch: self.sketch,
+            in_flight: 1,
         }
     }
 }

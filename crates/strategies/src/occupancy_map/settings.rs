@@ -80,6 +80,7 @@ impl OccupancySettings {
             retests: Retests::Spread,
             order: self.order,
             sketch: self.sketch,
+            in_flight: 1,
         }
     }
 

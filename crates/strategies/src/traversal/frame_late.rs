@@ -20,6 +20,10 @@ pub fn frame_late(
     shape: HierarchyShape,
     settings: TraversalSettings,
 ) -> VisibleSet {
+    let settings = TraversalSettings {
+        in_flight: g.frames_in_flight(),
+        ..settings
+    };
     let inputs = TraversalInputs::new(g, view, shape, settings);
     let most = max_queries(g);
     let traversal = g.graph().host::<LateTraversal>(view.named("traversal"));

@@ -135,6 +135,8 @@ pub struct TraversalSettings {
     pub order: DrawOrder,
     /// Whether the traversal keeps a [`Sketch`](crate::Sketch).
     pub sketch: bool,
+    /// Frames in flight, at least 1: an answer that is used later is this many frames old.
+    pub in_flight: u32,
 }
 
 impl TraversalSettings {
@@ -158,6 +160,7 @@ impl TraversalSettings {
         retests: Retests::Spread,
         order: DrawOrder::State,
         sketch: false,
+        in_flight: 1,
     };
 }
 
