@@ -12,7 +12,7 @@ use antumbra_graph::{
 use antumbra_scene::hierarchy::HierarchyShape;
 use antumbra_shaders::Job;
 
-use crate::boxes::{BoxDraws, BoxPipeline};
+use crate::boxes::{BoxDraws, BoxPipeline, BoxPurpose};
 use crate::candidates::Candidates;
 use crate::compute_pipeline::ComputePipeline;
 use crate::device::Gpu;
@@ -200,7 +200,14 @@ impl<'g> FrameGraph<'g> {
             samples,
             ..
         } = &mut *self.shared;
-        pipelines.boxes(gpu, *samples)
+        pipelines.boxes(gpu, *samples, BoxPurpose::Query)
+    }
+
+    /// The pipeline that draws boxes into depths of one sample a pixel, and the one that queries boxes against these.
+    pub(crate) fn guard_pipelines(&mut self) -> [Arc<BoxPipeline>; 2] {
+        self.relies_on(Capability::OcclusionQueries);
+        let Shared { gpu, pipelines, .. } = &mut *self.shared;
+        [BoxPurpose::Hide, BoxPurpose::Query].map(|purpose| pipelines.boxes(gpu, 1, purpose))
     }
 
     /// A compute pipeline of one bind group, of the bindings that the entry point uses. It is made once a stage.
@@ -350,6 +357,30 @@ impl<'g> FrameGraph<'g> {
         + Send
         + 'static,
     ) -> Chosen {
+        let judge =
+            move |ctx: &HostContext<'_>,
+                  _: &(),
+                  table: &SceneTable,
+                  view: &ViewFrame,
+                  verdicts: &mut Verdicts| judge(ctx, table, view, verdicts);
+        self.choose_with(view, reads, judge)
+    }
+
+    /// The same, with what `reads` has declared handed to `judge`: handles that the node updates.
+    pub(crate) fn choose_with<Declared: Send + 'static>(
+        &mut self,
+        view: &ViewNodes,
+        reads: impl FnOnce(&mut HostBuilder<'_>) -> Declared,
+        mut judge: impl FnMut(
+            &HostContext<'_>,
+            &Declared,
+            &SceneTable,
+            &ViewFrame,
+            &mut Verdicts,
+        ) -> Result<(), BodyError>
+        + Send
+        + 'static,
+    ) -> Chosen {
         let inputs = view.inputs;
         let verdicts = self.graph.host::<Verdicts>(view.named("verdicts"));
         let solid = self.unsubmitted(&view.named("visible set"));
@@ -364,7 +395,7 @@ impl<'g> FrameGraph<'g> {
             narrowing.read(&mut node);
         }
         node.group(CULL).read(inputs.scene).read(inputs.view);
-        reads(&mut node);
+        let declared = reads(&mut node);
         let chosen = Chosen {
             verdicts: node.write(verdicts),
             solid: solid.written_by(&mut node),
@@ -375,7 +406,7 @@ impl<'g> FrameGraph<'g> {
             let table = &scene.table;
             let mut verdicts = ctx.get_mut(chosen.verdicts)?;
             verdicts.reset_outside(table);
-            judge(ctx, table, &frame, &mut verdicts)?;
+            judge(ctx, &declared, table, &frame, &mut verdicts)?;
             if let Some(narrowing) = narrowing {
                 narrowing.hide(ctx, &mut verdicts)?;
             }

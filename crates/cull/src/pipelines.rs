@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use antumbra_shaders::Job;
 
-use crate::boxes::BoxPipeline;
+use crate::boxes::{BoxPipeline, BoxPurpose};
 use crate::compute_pipeline::ComputePipeline;
 use crate::device::Gpu;
 
@@ -13,7 +13,7 @@ use crate::device::Gpu;
 #[derive(Debug, Default)]
 pub(crate) struct Pipelines {
     compute: HashMap<Shader, Arc<ComputePipeline>>,
-    boxes: Option<Arc<BoxPipeline>>,
+    boxes: HashMap<(u32, BoxPurpose), Arc<BoxPipeline>>,
 }
 
 /// An entry point of a shader. The text tells shaders of one name apart.
@@ -34,11 +34,9 @@ impl Pipelines {
         Arc::clone(made.or_insert_with(|| Arc::new(ComputePipeline::new(gpu, job, entry))))
     }
 
-    /// What draws boxes against depths of `samples` samples a pixel, the same for all of a stage.
-    pub fn boxes(&mut self, gpu: &Gpu, samples: u32) -> Arc<BoxPipeline> {
-        Arc::clone(
-            self.boxes
-                .get_or_insert_with(|| Arc::new(BoxPipeline::new(gpu, samples))),
-        )
+    /// What draws boxes against depths of `samples` samples a pixel.
+    pub fn boxes(&mut self, gpu: &Gpu, samples: u32, purpose: BoxPurpose) -> Arc<BoxPipeline> {
+        let made = self.boxes.entry((samples, purpose));
+        Arc::clone(made.or_insert_with(|| Arc::new(BoxPipeline::new(gpu, samples, purpose))))
     }
 }

@@ -5,7 +5,7 @@ use super::picture::{Rect, tested};
 use super::raster::{Attachments, DepthUse, QUAD_INDICES, RasterDesc, RasterPipeline, pass};
 use super::scene::Scene;
 use super::trial::{Answer, Expected, Trial};
-use crate::boxes::{BoxPipeline, GpuBox};
+use crate::boxes::{BoxPipeline, BoxPurpose, GpuBox};
 
 /// Bytes of a query's result.
 const RESULT_BYTES: u64 = 8;
@@ -29,7 +29,9 @@ pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> Trial {
         bench.gpu,
         &RasterDesc::depth(DepthUse::Tests, bench.samples),
     );
-    let boxes = bench.pipelines.boxes(bench.gpu, bench.samples);
+    let boxes = bench
+        .pipelines
+        .boxes(bench.gpu, bench.samples, BoxPurpose::Query);
     let solids: Vec<GpuBox> = all
         .iter()
         .map(|(rect, _)| {

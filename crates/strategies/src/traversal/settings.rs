@@ -1,5 +1,7 @@
 //! The settings of a traversal.
 
+use antumbra_cull::guard::GuardOptions;
+
 /// How many queries are issued before their answers are waited for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum QueryMode {
@@ -137,6 +139,8 @@ pub struct TraversalSettings {
     pub sketch: bool,
     /// Frames in flight, at least 1: an answer that is used later is this many frames old.
     pub in_flight: u32,
+    /// How far the eye goes a frame, for late answers that hide nothing that has come into view meanwhile.
+    pub guard: GuardOptions,
 }
 
 impl TraversalSettings {
@@ -161,6 +165,7 @@ impl TraversalSettings {
         order: DrawOrder::State,
         sketch: false,
         in_flight: 1,
+        guard: GuardOptions::OFF,
     };
 }
 
