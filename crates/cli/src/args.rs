@@ -78,6 +78,9 @@ pub struct CompareArgs {
     /// When the results of queries are used, for strategies that issue queries: frame-late, same-frame or on-gpu
     #[arg(long, value_parser = value::latency)]
     pub latency: Option<Latency>,
+    /// The frames in flight: late answers are used exactly so many frames after their own
+    #[arg(long, default_value_t = 1, value_name = "FRAMES", value_parser = clap::value_parser!(u32).range(1..=8))]
+    pub in_flight: u32,
     /// Run each strategy once more with an audit: its own estimate of its wrong pixels, next to the measured value, and the cost of the
     /// audit. SHARE is the part of its triangles that an audit may draw again
     #[arg(long, value_name = "SHARE", num_args = 0..=1, require_equals = true, value_parser = value::share)]
@@ -114,6 +117,9 @@ pub struct SweepArgs {
     /// A limit of error; the fastest setting within it is named: wrong_pixels=0.05%, wrong_of_owned=0.05%, false_culls=3 or flip=0.01
     #[arg(long, alias = "budget", value_name = "ERROR=MOST", value_parser = value::limit)]
     pub limit: Vec<ErrorLimit>,
+    /// The frames in flight: late answers are used exactly so many frames after their own
+    #[arg(long, default_value_t = 1, value_name = "FRAMES", value_parser = clap::value_parser!(u32).range(1..=8))]
+    pub in_flight: u32,
     /// The folder for report.json, report.html and trade.svg
     #[arg(long, default_value = "out", value_name = "DIR")]
     pub out: PathBuf,

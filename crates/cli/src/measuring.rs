@@ -22,10 +22,12 @@ pub fn measure(
     mut input: Input,
     contenders: &[Contender],
     view: &ViewArgs,
+    in_flight: u32,
 ) -> Result<Comparison, Failure> {
     let options = CompareOptions {
         size: input.size,
         samples: input.samples,
+        in_flight,
         stereo: input.stereo,
         command: command_line(),
         scene_name: input.name,

@@ -203,6 +203,51 @@ fn broken_files_are_named_with_what_is_wrong() {
 }
 
 #[test]
+fn frames_in_flight_age_late_answers() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out");
+    let shared = [
+        "grid:4",
+        "--size",
+        "64x48",
+        "--frames",
+        "4",
+        "--in-flight",
+        "2",
+    ];
+    let compare = ["compare", "--strategies", "coherent,frustum", "--out"];
+    let out_text = out.to_str().unwrap();
+    let output = antumbra(&[&compare[..], &[out_text], &shared].concat());
+    assert!(output.status.success(), "{}", stderr(&output));
+    let compared = report(&out);
+    assert_eq!(compared["scene"]["in_flight"], 2);
+    let [coherent, frustum] = [0, 1].map(|at| &compared["strategies"][at]);
+    assert_eq!(coherent["answers"]["youngest"], 2);
+    assert_eq!(coherent["answers"]["oldest"], 2);
+    assert_eq!(
+        coherent["frames"]["answer_age"],
+        serde_json::json!([0, 0, 2, 2])
+    );
+    assert!(frustum["answers"].is_null());
+    let sweep = [
+        "sweep",
+        "--strategy",
+        "coherent",
+        "--vary",
+        "together=1,8",
+        "--out",
+    ];
+    let output = antumbra(&[&sweep[..], &[out_text], &shared].concat());
+    assert!(output.status.success(), "{}", stderr(&output));
+    let swept = report(&out);
+    assert_eq!(swept["scene"]["in_flight"], 2);
+    for refused in ["0", "9", "two"] {
+        let shared = ["grid:2", "--out", out_text, "--in-flight", refused];
+        refuses(&[&["compare"], &shared[..]].concat(), 2, &["--in-flight"]);
+    }
+}
+
+#[test]
 fn several_samples_a_pixel_are_compared_and_drawn() {
     let dir = tempfile::tempdir().unwrap();
     let at = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();

@@ -172,6 +172,15 @@ impl BoxDraws {
     }
 }
 
+/// What boxes are drawn for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum BoxPurpose {
+    /// To query what they hold, against a depth that stays as it is.
+    Query,
+    /// To hide others: they write depth.
+    Hide,
+}
+
 /// The pipeline that draws boxes.
 #[derive(Debug)]
 pub struct BoxPipeline {
@@ -186,7 +195,7 @@ impl BoxPipeline {
     pub(crate) const VERTICES: u32 = 14;
 
     /// Compiles the pipeline, for depths of `samples` samples a pixel.
-    pub fn new(gpu: &Gpu, samples: u32) -> Self {
+    pub fn new(gpu: &Gpu, samples: u32, purpose: BoxPurpose) -> Self {
         let device = &gpu.device;
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("boxes"),
@@ -218,7 +227,7 @@ impl BoxPipeline {
             },
             depth_stencil: Some(wgpu::DepthStencilState {
                 format: DEPTH_FORMAT,
-                depth_write_enabled: Some(false),
+                depth_write_enabled: Some(purpose == BoxPurpose::Hide),
                 // Reversed depth; a tie counts as visible.
                 depth_compare: Some(wgpu::CompareFunction::GreaterEqual),
                 stencil: Default::default(),
@@ -258,6 +267,36 @@ impl BoxPipeline {
         pass.set_bind_group(0, group, &[]);
         pass.set_vertex_buffer(0, boxes.slice(..));
     }
+}
+
+/// Draws the list's boxes into a depth. Only front faces are drawn, so the eye must not be inside of a box.
+pub fn box_depth_pass(
+    g: &mut Graph,
+    spec: BoxPassSpec,
+    inputs: ViewInputs,
+    boxes: BoxDraws,
+    depth: Texture,
+) -> Texture {
+    let BoxPassSpec {
+        name,
+        group,
+        pipeline,
+    } = spec;
+    let mut node = g.raster(name);
+    node.group(group)
+        .read(boxes.list)
+        .vertex(boxes.buffer)
+        .uniform(inputs.uniform);
+    let depth = node.depth(depth);
+    node.run(move |ctx| {
+        let group = ctx.bind_group(0, &pipeline.layout, &[Bind::Buffer(0, inputs.uniform)])?;
+        let buffer = ctx.buffer(boxes.buffer)?;
+        let count = ctx.get(boxes.list)?.boxes().len() as u32;
+        pipeline.begin(ctx.pass(), &group, buffer);
+        ctx.pass().draw(0..BoxPipeline::VERTICES, 0..count);
+        Ok(())
+    });
+    depth
 }
 
 /// A box pass's name, timing group and pipeline.

@@ -12,7 +12,7 @@ use antumbra_graph::{
 use antumbra_scene::hierarchy::HierarchyShape;
 use antumbra_shaders::Job;
 
-use crate::boxes::{BoxDraws, BoxPipeline};
+use crate::boxes::{BoxDraws, BoxPipeline, BoxPurpose};
 use crate::candidates::Candidates;
 use crate::compute_pipeline::ComputePipeline;
 use crate::device::Gpu;
@@ -60,6 +60,11 @@ pub(crate) struct Shared {
     pub colour_format: wgpu::TextureFormat,
     pub samples: u32,
     pub output: StageOutput,
+<<<<<<< HEAD
+=======
+    pub frames_in_flight: u32,
+    pub pipelines: Pipelines,
+>>>>>>> b09b2aa180182835713c2cec566b6b322515a2b6
     /// The trees, one a shape, for all views.
     pub trees: HashMap<HierarchyShape, Host<Tree>>,
     /// The scene on the device, for all views.
@@ -103,6 +108,11 @@ impl<'g> FrameGraph<'g> {
     /// The device.
     pub fn gpu(&self) -> &Gpu {
         &self.shared.gpu
+    }
+
+    /// Frames that the host has in flight, at least 1: by as many frames answers may be late.
+    pub fn frames_in_flight(&self) -> u32 {
+        self.shared.frames_in_flight
     }
 
     /// What the plan depends on: the scene's sizes, pipeline classes, transparency and lights.
@@ -186,7 +196,24 @@ impl<'g> FrameGraph<'g> {
     /// The pipeline that draws boxes for queries.
     pub fn box_pipeline(&mut self) -> Arc<BoxPipeline> {
         self.relies_on(Capability::OcclusionQueries);
+<<<<<<< HEAD
         self.shared.gpu.box_pipeline(self.shared.samples)
+=======
+        let Shared {
+            gpu,
+            pipelines,
+            samples,
+            ..
+        } = &mut *self.shared;
+        pipelines.boxes(gpu, *samples, BoxPurpose::Query)
+    }
+
+    /// The pipeline that draws boxes into depths of one sample a pixel, and the one that queries boxes against these.
+    pub(crate) fn guard_pipelines(&mut self) -> [Arc<BoxPipeline>; 2] {
+        self.relies_on(Capability::OcclusionQueries);
+        let Shared { gpu, pipelines, .. } = &mut *self.shared;
+        [BoxPurpose::Hide, BoxPurpose::Query].map(|purpose| pipelines.boxes(gpu, 1, purpose))
+>>>>>>> b09b2aa180182835713c2cec566b6b322515a2b6
     }
 
     /// A compute pipeline of one bind group, of the bindings that the entry point uses. It is compiled once a device.
@@ -335,6 +362,30 @@ impl<'g> FrameGraph<'g> {
         + Send
         + 'static,
     ) -> Chosen {
+        let judge =
+            move |ctx: &HostContext<'_>,
+                  _: &(),
+                  table: &SceneTable,
+                  view: &ViewFrame,
+                  verdicts: &mut Verdicts| judge(ctx, table, view, verdicts);
+        self.choose_with(view, reads, judge)
+    }
+
+    /// The same, with what `reads` has declared handed to `judge`: handles that the node updates.
+    pub(crate) fn choose_with<Declared: Send + 'static>(
+        &mut self,
+        view: &ViewNodes,
+        reads: impl FnOnce(&mut HostBuilder<'_>) -> Declared,
+        mut judge: impl FnMut(
+            &HostContext<'_>,
+            &Declared,
+            &SceneTable,
+            &ViewFrame,
+            &mut Verdicts,
+        ) -> Result<(), BodyError>
+        + Send
+        + 'static,
+    ) -> Chosen {
         let inputs = view.inputs;
         let verdicts = self.graph.host::<Verdicts>(view.named("verdicts"));
         let solid = self.unsubmitted(&view.named("visible set"));
@@ -349,7 +400,7 @@ impl<'g> FrameGraph<'g> {
             narrowing.read(&mut node);
         }
         node.group(CULL).read(inputs.scene).read(inputs.view);
-        reads(&mut node);
+        let declared = reads(&mut node);
         let chosen = Chosen {
             verdicts: node.write(verdicts),
             solid: solid.written_by(&mut node),
@@ -360,7 +411,7 @@ impl<'g> FrameGraph<'g> {
             let table = &scene.table;
             let mut verdicts = ctx.get_mut(chosen.verdicts)?;
             verdicts.reset_outside(table);
-            judge(ctx, table, &frame, &mut verdicts)?;
+            judge(ctx, &declared, table, &frame, &mut verdicts)?;
             if let Some(narrowing) = narrowing {
                 narrowing.hide(ctx, &mut verdicts)?;
             }

@@ -6,7 +6,7 @@ use std::str::FromStr;
 /// When a query's answer is used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Latency {
-    /// One frame later: no stall, and the answer is one frame old.
+    /// In a later frame: no stall, and the answer is as many frames old as the host has in flight, at least one.
     #[default]
     FrameLate,
     /// In the same frame on the host, by a sync point.

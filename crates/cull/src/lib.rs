@@ -26,6 +26,7 @@ mod dial;
 mod draw_source;
 mod entities;
 mod frame_graph;
+pub mod guard;
 pub mod indirect;
 pub mod judge;
 mod latency;

@@ -8,16 +8,21 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use antumbra_shaders::{Job, jobs};
 
-use crate::boxes::BoxPipeline;
+use crate::boxes::{BoxPipeline, BoxPurpose};
 use crate::compute_pipeline::ComputePipeline;
 use crate::device::Gpu;
 
 /// The pipelines of a device. They live as long as it does.
 #[derive(Debug, Default)]
 pub(crate) struct Pipelines {
+<<<<<<< HEAD
     compute: Kept<Shader, ComputePipeline>,
     /// By samples a pixel.
     boxes: Kept<(Cow<'static, str>, u32), BoxPipeline>,
+=======
+    compute: HashMap<Shader, Arc<ComputePipeline>>,
+    boxes: HashMap<(u32, BoxPurpose), Arc<BoxPipeline>>,
+>>>>>>> b09b2aa180182835713c2cec566b6b322515a2b6
 }
 
 /// An entry point of a shader. The text tells shaders of one name apart.
@@ -31,6 +36,7 @@ struct Shader {
 #[derive(Debug)]
 struct Kept<K, V>(Mutex<HashMap<K, Arc<OnceLock<Arc<V>>>>>);
 
+<<<<<<< HEAD
 impl<K, V> Default for Kept<K, V> {
     fn default() -> Self {
         Self(Mutex::default())
@@ -60,5 +66,11 @@ impl Gpu {
         let source = self.shader_text(&jobs::boxes::JOB);
         let make = || BoxPipeline::new(self, samples);
         self.pipelines.boxes.get((source, samples), make)
+=======
+    /// What draws boxes against depths of `samples` samples a pixel.
+    pub fn boxes(&mut self, gpu: &Gpu, samples: u32, purpose: BoxPurpose) -> Arc<BoxPipeline> {
+        let made = self.boxes.entry((samples, purpose));
+        Arc::clone(made.or_insert_with(|| Arc::new(BoxPipeline::new(gpu, samples, purpose))))
+>>>>>>> b09b2aa180182835713c2cec566b6b322515a2b6
     }
 }

@@ -35,6 +35,9 @@ struct Held {
 }
 
 impl ResidentScene {
+    /// The name of the node that uploads it. What it reads back tells of uploads, and is no answer about an entity.
+    pub const UPLOAD: &str = "upload scene";
+
     /// Bytes of the [boxes](Self::boxes).
     pub fn box_bytes(g: &FrameGraph<'_>) -> u64 {
         u64::from(g.scene_layout().slots.max(1)) * size_of::<JudgedInstance>() as u64
@@ -62,7 +65,7 @@ impl FrameGraph<'_> {
         let stamp = graph.buffer("stamp of the resident scene", BufferDesc::new(16));
         let transparent: Host<Vec<u32>> = graph.host("transparent entities");
         let held: Host<Held> = graph.host("held scene");
-        let mut node = graph.host_node("upload scene");
+        let mut node = graph.host_node(ResidentScene::UPLOAD);
         node.group(CULL).read(scene);
         let said = node.read_previous(stamp, held);
         let held = node.updates(held);

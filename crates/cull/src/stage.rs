@@ -348,7 +348,7 @@ impl Stage {
             self.kept.clear();
             let mut next = self.declare(scene)?;
             if self.built.step == step && self.built.replacements == next.replacements {
-                if self.built.age(self.frames) < ANSWERED {
+                if self.built.age(self.frames) < self.answered() {
                     // Answers that were under way are lost again, so what is known would grow older and older: begin anew.
                     self.cut();
                 }
@@ -374,6 +374,11 @@ impl Stage {
         }
         self.kept.keep(before);
         Ok(Some(how))
+    }
+
+    /// Frames after which the answers to a frame's queries have arrived.
+    fn answered(&self) -> u64 {
+        u64::from(self.options.frames_in_flight.max(1)) + 2
     }
 
     /// Makes all views see a camera cut.
@@ -527,9 +532,6 @@ impl Stage {
         Ok(verdicts)
     }
 }
-
-/// Frames after which the answers to a frame's queries have arrived, also on a host that has two frames in flight.
-const ANSWERED: u64 = 4;
 
 /// The step that a budget is on; 0 without one.
 fn step(controller: Option<&BudgetController>) -> usize {

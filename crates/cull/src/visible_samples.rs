@@ -5,6 +5,7 @@ use antumbra_graph::Host;
 use crate::candidates::Candidates;
 use crate::counting::Counts;
 use crate::frame_graph::{CULL, FrameGraph};
+use crate::guard::GuardOptions;
 use crate::latency::Latency;
 use crate::sample_rule::{Allowance, SampleRule, Selection};
 use crate::samples::Samples;
@@ -41,20 +42,41 @@ impl FrameGraph<'_> {
             allowance: allowance.shared(),
         };
         match latency {
-            Latency::FrameLate => self.visible_late(view, candidates, counts, selection),
+            Latency::FrameLate => {
+                self.visible_late(view, candidates, counts, selection, GuardOptions::OFF)
+            }
             Latency::SameFrame => self.visible_now(view, candidates, counts, selection),
             Latency::OnGpu => self.visible_on_gpu(view, candidates, counts, selection),
         }
     }
 
-    /// `counts.previous()`, read by a host node: no stall, the answer is one frame old. The newest answer stays in use until a newer one arrives.
+    /// The same with late counts, of which a [guard](crate::guard) confirms what is occluded: what it does not is drawn.
+    pub fn visible_samples_guarded(
+        &mut self,
+        view: &mut ViewNodes,
+        candidates: Host<Candidates>,
+        counts: Counts,
+        rule: impl Into<SampleRule>,
+        allowance: &Allowance,
+        guard: GuardOptions,
+    ) -> VisibleSet {
+        let selection = Selection {
+            rule: rule.into(),
+            allowance: allowance.shared(),
+        };
+        self.visible_late(view, candidates, counts, selection, guard)
+    }
+
+    /// `counts.previous()`, read by a host node: no stall, the answer is as many frames old as there are in flight. The newest answer stays in use until a newer one arrives.
     fn visible_late(
         &mut self,
         view: &mut ViewNodes,
         candidates: Host<Candidates>,
         counts: Counts,
         selection: Selection,
+        guard: GuardOptions,
     ) -> VisibleSet {
+        let mut guard = self.begin_guard(view, guard);
         // After a resize the latest samples are still those of the size before.
         let size = view.size();
         let samples = self.graph().host::<Samples>(view.named("latest samples"));
@@ -70,19 +92,26 @@ impl FrameGraph<'_> {
             }
             Ok(())
         });
-        let chosen = self.choose(
+        let chosen = self.choose_with(
             view,
             |node| {
                 node.read(candidates).read(samples);
+                guard.as_mut().map(|guard| guard.updated_by(node))
             },
-            move |ctx, table, _, verdicts| {
+            move |ctx, guard, table, _, verdicts| {
                 let candidates = ctx.get(candidates)?;
                 ctx.get(samples)?
                     .judge_at(table, &candidates, &selection, size, verdicts);
+                if let Some(guard) = guard {
+                    let inside = candidates.inside().iter().copied();
+                    ctx.get_mut(*guard)?.confirm(table, inside, verdicts);
+                }
                 Ok(())
             },
         );
-        self.shade(view, chosen)
+        let shown = self.shade(view, chosen);
+        self.end_guard(view, guard);
+        shown
     }
 
     /// `counts`, read by a host node: a sync point.

@@ -5,7 +5,7 @@
 
 mod deform;
 
-use antumbra_scene::{Aabb, Geometry, Mesh};
+use antumbra_scene::{Aabb, Geometry, Mesh, solid_part};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 
@@ -161,6 +161,10 @@ impl MeshArenas {
             roundness: match (lasting, bounds) {
                 (LastingShape::Rigid { .. }, Some(bounds)) => roundness(mesh, &bounds),
                 _ => OrientedBox::ANGULAR,
+            },
+            solid: match (lasting, bounds, mesh.full()) {
+                (LastingShape::Rigid { .. }, Some(bounds), Some(full)) => solid_part(full, &bounds),
+                _ => 0.0,
             },
             bounds: bounds.unwrap_or(Aabb::EMPTY),
         })

@@ -11,7 +11,7 @@ use crate::physical::PhysicalTexture;
 use crate::plan::Plan;
 use crate::read_back::CopyRequest;
 use crate::recorder::{Iteration, Recorder, Target};
-use crate::report::FrameReport;
+use crate::report::{FrameReport, LateResult};
 use crate::resource::Kind;
 use crate::sync::Staging;
 
@@ -102,8 +102,13 @@ impl Plan {
         }
         self.check_imports()?;
         let mut lost = false;
+        let least_age = u64::from(self.least_age);
         for ring in &mut self.rings {
-            lost |= ring.begin_frame().is_err();
+            lost |= match (least_age, self.frame.checked_sub(least_age)) {
+                (0, _) => ring.begin_frame(None).is_err(),
+                (_, Some(newest)) => ring.begin_frame(Some(newest)).is_err(),
+                (_, None) => false,
+            };
         }
         if lost {
             return Err(ExecuteError::DeviceLost {
@@ -114,6 +119,7 @@ impl Plan {
         self.store.begin_frame();
         let result = self.frame_commands(device, queue, target);
         self.store.end_frame();
+        let late = self.late_results();
         for ring in &mut self.rings {
             ring.end_frame();
         }
@@ -124,6 +130,7 @@ impl Plan {
                 self.timing.end_frame(self.frame, self.mode);
                 self.frame += 1;
                 self.has_previous = true;
+                report.late = late;
                 report.cpu = started.elapsed();
                 Ok(report)
             }
@@ -135,6 +142,19 @@ impl Plan {
                 Err(error)
             }
         }
+    }
+
+    /// The results of earlier frames that were read in this one.
+    fn late_results(&self) -> Vec<LateResult> {
+        let decls = self.ring_decls.iter().zip(&self.ring_places);
+        let read = decls.filter_map(|(decl, place)| {
+            let frame = self.rings.get((*place)?)?.read_frame()?;
+            Some(LateResult {
+                node: self.passes.get(decl.pass)?.name.clone(),
+                age: self.frame.saturating_sub(frame),
+            })
+        });
+        read.collect()
     }
 
     fn check_imports(&self) -> Result<(), ExecuteError> {
@@ -224,6 +244,7 @@ impl Plan {
                 sync_points: 0,
                 loop_iterations: 0,
                 skipped_read_backs: 0,
+                late: Vec::new(),
                 cpu: Duration::ZERO,
                 waited: Duration::ZERO,
             },

@@ -11,7 +11,7 @@ use crate::compile::order::Step;
 use crate::error::ExecuteError;
 use crate::graph::Graph;
 use crate::handle::{Buffer, Handle, Host, Raw, Texture};
-use crate::options::{CompileOptions, Mode};
+use crate::options::{CompileOptions, LateResults, Mode};
 use crate::pass::{Pass, PassKind};
 use crate::physical::{Physical, PhysicalTexture};
 use crate::queries::QuerySets;
@@ -40,6 +40,8 @@ pub struct Plan {
     pub(crate) ring_decls: Vec<RingDecl>,
     pub(crate) rings: Vec<Box<dyn AnyRing>>,
     pub(crate) ring_places: Vec<Option<usize>>,
+    /// Results of fewer frames ago are not given to nodes; 0: any that has arrived is.
+    pub(crate) least_age: u32,
     pub(crate) query_sets: QuerySets,
     pub(crate) belt: wgpu::util::StagingBelt,
     pub(crate) timing: Timing,
@@ -106,6 +108,10 @@ impl Plan {
             ring_decls: graph.rings,
             rings: compiled.made.rings,
             ring_places: compiled.made.ring_places,
+            least_age: match options.late_results {
+                LateResults::Newest => 0,
+                LateResults::OfFramesInFlight => options.frames_in_flight.max(1),
+            },
             query_sets: QuerySets::new(count),
             belt: wgpu::util::StagingBelt::new(options.device.clone(), BELT_CHUNK),
             timing: Timing::new(options.timing),

@@ -75,8 +75,10 @@ pub(crate) struct MapLost;
 /// A ring with any type of tag.
 pub(crate) trait AnyRing: Send {
     fn as_any(&self) -> &dyn Any;
-    /// Takes in arrived results and offers the newest undelivered one during the frame.
-    fn begin_frame(&mut self) -> Result<(), MapLost>;
+    /// Takes in results that have arrived, if they are of frames up to `newest` (`None`: of any frame), and offers the newest undelivered one during the frame.
+    fn begin_frame(&mut self, newest: Option<u64>) -> Result<(), MapLost>;
+    /// The frame of the result that was read during this frame.
+    fn read_frame(&self) -> Option<u64>;
     /// Frees the slot of a delivered result.
     fn end_frame(&mut self);
     /// Copies this frame's bytes into a free slot. Returns false where no slot is free or the tag holds no value.
@@ -244,7 +246,7 @@ impl<Tag> ReadBackRing<Tag> {
     /// Gives `read` the newest result that has arrived, if it was not given before. Never waits. What a lost device would have answered never arrives.
     pub fn take_newest(&mut self, read: impl FnOnce(Late<'_, Tag>)) {
         // The slots that a lost device leaves are free again; its loss is for others to report.
-        let _ = self.collect();
+        let _ = self.collect(None);
         if let Some(late) = self.offered() {
             read(late);
         }
@@ -273,8 +275,18 @@ impl<Tag: Clone + Send + 'static> AnyRing for ReadBackRing<Tag> {
         self
     }
 
-    fn begin_frame(&mut self) -> Result<(), MapLost> {
-        self.collect()
+    fn begin_frame(&mut self, newest: Option<u64>) -> Result<(), MapLost> {
+        self.collect(newest)
+    }
+
+    fn read_frame(&self) -> Option<u64> {
+        if !self.delivered.get() {
+            return None;
+        }
+        self.slots.iter().find_map(|slot| match slot.state {
+            State::Offered { frame, .. } => Some(frame),
+            _ => None,
+        })
     }
 
     fn end_frame(&mut self) {
@@ -310,14 +322,23 @@ impl<Tag: Clone + Send + 'static> AnyRing for ReadBackRing<Tag> {
 }
 
 impl<Tag> ReadBackRing<Tag> {
-    /// Takes in what has arrived, and offers the newest of it.
-    fn collect(&mut self) -> Result<(), MapLost> {
+    /// Takes in what has arrived of frames up to `newest`, and offers the newest of it.
+    fn collect(&mut self, newest: Option<u64>) -> Result<(), MapLost> {
         self.delivered.set(false);
         let mut lost = false;
         for slot in &mut self.slots {
-            let State::Pending { status, wanted, .. } = &slot.state else {
+            let State::Pending {
+                frame,
+                status,
+                wanted,
+                ..
+            } = &slot.state
+            else {
                 continue;
             };
+            if *wanted && newest.is_some_and(|newest| *frame > newest) {
+                continue;
+            }
             let (status, wanted) = (status.load(Ordering::Acquire), *wanted);
             match status {
                 WAITING => continue,

@@ -12,6 +12,7 @@ use antumbra_cull::{
     Strategy,
 };
 use antumbra_draw::GpuScene;
+use antumbra_graph::LateResults;
 use antumbra_scene::{Scene, Stereo};
 use image::RgbaImage;
 
@@ -102,6 +103,9 @@ pub struct CompareOptions {
     pub size: [u32; 2],
     /// Samples a pixel: 1, 4, or what else the device has. A pixel is wrong if the owner of any of its samples is.
     pub samples: u32,
+    /// Frames in flight, at least 1. A frame uses the late answers of exactly so many frames ago, as a host does that records so many frames before the first of them is done; which frame's is no
+    /// affair of the device's speed, so that the same input gives the same errors.
+    pub in_flight: u32,
     /// Two eyes for each pose's camera, drawn in one frame; `None` for a single view.
     pub stereo: Option<Stereo>,
     /// Poses of a block; `None` means a sixth of the path, 20 at most.
@@ -123,6 +127,7 @@ impl Default for CompareOptions {
         Self {
             size: [1280, 1024],
             samples: 1,
+            in_flight: 1,
             stereo: None,
             block: None,
             least_seconds: 2.0,
@@ -237,6 +242,7 @@ pub fn compare_scripted(
             stereo: options.stereo.map(Into::into),
             size: options.size,
             samples: options.samples,
+            in_flight: Some(options.in_flight.max(1)),
             frames: path.poses().len() as u64,
             owned_percent: accuracy.owned_percent(options.size),
             motion: options.motion.clone(),
@@ -263,6 +269,9 @@ fn stage(
     let stage_options = StageOptions {
         timing: true,
         samples: options.samples,
+        frames_in_flight: options.in_flight.max(1),
+        // Which frame's answers are used must not follow from how fast the device is.
+        late_results: LateResults::OfFramesInFlight,
         audit: contender.audit,
         budget: contender.budget,
         // What is measured is the contender, not what replaces it. Its errors are counted.

@@ -143,6 +143,9 @@ pub struct StrategyReport {
     pub queries_a_view: Vec<f64>,
     /// Sync points: places where a frame waits for its own results.
     pub sync_points: u32,
+    /// The late answers that its frames used; absent for a strategy that used none, and in old reports.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub answers: Option<AnswerReport>,
     /// Drawn entities that own no pixel of the reference: mean over the frames, summed over all views.
     pub overdrawn_entities: f64,
     /// Its errors, all views together.
@@ -203,6 +206,17 @@ pub struct Drawn {
     pub triangles: f64,
 }
 
+/// The answers of earlier frames that a strategy's nodes used. An audit's own answers are none of them.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct AnswerReport {
+    /// Age of the youngest in frames: 1 is the last frame.
+    pub youngest: u64,
+    /// Age of the oldest.
+    pub oldest: u64,
+    /// Answers that were never read back since there was no memory for them, over the whole path.
+    pub skipped: u64,
+}
+
 /// Series with one value for each pose, in path order.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct FrameSeries {
@@ -218,6 +232,9 @@ pub struct FrameSeries {
     /// Sync points at which the frame waited.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub sync_points: Vec<u32>,
+    /// Age in frames of the oldest late answer that the frame was given; 0 where it was given none. Empty for a strategy without late answers.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub answer_age: Vec<u64>,
     /// Wrong pixels in percent of the pixels of all views.
     #[serde(default)]
     pub wrong_pixels_percent: Vec<f64>,

@@ -5,7 +5,7 @@ use std::io::IsTerminal;
 use unicode_width::UnicodeWidthStr;
 
 use crate::format;
-use crate::report::{Report, StrategyReport};
+use crate::report::{AnswerReport, Report, StrategyReport};
 
 mod eyes;
 mod facts;
@@ -149,6 +149,12 @@ const COLUMNS: &[Definition] = &[
         None,
     ),
     number(
+        "answers",
+        "frames old",
+        |_, s| Some(answer_age(s.answers?)),
+        None,
+    ),
+    number(
         "wrong px",
         "mean %",
         |_, s| Some(format::percent(s.error.wrong_pixels_percent.mean)),
@@ -204,6 +210,14 @@ const COLUMNS: &[Definition] = &[
         Some(|s| Some(s.error.flip.mean)),
     ),
 ];
+
+/// `1`, or `1-3` where answers differ in age.
+fn answer_age(answers: AnswerReport) -> String {
+    match answers.youngest == answers.oldest {
+        true => answers.oldest.to_string(),
+        false => format!("{}-{}", answers.youngest, answers.oldest),
+    }
+}
 
 /// Pixels that show another entity of equal depth; a column that is left out where no strategy has any.
 fn ties(report: &Report, strategy: &StrategyReport) -> Option<String> {

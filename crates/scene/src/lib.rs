@@ -50,6 +50,7 @@ mod raster;
 mod scene;
 #[cfg(feature = "simplify")]
 mod simplify;
+mod solid;
 mod stereo;
 
 pub use bounds::{Aabb, BoxArray};
@@ -67,4 +68,5 @@ pub use raster::Raster;
 pub use scene::{Drawable, PlacedLight, Scene, SceneChanges};
 #[cfg(feature = "simplify")]
 pub use simplify::{ProxyOptions, proxy};
+pub use solid::solid_part;
 pub use stereo::{Stereo, StereoError};

@@ -9,6 +9,7 @@ mod settings;
 mod traversal;
 mod visibility;
 
+use antumbra_cull::guard::GuardOptions;
 use antumbra_cull::{
     DeclareError, FrameGraph, Latency, Setting, SettingError, Step, Strategy, Tunable, Value,
     ViewNodes, VisibleSet, assign, describe,
@@ -49,6 +50,8 @@ pub struct ChcPlusPlus {
     pub worth: u32,
     /// Whether the traversal keeps a [`Sketch`](crate::Sketch) for debugging.
     pub sketch: bool,
+    /// How far the eye goes a frame, for late answers that hide nothing that has come into view meanwhile.
+    pub guard: GuardOptions,
 }
 
 impl Default for ChcPlusPlus {
@@ -67,6 +70,7 @@ impl Default for ChcPlusPlus {
             grain: 200,
             worth: 5000,
             sketch: false,
+            guard: GuardOptions::OFF,
         }
     }
 }
@@ -81,7 +85,7 @@ impl Strategy for ChcPlusPlus {
     }
 
     fn conservative(&self) -> bool {
-        self.latency == Latency::SameFrame
+        self.latency == Latency::SameFrame || self.guard.is_on()
     }
 
     fn latency(&self) -> Option<Latency> {

@@ -7,6 +7,7 @@
 mod settings;
 
 use crate::traversal::{QueryMode, Traversal, TraversalSettings, frame_late, same_frame};
+use antumbra_cull::guard::GuardOptions;
 use antumbra_cull::{
     DeclareError, FrameGraph, Latency, Parameter, Setting, SettingError, Step, Strategy, Tunable,
     Value, ViewNodes, VisibleSet, assign, describe,
@@ -17,13 +18,31 @@ pub use settings::OccupancySettings;
 const LATENCIES: [Latency; 2] = [Latency::FrameLate, Latency::SameFrame];
 
 /// The setting of `occupancy-map` that `occupancy-map-single` does not have.
-const LATENCY: &[Parameter<OccupancyMapBatched>] = &[Parameter::words(
-    "latency",
-    &["frame-late", "same-frame"],
-    "when the answers are used",
-    |s| s.latency.word(),
-    |s, at| s.latency = LATENCIES[at],
-)];
+const LATENCY: &[Parameter<OccupancyMapBatched>] = &[
+    Parameter::words(
+        "latency",
+        &["frame-late", "same-frame"],
+        "when the answers are used",
+        |s| s.latency.word(),
+        |s, at| s.latency = LATENCIES[at],
+    ),
+    Parameter::number(
+        "guard",
+        GuardOptions::METRES,
+        "m",
+        GuardOptions::METRES_MEAN,
+        |s| s.guard.metres,
+        |s, metres| s.guard.metres = metres,
+    ),
+    Parameter::number(
+        "guard-turn",
+        GuardOptions::DEGREES,
+        "degrees",
+        GuardOptions::DEGREES_MEAN,
+        |s| s.guard.degrees,
+        |s, degrees| s.guard.degrees = degrees,
+    ),
+];
 
 /// The setting `small` of the steps from exact to fast, in pixels.
 const SMALL: [f64; 7] = [0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0];
@@ -35,6 +54,8 @@ pub struct OccupancyMapBatched {
     pub settings: OccupancySettings,
     /// When the answers are used: [`Latency::SameFrame`] or [`Latency::FrameLate`].
     pub latency: Latency,
+    /// How far the eye goes a frame, for late answers that hide nothing that has come into view meanwhile.
+    pub guard: GuardOptions,
 }
 
 /// The strategy `occupancy-map-single`: a query at a time.
@@ -54,7 +75,11 @@ impl Strategy for OccupancyMapBatched {
     }
 
     fn conservative(&self) -> bool {
-        self.latency == Latency::SameFrame && self.settings.conservative()
+        match self.latency {
+            // What is occluded is confirmed, however old its answer is.
+            Latency::FrameLate => self.guard.is_on() && self.settings.small <= 0.0,
+            _ => self.settings.conservative(),
+        }
     }
 
     fn latency(&self) -> Option<Latency> {
@@ -74,7 +99,10 @@ impl Strategy for OccupancyMapBatched {
         g: &mut FrameGraph<'_>,
         view: &mut ViewNodes,
     ) -> Result<VisibleSet, DeclareError> {
-        let settings = self.settings.traversal(QueryMode::Batches);
+        let settings = TraversalSettings {
+            guard: self.guard,
+            ..self.settings.traversal(QueryMode::Batches)
+        };
         let shape = self.settings.tree;
         Ok(match self.latency {
             Latency::FrameLate => frame_late(g, view, shape, settings),

@@ -7,6 +7,7 @@
 
 use std::ops::RangeInclusive;
 
+use antumbra_cull::guard::GuardOptions;
 use antumbra_cull::{
     Allowance, AtNearPlane, Counting, DeclareError, Dial, FrameGraph, Latency, MeshDetail,
     Parameter, ProxyLimits, ProxySource, SampleRule, Setting, SettingError, Step, Strategy,
@@ -39,6 +40,8 @@ pub struct ThreePass {
     pub deviation: f64,
     /// Width and height of the first two passes' image as a fraction of the final image's: 0.05 to 1.
     pub scale: f64,
+    /// How far the eye goes a frame, for late answers that hide nothing that has come into view meanwhile.
+    pub guard: GuardOptions,
 }
 
 /// The geometry that stands for an entity in the first two passes.
@@ -82,6 +85,7 @@ impl Default for ThreePass {
             occludees: TestGeometry::Proxy,
             deviation: 8.0,
             scale: 0.5,
+            guard: GuardOptions::OFF,
         }
     }
 }
@@ -163,6 +167,22 @@ const PARAMETERS: &[Parameter<ThreePass>] = &[
         "width and height of the first two passes' image as a fraction of the final image's",
         |s| s.scale,
         |s, scale| s.scale = scale,
+    ),
+    Parameter::number(
+        "guard",
+        GuardOptions::METRES,
+        "m",
+        GuardOptions::METRES_MEAN,
+        |s| s.guard.metres,
+        |s, metres| s.guard.metres = metres,
+    ),
+    Parameter::number(
+        "guard-turn",
+        GuardOptions::DEGREES,
+        "degrees",
+        GuardOptions::DEGREES_MEAN,
+        |s| s.guard.degrees,
+        |s, degrees| s.guard.degrees = degrees,
     ),
 ];
 
@@ -256,10 +276,16 @@ impl Strategy for ThreePass {
     }
 
     fn conservative(&self) -> bool {
+        if self.latency == Latency::FrameLate {
+            // What is occluded is confirmed, whatever it was tested with.
+            return self.guard.is_on()
+                && self.threshold == Some(0)
+                && self.allow.get() == 0.0
+                && self.coarser == 0;
+        }
         // Boxes are not conservative. The box of a flat entity lies in the entity's plane and may lose a pixel to it; the boxes of lines and points
         // cover fewer pixels than the lines and points.
-        self.latency != Latency::FrameLate
-            && self.threshold == Some(0)
+        self.threshold == Some(0)
             && self.allow.get() == 0.0
             && self.coarser == 0
             && self.occluders == TestGeometry::Full
@@ -321,7 +347,12 @@ impl Strategy for ThreePass {
             percent: self.allow.shared(),
             image_samples: size[0].saturating_mul(size[1]).saturating_mul(g.samples()),
         };
-        Ok(g.visible_samples_within(view, candidates, counts, self.latency, rule, &allowance))
+        Ok(match self.latency {
+            Latency::FrameLate => {
+                g.visible_samples_guarded(view, candidates, counts, rule, &allowance, self.guard)
+            }
+            now => g.visible_samples_within(view, candidates, counts, now, rule, &allowance),
+        })
     }
 }
 

@@ -93,6 +93,7 @@ fn three_pass_in_every_case(gpu: &Gpu) {
         "three-pass",
         "three-pass:threshold=0:scale=1:occluders=full:occludees=full",
         "three-pass:latency=same-frame:threshold=0:scale=1:occluders=full:occludees=full",
+        "three-pass:threshold=0:guard=0.5",
         "three-pass:latency=same-frame:threshold=8",
         "three-pass:latency=on-gpu:threshold=0:scale=1:occluders=full:occludees=full:counting=queries",
         "three-pass:latency=same-frame:coarser=100",
@@ -119,6 +120,7 @@ fn coherent(gpu: &Gpu) {
             format!("{strategy}:latency=same-frame:together=1"),
             format!("{strategy}:latency=frame-late"),
             format!("{strategy}:latency=on-gpu"),
+            format!("{strategy}:latency=frame-late:guard=0.5"),
         ];
         conform(gpu, &small(), whole);
         let parts = [
@@ -142,6 +144,7 @@ fn walks(gpu: &Gpu) {
         "occupancy-map:latency=same-frame:tree=groups:worth=0",
         "occupancy-map:latency=frame-late",
         "occupancy-map:latency=frame-late:grain=0:visible-for=0",
+        "occupancy-map:latency=frame-late:occluded-for=3:guard=0.5",
     ];
     conform(gpu, &small(), named(&whole));
     let aggressive = [
@@ -174,6 +177,7 @@ fn chc_plus_plus(gpu: &Gpu) {
         format!("chc-plus-plus:latency=same-frame:tree=boxes:grain=0:{parts_off}"),
         "chc-plus-plus:latency=same-frame:tree=groups:grain=0:worth=0:tight-depth=8:tight-surface=16".to_owned(),
         "chc-plus-plus:latency=frame-late".to_owned(),
+        "chc-plus-plus:latency=frame-late:guard=0.5".to_owned(),
         format!("chc-plus-plus:latency=frame-late:grain=0:{parts_off}"),
     ];
     conform(gpu, &small(), all);

@@ -40,7 +40,7 @@ pub fn run(args: CompareArgs) -> Result<(), Failure> {
         horizon: input.horizon.as_ref(),
     };
     let contenders = contenders(&args, conditions)?;
-    let comparison = measure(&gpu, input, &contenders.list, &args.view)?;
+    let comparison = measure(&gpu, input, &contenders.list, &args.view, args.in_flight)?;
     // Saved first, since a reader of the table may be gone; and shown even where saving fails.
     let saved = comparison.save_into(&folder);
     let shown = match args.view.quiet {

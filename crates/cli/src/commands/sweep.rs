@@ -30,7 +30,7 @@ pub fn run(args: SweepArgs) -> Result<(), Failure> {
     let folder = open_folder(&args.out)?;
     let input = Input::open(&args.view, Horizons::of(&args.strategy), &gpu, &mut outputs)?;
     let settings = settings(&args, input.horizon.as_ref())?;
-    let mut comparison = measure(&gpu, input, &settings.list, &args.view)?;
+    let mut comparison = measure(&gpu, input, &settings.list, &args.view, args.in_flight)?;
     let report = &mut comparison.report;
     report.sweep = Some(trade_off::sweep(
         report,

@@ -1,6 +1,6 @@
 //! Oriented bounding boxes: the box of an entity's mesh after rotation and scale, which is tighter than its box along the world's axes.
 
-use antumbra_scene::bounds::round_up;
+use antumbra_scene::bounds::{round_down, round_up};
 use antumbra_scene::{Aabb, PartBox};
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 
@@ -17,6 +17,8 @@ pub struct OrientedBox {
     pub half: Vec3,
     /// What is in the box lies in the ellipsoid whose half axes are the box's times this: 1 for a sphere, [`Self::ANGULAR`] for anything.
     pub roundness: f32,
+    /// The box with this part of its size, about the same centre, lies inside of the surface that is in it; 0: nothing is known of an inside.
+    pub solid: f32,
     /// Where the boxes of its parts begin in [`SceneTable::part_boxes`](super::SceneTable::part_boxes); 0: it has none.
     pub parts: u32,
 }
@@ -27,6 +29,8 @@ pub(crate) struct MeshShape {
     pub bounds: Aabb,
     /// As [`OrientedBox::roundness`].
     pub roundness: f32,
+    /// As [`OrientedBox::solid`], of `bounds`.
+    pub solid: f32,
     pub parts: MeshParts,
 }
 
@@ -41,8 +45,15 @@ impl OrientedBox {
             axes: Vec3::AXES,
             half: Vec3::from(bounds.half_extents().to_array().map(round_up)),
             roundness: Self::ANGULAR,
+            solid: 0.0,
             parts: 0,
         }
+    }
+
+    /// The box inside of the surface; `None` where nothing is known of one.
+    pub fn inner(&self) -> Option<Self> {
+        let half = self.half * self.solid;
+        (self.solid > 0.0).then_some(Self { half, ..*self })
     }
 
     /// The bounds along the world's axes.
@@ -81,9 +92,20 @@ impl OrientedBox {
             axes: units.map(DVec3::as_vec3),
             half: (half + slack).as_vec3(),
             roundness: shape.roundness,
+            // A mirrored mesh is inside out.
+            solid: match world.matrix3.determinant() > 0.0 {
+                true => solid_of(half, slack, f64::from(shape.solid)),
+                false => 0.0,
+            },
             parts: if holds.all() { shape.parts.first } else { 0 },
         }
     }
+}
+
+/// The part of a box of these half edges with the slack added that lies inside of a part of the box without it, with the slack taken off.
+fn solid_of(half: DVec3, slack: f64, part: f64) -> f32 {
+    let inner = (half * part - slack) / (half + slack);
+    round_down(inner.min_element().max(0.0))
 }
 
 #[cfg(test)]
@@ -95,6 +117,7 @@ mod tests {
         MeshShape {
             bounds,
             roundness: OrientedBox::ANGULAR,
+            solid: 0.75,
             parts: MeshParts {
                 first: 7,
                 flat: BVec3::FALSE,

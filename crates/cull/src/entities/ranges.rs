@@ -41,6 +41,8 @@ pub struct MeshRanges {
     pub deviation: f64,
     /// The mesh lies in the ellipsoid whose half axes are those of `bounds` times this: 1 for a sphere, [`OrientedBox::ANGULAR`] for what reaches a corner.
     pub roundness: f32,
+    /// The box with this part of the size of `bounds`, about the same centre, lies inside of the mesh ([`solid_part`](antumbra_scene::solid_part)); 0: there is none.
+    pub solid: f32,
     /// The bounding box itself, in the mesh's own space.
     pub bounds: Aabb,
 }

@@ -12,8 +12,8 @@ pub(super) struct List {
     newest: Answers,
 }
 
-/// Frames that may be under way. A frame that finds no free slot is not read back.
-const SLOTS: usize = 4;
+/// Slots of the ring: engines have up to three frames in flight, one result is read and one is asked for. A frame that finds no free slot is not read back.
+const SLOTS: usize = 3 + 2;
 
 impl List {
     /// Asks for a mask of a frame. Returns whether there was a free slot. When the mask has grown, what is under way is lost; what has arrived stays.

@@ -5,7 +5,7 @@ use super::picture::{Rect, tested};
 use super::raster::{Attachments, DepthUse, QUAD_INDICES, RasterDesc, RasterPipeline, pass};
 use super::scene::Scene;
 use super::trial::{Answer, Expected, Trial};
-use crate::boxes::{BoxPipeline, GpuBox};
+use crate::boxes::{BoxPipeline, BoxPurpose, GpuBox};
 
 /// Bytes of a query's result.
 const RESULT_BYTES: u64 = 8;
@@ -29,7 +29,13 @@ pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> Trial {
         bench.gpu,
         &RasterDesc::depth(DepthUse::Tests, bench.samples),
     );
+<<<<<<< HEAD
     let boxes = bench.gpu.box_pipeline(bench.samples);
+=======
+    let boxes = bench
+        .pipelines
+        .boxes(bench.gpu, bench.samples, BoxPurpose::Query);
+>>>>>>> b09b2aa180182835713c2cec566b6b322515a2b6
     let solids: Vec<GpuBox> = all
         .iter()
         .map(|(rect, _)| {

@@ -143,6 +143,11 @@ pub(super) fn build(
         colour_format: options.colour_format,
         samples: options.samples,
         output: options.output,
+<<<<<<< HEAD
+=======
+        frames_in_flight: options.frames_in_flight.max(1),
+        pipelines: std::mem::take(inherited.pipelines),
+>>>>>>> b09b2aa180182835713c2cec566b6b322515a2b6
         trees: HashMap::new(),
         resident: None,
         shown: Vec::new(),
@@ -161,6 +166,8 @@ pub(super) fn build(
     let compile = CompileOptions {
         mode: options.mode,
         timing: options.timing,
+        frames_in_flight: options.frames_in_flight,
+        late_results: options.late_results,
         ..gpu.compile_options()
     };
     let plan = graph

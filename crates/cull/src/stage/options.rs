@@ -1,6 +1,6 @@
 //! What a stage is built from: its views and its options.
 
-use antumbra_graph::Mode;
+use antumbra_graph::{LateResults, Mode};
 
 use super::distrust::DistrustOptions;
 use super::error::StageError;
@@ -66,6 +66,10 @@ pub struct StageOptions {
     pub background: wgpu::Color,
     /// Whether GPU time is measured per pass, on devices with timestamps.
     pub timing: bool,
+    /// Frames that the host has in flight, at least 1: so many are recorded before the first of them is done. Rings of read-backs have two slots more, and strategies keep late answers until newer ones can be there.
+    pub frames_in_flight: u32,
+    /// Which late answers a frame uses: the newest, or, for measurements, those of the frame that lies `frames_in_flight` before.
+    pub late_results: LateResults,
     /// How frames audit themselves; `None`: they do not, and the plan has no such nodes.
     pub audit: Option<AuditOptions>,
     /// The budget that replaces settings. A budget of wrong pixels turns the audit on, with [`AuditOptions::default`] unless `audit` says otherwise.
@@ -88,6 +92,8 @@ impl Default for StageOptions {
                 a: 1.0,
             },
             timing: false,
+            frames_in_flight: 2,
+            late_results: LateResults::Newest,
             audit: None,
             budget: None,
             distrust: DistrustOptions::default(),

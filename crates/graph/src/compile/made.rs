@@ -67,7 +67,7 @@ impl Made {
                         device,
                         &placed.resource.name,
                         placed.bytes(),
-                        options.read_back_slots,
+                        options.ring_slots(),
                     ));
                     rings.len() - 1
                 })

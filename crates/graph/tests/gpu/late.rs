@@ -1,8 +1,9 @@
 //! Frame-late read-back: each answer carries its frame and tag, is delivered once, can be dropped, and is never waited for.
 
+use std::collections::VecDeque;
 use std::sync::mpsc;
 
-use antumbra_graph::{BufferDesc, CompileOptions, Graph, Host, Plan};
+use antumbra_graph::{BufferDesc, CompileOptions, Graph, Host, LateResults, Mode, Plan};
 
 use crate::device::{Gpu, vulkan};
 
@@ -16,7 +17,7 @@ struct Late {
 }
 
 /// A graph that uploads `number` and reads it back late, with the number as its tag. The reader is declared first.
-fn graph(gpu: &Gpu, embedded: bool, slots: usize) -> Late {
+fn graph(gpu: &Gpu, mode: Mode, frames_in_flight: u32, late_results: LateResults) -> Late {
     let mut g = Graph::new("late");
     let number = g.import_host::<u64>("number");
     let tag = g.host::<u64>("tag");
@@ -51,14 +52,11 @@ fn graph(gpu: &Gpu, embedded: bool, slots: usize) -> Late {
         ctx.upload(data, 0, bytemuck::cast_slice(&words))?;
         Ok(())
     });
-    let options = if embedded {
-        CompileOptions::embedded(&gpu.device)
-    } else {
-        CompileOptions::owned(&gpu.device)
-    };
     let options = CompileOptions {
-        read_back_slots: slots,
-        ..options
+        mode,
+        frames_in_flight,
+        late_results,
+        ..CompileOptions::owned(&gpu.device)
     };
     Late {
         plan: g.compile(&options).unwrap(),
@@ -70,7 +68,7 @@ fn graph(gpu: &Gpu, embedded: bool, slots: usize) -> Late {
 #[test]
 fn an_answer_names_its_frame_and_carries_its_tag_once() {
     let gpu = vulkan();
-    let mut late = graph(&gpu, false, 3);
+    let mut late = graph(&gpu, Mode::Owned, 1, LateResults::Newest);
     let mut frames = Vec::new();
     for frame in 0..6_u64 {
         late.plan.set(late.number, 100 + frame).unwrap();
@@ -94,7 +92,7 @@ fn an_answer_names_its_frame_and_carries_its_tag_once() {
 #[test]
 fn forgotten_answers_never_arrive() {
     let gpu = vulkan();
-    let mut late = graph(&gpu, false, 3);
+    let mut late = graph(&gpu, Mode::Owned, 1, LateResults::Newest);
     for frame in 0..4 {
         late.plan.set(late.number, frame).unwrap();
         late.plan.execute(&gpu.device, &gpu.queue).unwrap();
@@ -111,7 +109,7 @@ fn forgotten_answers_never_arrive() {
 #[test]
 fn an_older_answer_never_follows_a_newer_one() {
     let gpu = vulkan();
-    let mut late = graph(&gpu, true, 3);
+    let mut late = graph(&gpu, Mode::Embedded, 1, LateResults::Newest);
     let mut record = |number: u64| {
         late.plan.set(late.number, number).unwrap();
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
@@ -139,10 +137,10 @@ fn an_older_answer_never_follows_a_newer_one() {
 #[test]
 fn a_frame_without_a_free_slot_goes_on_and_says_so() {
     let gpu = vulkan();
-    let mut late = graph(&gpu, true, 1);
+    let mut late = graph(&gpu, Mode::Embedded, 1, LateResults::Newest);
     let mut skipped = 0;
     let mut encoders = Vec::new();
-    for frame in 0..3 {
+    for frame in 0..5 {
         late.plan.set(late.number, frame).unwrap();
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         let report = late
@@ -154,7 +152,7 @@ fn a_frame_without_a_free_slot_goes_on_and_says_so() {
     }
     assert_eq!(
         skipped, 2,
-        "nothing was submitted, so the only slot stayed taken"
+        "nothing was submitted, so the three slots stayed taken"
     );
     gpu.queue.submit(encoders);
     gpu.wait();
@@ -164,14 +162,14 @@ fn a_frame_without_a_free_slot_goes_on_and_says_so() {
         .record(&gpu.device, &gpu.queue, &mut encoder)
         .unwrap();
     let seen: Vec<_> = late.seen.try_iter().flatten().map(|seen| seen.0).collect();
-    assert_eq!(seen, [0]);
+    assert_eq!(seen, [2], "the newest of the three that had a slot");
 }
 
 #[test]
 fn a_dropped_encoder_gives_its_slot_back() {
     let gpu = vulkan();
-    let mut late = graph(&gpu, true, 1);
-    for frame in 0..4 {
+    let mut late = graph(&gpu, Mode::Embedded, 1, LateResults::Newest);
+    for frame in 0..9 {
         late.plan.set(late.number, frame).unwrap();
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         let report = late
@@ -181,4 +179,95 @@ fn a_dropped_encoder_gives_its_slot_back() {
         assert_eq!(report.skipped_read_backs, 0);
     }
     assert!(late.seen.try_iter().flatten().next().is_none());
+}
+
+/// Waits for a submission: it is done then, and later ones need not be.
+fn wait_for(gpu: &Gpu, submission: Option<wgpu::SubmissionIndex>) {
+    let poll = wgpu::PollType::Wait {
+        submission_index: submission,
+        timeout: None,
+    };
+    gpu.device.poll(poll).unwrap();
+}
+
+/// A host that always has as many frames in flight as it said.
+#[test]
+fn every_answer_is_as_old_as_there_are_frames_in_flight_and_none_is_lost() {
+    let gpu = vulkan();
+    for in_flight in 1..=4_u32 {
+        let mut late = graph(&gpu, Mode::Owned, in_flight, LateResults::OfFramesInFlight);
+        let mut flying = VecDeque::new();
+        for frame in 0..16_u64 {
+            late.plan.set(late.number, 100 + frame).unwrap();
+            let report = late.plan.execute(&gpu.device, &gpu.queue).unwrap();
+            assert_eq!(report.skipped_read_backs, 0, "{in_flight} in flight");
+            let age = u64::from(in_flight);
+            let expected = frame.checked_sub(age);
+            let seen = late.seen.recv().unwrap();
+            assert_eq!(
+                seen.as_ref().map(|seen| seen.0),
+                expected,
+                "{in_flight} in flight"
+            );
+            assert_eq!(seen.map(|seen| seen.1), expected.map(|of| 100 + of));
+            let told: Vec<_> = report
+                .late
+                .iter()
+                .map(|late| (late.node.as_str(), late.age))
+                .collect();
+            let should: Vec<_> = expected.map(|_| ("read", age)).into_iter().collect();
+            assert_eq!(told, should);
+            flying.push_back(report.submission);
+            if flying.len() == in_flight as usize {
+                wait_for(&gpu, flying.pop_front().flatten());
+            }
+        }
+    }
+}
+
+/// What has arrived early is held back, so that the speed of a device decides nothing.
+#[test]
+fn an_answer_that_arrives_early_waits_for_its_frame() {
+    let gpu = vulkan();
+    let mut late = graph(&gpu, Mode::Owned, 3, LateResults::OfFramesInFlight);
+    let mut newest = graph(&gpu, Mode::Owned, 3, LateResults::Newest);
+    for frame in 0..8_u64 {
+        for (graph, age) in [(&mut late, 3), (&mut newest, 1)] {
+            graph.plan.set(graph.number, frame).unwrap();
+            let report = graph.plan.execute(&gpu.device, &gpu.queue).unwrap();
+            gpu.wait();
+            assert_eq!(report.skipped_read_backs, 0);
+            let seen = graph.seen.recv().unwrap().map(|seen| seen.0);
+            assert_eq!(seen, frame.checked_sub(age));
+        }
+    }
+}
+
+/// A ring has two slots more than there are frames in flight: one frame more may be recorded, and loses nothing.
+#[test]
+fn a_host_with_one_frame_more_in_flight_loses_no_answer() {
+    let gpu = vulkan();
+    for in_flight in 1..=3_u32 {
+        let mut late = graph(&gpu, Mode::Embedded, in_flight, LateResults::Newest);
+        let mut flying = VecDeque::new();
+        let mut seen = Vec::new();
+        for frame in 0..12_u64 {
+            late.plan.set(late.number, frame).unwrap();
+            let mut encoder = gpu.device.create_command_encoder(&Default::default());
+            let report = late
+                .plan
+                .record(&gpu.device, &gpu.queue, &mut encoder)
+                .unwrap();
+            assert_eq!(report.skipped_read_backs, 0, "{in_flight} in flight");
+            seen.extend(late.seen.recv().unwrap().map(|seen| seen.0));
+            flying.push_back(encoder.finish());
+            if flying.len() > in_flight as usize {
+                gpu.queue.submit(flying.pop_front());
+                gpu.wait();
+            }
+        }
+        let all: Vec<_> = (0..seen.len() as u64).collect();
+        assert_eq!(seen, all, "{in_flight} in flight: each once, in order");
+        assert_eq!(seen.len(), 11 - in_flight as usize);
+    }
 }

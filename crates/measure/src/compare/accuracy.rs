@@ -8,9 +8,11 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use antumbra_cull::{
-    FrustumOnly, MeshDetail, Stage, StageOptions, Verdicts, ViewInput, ViewSpec, read_back,
+    AUDIT, FrustumOnly, MeshDetail, ResidentScene, Stage, StageOptions, Verdicts, ViewInput,
+    ViewSpec, read_back,
 };
 use antumbra_draw::GpuScene;
+use antumbra_graph::FrameReport;
 use antumbra_scene::Camera;
 use antumbra_verify::{Differences, EntitySet, IdBuffer, Oracle};
 use image::RgbaImage;
@@ -21,7 +23,7 @@ use super::script::{PosedScene, ScriptedScene};
 use super::{CompareOptions, CompareProgress};
 use crate::MeasureError;
 use crate::image_error::flip;
-use crate::report::{AuditReport, MeanMax};
+use crate::report::{AnswerReport, AuditReport, MeanMax};
 
 /// The errors of all strategies.
 pub struct Accuracy {
@@ -57,6 +59,8 @@ pub struct Record {
     pub tally: [u64; 6],
     /// The most of any pose.
     pub sync_points: u32,
+    /// The late answers of all poses.
+    pub answers: Option<AnswerReport>,
     /// By pose.
     pub poses: Vec<PoseCounts>,
     /// Its audits and budget.
@@ -72,6 +76,8 @@ pub struct PoseCounts {
     pub triangles: u64,
     pub queries: u64,
     pub sync_points: u32,
+    /// Age of the oldest late answer in frames; 0: there was none.
+    pub answer_age: u64,
 }
 
 /// The errors of one strategy in one view, with one value for each pose, and its queries.
@@ -181,10 +187,12 @@ pub fn measure(
                 view.wrong_percent.get(frame).copied()
             };
             audited.take(stage, references.len(), truth);
+            let answer_age = record.note_answers(stage, &report.plan);
             record.poses.push(PoseCounts {
                 triangles: record.triangles - triangles,
                 queries: record.queries() - queries,
                 sync_points: report.plan.sync_points,
+                answer_age,
             });
         }
         let owned = |reference: &ReferenceView| reference.ids.owned_pixels() as u64;
@@ -350,6 +358,30 @@ impl Record {
     /// Queries so far, in all views.
     pub fn queries(&self) -> u64 {
         self.views.iter().map(|view| view.queries).sum()
+    }
+
+    /// Notes the late answers that a strategy's nodes were given in a frame, and returns the age of the oldest; 0 without any.
+    fn note_answers(&mut self, stage: &Stage, frame: &FrameReport) -> u64 {
+        let passes = stage.plan().passes();
+        let of_strategy = |node: &str| {
+            let pass = passes.iter().find(|pass| pass.name == node);
+            node != ResidentScene::UPLOAD && pass.is_some_and(|pass| pass.group != Some(AUDIT))
+        };
+        let late = frame.late.iter().filter(|late| of_strategy(&late.node));
+        let mut oldest = 0;
+        for late in late {
+            oldest = oldest.max(late.age);
+            let all = self.answers.get_or_insert(AnswerReport {
+                youngest: late.age,
+                ..AnswerReport::default()
+            });
+            all.youngest = all.youngest.min(late.age);
+            all.oldest = all.oldest.max(late.age);
+        }
+        if let Some(all) = &mut self.answers {
+            all.skipped += u64::from(frame.skipped_read_backs);
+        }
+        oldest
     }
 
     fn count(&mut self, scene: &GpuScene, drawn: &[u32], verdicts: &Verdicts, owners_drawn: usize) {

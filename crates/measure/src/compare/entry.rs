@@ -119,6 +119,7 @@ impl Entries<'_> {
             queries: mean(record.queries()),
             queries_a_view: eyes.iter().map(|view| mean(view.queries)).collect(),
             sync_points: record.sync_points,
+            answers: record.answers,
             overdrawn_entities: mean(record.overdrawn),
             error,
             views,
@@ -128,6 +129,10 @@ impl Entries<'_> {
                 drawn_triangles: record.poses.iter().map(|pose| pose.triangles).collect(),
                 queries: record.poses.iter().map(|pose| pose.queries).collect(),
                 sync_points: record.poses.iter().map(|pose| pose.sync_points).collect(),
+                answer_age: match record.answers {
+                    Some(_) => record.poses.iter().map(|pose| pose.answer_age).collect(),
+                    None => Vec::new(),
+                },
                 wrong_of_owned_percent: all.wrong_of_owned_percent(),
                 wrong_pixels_percent: all.wrong_percent,
                 wrong_pixels_percent_a_view: eyes

@@ -1,4 +1,4 @@
-//! Speed: blocks of consecutive poses with the strategies in rotation. First serialised frames, then frames with two in flight.
+//! Speed: blocks of consecutive poses with the strategies in rotation. First serialised frames, then frames with two in flight, or with as many as the comparison has.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -98,7 +98,8 @@ pub fn measure(
         }
         repeats += 1;
     }
-    free_running(scripted, stages, owners, &mut runs, &blocks, progress)?;
+    let most = options.in_flight.max(2) as usize;
+    free_running(scripted, stages, owners, &mut runs, &blocks, most, progress)?;
     Ok(Speed { runs, block })
 }
 
@@ -121,13 +122,14 @@ fn warm_up(
     Ok(())
 }
 
-/// Times frames with two in flight. Only here a strategy that waits for the GPU loses time for it. Every fourth block is enough.
+/// Times frames with `most` in flight. Only here a strategy that waits for the GPU loses time for it. Every fourth block is enough.
 fn free_running(
     scripted: &mut ScriptedScene<'_>,
     stages: &mut [Stage],
     owners: &[Owners],
     runs: &mut [TimedRun],
     blocks: &[std::ops::Range<usize>],
+    most: usize,
     progress: &mut dyn FnMut(CompareProgress),
 ) -> Result<(), MeasureError> {
     let chosen: Vec<_> = blocks.iter().step_by(4).collect();
@@ -144,7 +146,7 @@ fn free_running(
             let start = Instant::now();
             let mut in_flight = VecDeque::new();
             for frame in range.clone() {
-                if in_flight.len() == 2 {
+                if in_flight.len() >= most {
                     wait_for(scripted.scene().gpu(), in_flight.pop_front())?;
                 }
                 let StageInputs { scene, views } = inputs(scripted, frame, owners)?;

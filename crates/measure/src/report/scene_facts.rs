@@ -27,6 +27,9 @@ pub struct SceneFacts {
     /// Samples a pixel.
     #[serde(default = "one_sample")]
     pub samples: u32,
+    /// Frames in flight: late answers are so many frames old when they are used. Absent in old reports, where it was 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub in_flight: Option<u32>,
     /// Poses of the path; each is one frame.
     pub frames: u64,
     /// Pixels of the reference that entities own, in percent of the pixels of all poses and views; absent in old reports.

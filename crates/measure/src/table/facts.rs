@@ -17,6 +17,10 @@ pub fn facts(report: &Report) -> [String; 2] {
         1 => String::new(),
         many => format!(" of {many} samples"),
     };
+    let in_flight = match scene.in_flight {
+        None | Some(1) => String::new(),
+        Some(many) => format!(" with {many} in flight"),
+    };
     let eyes = scene.stereo.map_or_else(String::new, |stereo| {
         format!(
             " (eyes {} m apart, converging at {} m)",
@@ -57,7 +61,7 @@ pub fn facts(report: &Report) -> [String; 2] {
     });
     [
         format!(
-            "scene {}: {}, {}; {width} x {height} pixels{samples}, {}{eyes}, {}{path}{motion}{owned}{missing}",
+            "scene {}: {}, {}; {width} x {height} pixels{samples}, {}{eyes}, {}{in_flight}{path}{motion}{owned}{missing}",
             format::clean(&scene.name),
             format::plural(scene.entities, "entity"),
             format::plural(scene.triangles, "triangle"),

@@ -38,6 +38,7 @@ pub fn report() -> Report {
             views: 1,
             stereo: None,
             samples: 1,
+            in_flight: Some(1),
             size: [960, 540],
             frames: FRAMES as u64,
             owned_percent: None,

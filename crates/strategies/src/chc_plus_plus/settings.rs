@@ -1,5 +1,6 @@
 //! The settings of `chc-plus-plus`: parameters (key, range, unit, description) and what they mean to a traversal.
 
+use antumbra_cull::guard::GuardOptions;
 use antumbra_cull::{Latency, Parameter, shortest};
 use antumbra_scene::hierarchy::HierarchyShape;
 
@@ -42,6 +43,8 @@ impl ChcPlusPlus {
             },
             order: DrawOrder::State,
             sketch: self.sketch,
+            in_flight: 1,
+            guard: self.guard,
         }
     }
 }
@@ -140,5 +143,21 @@ pub(super) const PARAMETERS: &[Parameter<ChcPlusPlus>] = &[
         "whether a sketch of the traversal is kept for debugging",
         |s| s.sketch,
         |s, on| s.sketch = on,
+    ),
+    Parameter::number(
+        "guard",
+        GuardOptions::METRES,
+        "m",
+        GuardOptions::METRES_MEAN,
+        |s| s.guard.metres,
+        |s, metres| s.guard.metres = metres,
+    ),
+    Parameter::number(
+        "guard-turn",
+        GuardOptions::DEGREES,
+        "degrees",
+        GuardOptions::DEGREES_MEAN,
+        |s| s.guard.degrees,
+        |s, degrees| s.guard.degrees = degrees,
     ),
 ];

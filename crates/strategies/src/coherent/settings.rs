@@ -1,5 +1,6 @@
 //! The settings of both coherent strategies: fields, parameters (key, range, unit, description), and steps from accurate to fast.
 
+use antumbra_cull::guard::GuardOptions;
 use antumbra_cull::{
     Counting, DeclareError, FrameGraph, Latency, Parameter, Setting, SettingError, Step, Tunable,
     Value, assign, describe,
@@ -21,6 +22,8 @@ pub struct CoherentSettings {
     /// Most occluded entities that share a query. Where it finds a sample, all of them are drawn, and the next frame queries each on its own.
     /// 1: no sharing, as in the paper.
     pub together: u32,
+    /// How far the eye goes a frame, for late answers that hide nothing that has come into view meanwhile.
+    pub guard: GuardOptions,
 }
 
 impl Default for CoherentSettings {
@@ -31,6 +34,7 @@ impl Default for CoherentSettings {
             late: 0.0,
             resort: 0.01,
             together: 8,
+            guard: GuardOptions::OFF,
         }
     }
 }
@@ -81,7 +85,10 @@ impl CoherentSettings {
 
     /// Whether no visible entity is culled.
     pub(super) fn conservative(self) -> bool {
-        self.latency != Latency::FrameLate && self.fraction >= 1.0
+        match self.latency {
+            Latency::FrameLate => self.guard.is_on(),
+            Latency::SameFrame | Latency::OnGpu => self.fraction >= 1.0,
+        }
     }
 }
 
@@ -157,5 +164,21 @@ pub(super) const PARAMETERS: &[Parameter<CoherentSettings>] = &[
         "most entities that share a query while they stay occluded; 1: each has its own",
         |s| s.together,
         |s, entities| s.together = entities,
+    ),
+    Parameter::number(
+        "guard",
+        GuardOptions::METRES,
+        "m",
+        GuardOptions::METRES_MEAN,
+        |s| s.guard.metres,
+        |s, metres| s.guard.metres = metres,
+    ),
+    Parameter::number(
+        "guard-turn",
+        GuardOptions::DEGREES,
+        "degrees",
+        GuardOptions::DEGREES_MEAN,
+        |s| s.guard.degrees,
+        |s, degrees| s.guard.degrees = degrees,
     ),
 ];

@@ -13,7 +13,7 @@ use antumbra_graph::{Host, HostBuilder, HostContext, ReadBack};
 
 use super::memory::{AfterCut, Answers, Memory, QuerySubject, Visibility};
 use super::picker::TestPicker;
-use super::queried_list::{ListSource, QueriedList, Sharing};
+use super::queried_list::{ListSource, QueriedList, Sharing, submit_unqueried};
 use super::settings::CoherentSettings;
 use crate::transparent::{submit_transparent, transparent_list};
 use antumbra_cull::order::by_nearest_corner;
@@ -189,6 +189,8 @@ pub(super) fn frame_late(
         QueriedList::declare(g, view, "last occluded"),
     );
     let lent_list = lent.map(|_| g.unsubmitted(&view.named("seen by the other eye")));
+    let mut guard = g.begin_guard(view, settings.guard);
+    let revived = guard.map(|_| g.unsubmitted(&view.named("unconfirmed")));
     let transparent = transparent_list(g, view);
     let mut node = g.graph().host_node(view.named("read history"));
     node.group(CULL).read(inputs.scene).read(inputs.view);
@@ -205,6 +207,8 @@ pub(super) fn frame_late(
     let verdicts = node.write(verdicts);
     let (drawn, tests) = (drawn.written_by(&mut node), tests.written_by(&mut node));
     let lent_list = lent_list.map(|list| list.written_by(&mut node));
+    let revived = revived.map(|list| list.written_by(&mut node));
+    let guarded = guard.as_mut().map(|guard| guard.updated_by(&mut node));
     let transparent = transparent.map(|list| list.written_by(&mut node));
     let mut picker = TestPicker::default();
     node.run(move |ctx| {
@@ -223,6 +227,12 @@ pub(super) fn frame_late(
         let mut verdicts = ctx.get_mut(verdicts)?;
         judge(&memory, table, &candidates, &mut verdicts);
         let opaque = |slot: &u32| !table.is_transparent(*slot);
+        if let (Some(guard), Some(revived)) = (guarded, revived) {
+            let mut guard = ctx.get_mut(guard)?;
+            let inside = candidates.inside().iter().copied();
+            let unconfirmed = guard.confirm(table, inside, &mut verdicts).iter().copied();
+            submit_unqueried(ctx, revived, table, unconfirmed.filter(opaque))?;
+        }
         let mut new: Vec<u32> = memory.unknown().iter().copied().filter(opaque).collect();
         by_nearest_corner(&mut new, table, &frame);
         let exempt = candidates.exempt().iter().copied().filter(opaque);
@@ -270,9 +280,13 @@ pub(super) fn frame_late(
     if let Some(lent_list) = lent_list {
         g.shade_list(view, "shade what the other eye sees", lent_list);
     }
+    if let Some(revived) = revived {
+        g.shade_list(view, "shade unconfirmed", revived);
+    }
     let drawn = drawn.shade(g, view, "shade last visible");
     // No node of this frame reads the answers.
     let _ = tests.test(g, view, "test last occluded");
+    g.end_guard(view, guard);
     if let Some(transparent) = transparent {
         g.shade_list(view, "transparent", transparent);
     }

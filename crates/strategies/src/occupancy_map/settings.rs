@@ -1,5 +1,6 @@
 //! The settings of both strategies with an occupancy map: fields and parameters (key, range, unit, description).
 
+use antumbra_cull::guard::GuardOptions;
 use antumbra_cull::{Parameter, shortest};
 use antumbra_scene::hierarchy::HierarchyShape;
 
@@ -80,6 +81,8 @@ impl OccupancySettings {
             retests: Retests::Spread,
             order: self.order,
             sketch: self.sketch,
+            in_flight: 1,
+            guard: GuardOptions::OFF,
         }
     }
 

@@ -20,6 +20,10 @@ pub fn frame_late(
     shape: HierarchyShape,
     settings: TraversalSettings,
 ) -> VisibleSet {
+    let settings = TraversalSettings {
+        in_flight: g.frames_in_flight(),
+        ..settings
+    };
     let inputs = TraversalInputs::new(g, view, shape, settings);
     let most = max_queries(g);
     let traversal = g.graph().host::<LateTraversal>(view.named("traversal"));
@@ -33,6 +37,7 @@ pub fn frame_late(
     let answers = g
         .graph()
         .buffer(view.named("query results"), BufferDesc::new(most * 8));
+    let mut guard = g.begin_guard(view, settings.guard);
     let mut node = g.graph().host_node(view.named("traverse tree"));
     inputs.read_by(&mut node);
     let late = node.read_previous(answers, queried);
@@ -42,6 +47,7 @@ pub fn frame_late(
         host.get(queried)
             .map_or(0, |queried| queried.ends.len() as u64 * 8)
     });
+    let guarded = guard.as_mut().map(|guard| guard.updated_by(&mut node));
     let visible = visible.written_by(&mut node);
     let query_boxes = query_boxes.written_by(&mut node);
     let sketch = sketch.map(|sketch| node.write(sketch));
@@ -55,6 +61,14 @@ pub fn frame_late(
                 traversal.take(context, &settings, late.tag, query_results(late.bytes));
             }
             traversal.traverse(context, &settings, &mut verdicts, &mut boxes);
+            if let Some(guard) = guarded {
+                let mut guard = ctx.get_mut(guard)?;
+                let revived = guard.confirm(context.table, 0..context.table.slots(), &mut verdicts);
+                let opaque = |slot: &u32| !context.table.is_transparent(*slot);
+                traversal
+                    .found()
+                    .extend(revived.iter().copied().filter(opaque));
+            }
             fill(&mut list, context.table, traversal.found(), settings.order);
             Ok(())
         })?;
@@ -75,6 +89,7 @@ pub fn frame_late(
     let depth = view.targets.depth;
     box_query_pass(g.graph(), spec, inputs.view, query_boxes, depth, answers);
     shade_transparent(g, view, verdicts);
+    g.end_guard(view, guard);
     if let Some(sketch) = sketch {
         g.show(view, Sketch::NAME, sketch);
     }

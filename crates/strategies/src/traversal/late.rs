@@ -82,7 +82,7 @@ pub struct LateTraversal {
     pub sketch: Sketch,
 }
 
-/// Frames after which an answer "occluded" is too old to cull anything: the frames an answer is under way, and one more.
+/// Frames after which an answer "occluded" is too old to cull anything, at least. An answer is under way as long as there are frames in flight, and so is the next one, that is asked for when it is there.
 const EXPIRY: u32 = 4;
 /// Frames for which a node that has become visible stays open although all its children are occluded. Also the frames for which a node shares no query
 /// after a shared query found a sample.
@@ -241,7 +241,7 @@ impl LateTraversal {
         let Some(state) = self.nodes.get(node as usize) else {
             return false;
         };
-        let expiry = EXPIRY + settings.lifetime.occluded;
+        let expiry = EXPIRY.max(2 * settings.in_flight) + settings.lifetime.occluded;
         state.queried > 0 && !state.visible && state.queried + expiry >= self.frame
     }
 

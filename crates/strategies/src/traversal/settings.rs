@@ -1,5 +1,7 @@
 //! The settings of a traversal.
 
+use antumbra_cull::guard::GuardOptions;
+
 /// How many queries are issued before their answers are waited for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum QueryMode {
@@ -135,6 +137,10 @@ pub struct TraversalSettings {
     pub order: DrawOrder,
     /// Whether the traversal keeps a [`Sketch`](crate::Sketch).
     pub sketch: bool,
+    /// Frames in flight, at least 1: an answer that is used later is this many frames old.
+    pub in_flight: u32,
+    /// How far the eye goes a frame, for late answers that hide nothing that has come into view meanwhile.
+    pub guard: GuardOptions,
 }
 
 impl TraversalSettings {
@@ -158,6 +164,8 @@ impl TraversalSettings {
         retests: Retests::Spread,
         order: DrawOrder::State,
         sketch: false,
+        in_flight: 1,
+        guard: GuardOptions::OFF,
     };
 }
 

@@ -28,7 +28,7 @@ impl SceneTable {
     pub fn reshape(&mut self, mesh: u32, shape: NewShape) {
         if let Some(ranges) = self.meshes.get_mut(mesh as usize) {
             (ranges.bounds, ranges.box_margin) = (shape.bounds, shape.box_margin);
-            ranges.roundness = OrientedBox::ANGULAR;
+            (ranges.roundness, ranges.solid) = (OrientedBox::ANGULAR, 0.0);
         }
     }
 
@@ -61,6 +61,7 @@ impl SceneTable {
                 let shape = MeshShape {
                     bounds: mesh.bounds,
                     roundness: mesh.roundness,
+                    solid: mesh.solid,
                     parts: self.parts.of_mesh(at),
                 };
                 OrientedBox::new(&shape, world, &bounds)
