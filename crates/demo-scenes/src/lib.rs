@@ -49,6 +49,11 @@ mod grid;
 mod lathe;
 mod layer;
 mod names;
+// Some of it is for the scenes that are features.
+#[cfg_attr(
+    not(all(feature = "subsurface", feature = "terrain")),
+    allow(dead_code)
+)]
 mod random;
 mod shell;
 mod solid;

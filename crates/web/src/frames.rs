@@ -102,8 +102,10 @@ struct Player {
     on_gpu: GpuScene,
     stereo: Stereo,
     oracle: Oracle,
-    /// For each frame, the owners of the pixels of each eye's view: of the camera's own, the left and the right one.
-    references: Vec<[IdBuffer; 3]>,
+    /// Of four samples a pixel.
+    fine_oracle: Oracle,
+    /// For each frame, the owners of the pixels of each eye's view: of the camera's own, the left and the right one, and of the camera's own with four samples.
+    references: Vec<[IdBuffer; 4]>,
 }
 
 impl Player {
@@ -119,14 +121,19 @@ impl Player {
         }
         let stereo = Stereo::new(0.065, 4.0).map_err(|error| wrong(error.to_string()))?;
         let mut oracle = Oracle::new(&on_gpu, SIZE);
+        let mut fine_oracle = Oracle::new(&on_gpu, SIZE).with_samples(4);
         let mut references = Vec::new();
         for camera in &world.cameras {
             let eyes = stereo.eyes(camera);
             let [left, right] = eyes.map_err(|error| wrong(error.to_string()))?;
-            let mut seen = [const { None }; 3];
+            let mut seen = [const { None }; 4];
             for (seen, camera) in seen.iter_mut().zip([*camera, left, right]) {
                 let all = EntitySet::InFrustum;
                 *seen = Some(oracle.render_async(&on_gpu, &camera, all).await?);
+            }
+            if let Some(fine) = seen.last_mut() {
+                let all = EntitySet::InFrustum;
+                *fine = Some(fine_oracle.render_async(&on_gpu, camera, all).await?);
             }
             references.push(seen.map(Option::unwrap_or_default));
         }
@@ -135,6 +142,7 @@ impl Player {
             on_gpu,
             stereo,
             oracle,
+            fine_oracle,
             references,
         })
     }
@@ -144,6 +152,7 @@ impl Player {
         let both = self.stereo.eyes(camera);
         match (kind, both) {
             (StageKind::TwoEyes, Ok([left, right])) => vec![(1, left), (2, right)],
+            _ if kind.samples() > 1 => vec![(3, *camera)],
             _ => vec![(0, *camera)],
         }
     }
@@ -218,7 +227,11 @@ impl Player {
         for (view, (of, camera)) in eyes.iter().enumerate() {
             let verdicts = stage.verdicts_async(view, &self.on_gpu).await?;
             let set = EntitySet::Drawn(&verdicts);
-            let image = self.oracle.render_async(&self.on_gpu, camera, set).await?;
+            let oracle = match kind.samples() {
+                1 => &mut self.oracle,
+                _ => &mut self.fine_oracle,
+            };
+            let image = oracle.render_async(&self.on_gpu, camera, set).await?;
             let wrong = seen.get(*of).map_or(0, |seen| seen.wrong_pixels(&image));
             let tally = Verdict::ALL.iter().zip(verdicts.tally());
             let tally = tally

@@ -5,6 +5,7 @@
 
 mod cases;
 mod frames;
+mod judged;
 mod opened;
 mod report;
 mod scenes;
@@ -16,6 +17,15 @@ pub use report::{Case, DeviceReport, Report};
 use antumbra_cull::{Gpu, StageError, adapter_title};
 use opened::Offer;
 use thiserror::Error;
+
+/// How much is done.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// Shader modules and the self-test of the driver.
+    Shaders,
+    /// That, and frames with every strategy.
+    All,
+}
 
 /// Why there is no report.
 #[derive(Debug, Error)]
@@ -41,11 +51,15 @@ pub enum WebError {
     },
 }
 
-/// Does everything on the first adapter whose name contains `wanted`, ignoring case, and tells `progress` what is done.
+/// Does so much on the first adapter whose name contains `wanted`, ignoring case, and tells `progress` what is done.
 ///
 /// # Errors
 /// [`WebError`] where it cannot be done at all. What the device refuses is part of the report.
-pub async fn run(wanted: &str, progress: &dyn Fn(&str)) -> Result<Report, WebError> {
+pub async fn run(
+    wanted: &str,
+    extent: Extent,
+    progress: &dyn Fn(&str),
+) -> Result<Report, WebError> {
     let mut devices = Vec::new();
     let mut title = String::new();
     for offer in Offer::ALL {
@@ -53,7 +67,7 @@ pub async fn run(wanted: &str, progress: &dyn Fn(&str)) -> Result<Report, WebErr
         let adapter = adapter(wanted).await?;
         title = adapter_title(&adapter.get_info());
         let gpu = opened::open(&adapter, offer).await?;
-        devices.push(on_device(&gpu, offer, progress).await?);
+        devices.push(on_device(&gpu, offer, extent, progress).await?);
     }
     Ok(Report {
         adapter: title,
@@ -77,10 +91,11 @@ async fn adapter(wanted: &str) -> Result<wgpu::Adapter, WebError> {
     })
 }
 
-/// Does everything on a device.
+/// Does so much on a device.
 async fn on_device(
     gpu: &Gpu,
     offer: Offer,
+    extent: Extent,
     progress: &dyn Fn(&str),
 ) -> Result<DeviceReport, WebError> {
     let name = offer.name();
@@ -98,7 +113,12 @@ async fn on_device(
             outcome: outcome.to_owned(),
         }));
     }
-    let frames = frames::cases(gpu, offer, progress).await?;
+    let mut frames = Vec::new();
+    if extent == Extent::All {
+        frames = frames::cases(gpu, offer, progress).await?;
+        progress(&format!("{name}: the judge"));
+        frames.extend(judged::cases(gpu).await?);
+    }
     Ok(DeviceReport {
         device: name.to_owned(),
         shaders,

@@ -1,5 +1,6 @@
 //! The page's side: runs, and writes the report into the document.
 
+use antumbra_web::Extent;
 use web_sys::Document;
 
 /// What the page's `body` says of how far it is: `data-state`.
@@ -13,7 +14,7 @@ pub(crate) fn start() {
             return;
         };
         let progress = |what: &str| write(&document, "progress", what);
-        let outcome = antumbra_web::run("", &progress).await;
+        let outcome = antumbra_web::run("", Extent::All, &progress).await;
         let outcome = outcome
             .map_err(|error| error.to_string())
             .and_then(|report| {
