@@ -12,7 +12,7 @@ FUZZ_SECONDS ?= 600
 export NODEVICE_SELECT ?= 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test kit lint fmt shaders bench data fuzz bevy test-bevy test-drivers
+.PHONY: help demo test kit lint fmt shaders bench data fuzz bevy test-bevy test-drivers test-web
 
 help: ## list these verbs
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 14
@@ -58,6 +58,9 @@ test-bevy: ## test the Bevy plug-in
 test-drivers: ## test on SwiftShader, and on Mesa's driver under Khronos's validation layer (installs both where they are missing)
 	scripts/vulkan.sh --with-egl
 	scripts/drivers.sh $(CARGO) test --workspace --locked --test counting --test distrust --test judge --test gpu
+
+test-web: ## run every shader, plan and strategy in Chromium, and compare with the same without a browser (installs Chromium and a Rust target where they are missing)
+	scripts/web.sh
 
 data: ## fetch the real scenes into data/
 	scripts/data.sh all

@@ -19,7 +19,7 @@
 //! | `terrain` | height fields, their horizons, groups of triangles that hide together | `terrain` |
 //! | `demo_scenes` | the scenes that are built in to measure with | `demo-scenes` |
 //!
-//! The features `vulkan`, `gles`, `metal` and `dx12`, all on by default, are wgpu's backends; a host that names wgpu itself chooses there.
+//! The features `vulkan`, `gles`, `metal` and `dx12`, all on by default, and `webgpu` for browsers, are wgpu's backends; a host that names wgpu itself chooses there.
 //! The feature `simplify` adds proxies made by mesh simplification; it needs a C++ compiler, as `verify`, `measure`, `subsurface` and `demo-scenes` do.
 //!
 //! Drawing a scene under a strategy:

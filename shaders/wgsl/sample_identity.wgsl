@@ -41,7 +41,9 @@ fn fragment_of_samples(in: Varying, @builtin(sample_index) number: u32) -> @loca
 
 @fragment
 fn masked_fragment_of_samples(in: MaskedVarying, @builtin(sample_index) number: u32) -> @location(0) vec4<f32> {
-    if number != sample || is_cut_out(in) {
+    // It samples: `||` would leave it to some fragments alone.
+    let cut_out = is_cut_out(in);
+    if number != sample || cut_out {
         discard;
     }
     return id_bytes(in.slot + 1u);

@@ -5,7 +5,5 @@
 
 @fragment
 fn fragment(in: Varying) {
-    if in.clip.z >= textureLoad(opaque_depth, vec2<i32>(in.clip.xy), 0).x {
-        note(in);
-    }
+    note(in, in.clip.z >= textureLoad(opaque_depth, vec2<i32>(in.clip.xy), 0).x);
 }

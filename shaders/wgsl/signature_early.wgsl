@@ -4,7 +4,5 @@
 
 @fragment @early_depth_test(force)
 fn fragment_of_samples(in: Varying, @builtin(sample_index) number: u32) {
-    if number < 32u {
-        note(in);
-    }
+    note(in, number < 32u);
 }

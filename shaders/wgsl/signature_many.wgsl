@@ -6,7 +6,5 @@
 
 @fragment
 fn fragment_of_samples(in: Varying, @builtin(sample_index) number: u32) {
-    if in.clip.z >= textureLoad(opaque_depth, vec2<i32>(in.clip.xy), number).x {
-        note(in);
-    }
+    note(in, in.clip.z >= textureLoad(opaque_depth, vec2<i32>(in.clip.xy), number).x);
 }

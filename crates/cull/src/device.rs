@@ -60,7 +60,7 @@ impl fmt::Display for AdapterChoice {
 pub enum DeviceError {
     /// wgpu was compiled without a backend for this platform.
     #[error(
-        "no backend of wgpu is compiled in for this platform: switch on `vulkan`, `gles`, `metal` or `dx12`, of `antumbra` or of your own `wgpu`"
+        "no backend of wgpu is compiled in for this platform: switch on `vulkan`, `gles`, `metal`, `dx12` or, for browsers, `webgpu`, of `antumbra` or of your own `wgpu`"
     )]
     NoBackend,
     /// No adapter matches the choice.
@@ -98,6 +98,14 @@ pub enum DeviceError {
         samples: u32,
         /// What it has.
         allowed: Vec<u32>,
+    },
+    /// Something waits for the GPU, and this is a browser.
+    #[error("{what} waits for the GPU, which a browser does not do: use {instead} there")]
+    CannotWait {
+        /// What waits.
+        what: &'static str,
+        /// What to call or to set instead.
+        instead: &'static str,
     },
     /// The device was lost. Unfinished output was not written.
     #[error(
@@ -151,19 +159,29 @@ impl Gpu {
     /// Opens a device on the chosen adapter.
     ///
     /// # Errors
-    /// [`DeviceError::NoBackend`]; [`DeviceError::NoAdapter`] with the available adapters; or an error about what the chosen one lacks.
+    /// As [`Self::open_async`]; [`DeviceError::CannotWait`] in a browser.
     pub fn open(choice: &AdapterChoice) -> Result<Self, DeviceError> {
+        if cfg!(target_family = "wasm") {
+            return Err(DeviceError::CannotWait {
+                what: "`Gpu::open`",
+                instead: "`Gpu::open_async`",
+            });
+        }
         pollster::block_on(Self::open_async(choice))
     }
 
-    async fn open_async(choice: &AdapterChoice) -> Result<Self, DeviceError> {
+    /// [`Self::open`], to be awaited: the one way in a browser, which offers one adapter.
+    ///
+    /// # Errors
+    /// [`DeviceError::NoBackend`]; [`DeviceError::NoAdapter`] with the available adapters; or an error about what the chosen one lacks.
+    pub async fn open_async(choice: &AdapterChoice) -> Result<Self, DeviceError> {
         if wgpu::Instance::enabled_backend_features().is_empty() {
             return Err(DeviceError::NoBackend);
         }
-        let native = wgpu::Backends::VULKAN | wgpu::Backends::METAL | wgpu::Backends::DX12;
+        let first = wgpu::Backends::PRIMARY;
         let backends = match choice {
-            AdapterChoice::Named(_) => native | wgpu::Backends::GL,
-            _ => native,
+            AdapterChoice::Named(_) => first | wgpu::Backends::GL,
+            _ => first,
         };
         let mut adapters = adapters(backends).await;
         let position = pick(&adapters, choice);
@@ -356,17 +374,6 @@ impl Gpu {
             .refused
             .take()
             .map_or(Ok(()), |message| Err(DeviceError::Refused(message)))
-    }
-
-    /// Blocks until all submitted work is done.
-    ///
-    /// # Errors
-    /// [`DeviceError::Lost`] after a loss, and as for [`Self::check`].
-    pub fn wait(&self) -> Result<(), DeviceError> {
-        self.device
-            .poll(wgpu::PollType::wait_indefinitely())
-            .map_err(|error| DeviceError::Lost(error.to_string()))?;
-        self.check()
     }
 }
 

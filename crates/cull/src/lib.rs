@@ -11,6 +11,7 @@
 //! The built-in strategies are in `antumbra-strategies`, the oracle and the conformance kit in `antumbra-verify`.
 
 mod adaptive_threshold;
+mod arrival;
 mod audit;
 mod box_test;
 pub mod boxes;
@@ -55,6 +56,7 @@ mod view;
 mod view_nodes;
 mod visible_on_gpu;
 mod visible_samples;
+mod waiting;
 mod yardsticks;
 
 pub use audit::{AUDIT, Audit, AuditOptions, Estimate, FrameAudit};

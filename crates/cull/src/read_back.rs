@@ -1,25 +1,69 @@
 //! Reads buffers and textures back to the host and waits for them: for oracles, images and tests, never within a frame.
+//!
+//! Each function has a form that blocks and one to be awaited. Browsers have the second alone; elsewhere it blocks as well, and is ready when it returns.
 
+use crate::arrival::arrival;
 use crate::device::{DeviceError, Gpu};
 
 /// All bytes of a buffer, which must be a copy source.
 ///
 /// # Errors
-/// [`DeviceError::Lost`] where the device is lost meanwhile.
+/// [`DeviceError::Lost`] where the device is lost meanwhile; [`DeviceError::CannotWait`] in a browser.
 pub fn buffer(gpu: &Gpu, source: &wgpu::Buffer) -> Result<Vec<u8>, DeviceError> {
-    let staging = staging(gpu, source.size());
+    gpu.block_on(
+        "read_back::buffer",
+        "read_back::buffer_async",
+        buffer_async(gpu, source),
+    )
+}
+
+/// [`buffer`], to be awaited.
+///
+/// # Errors
+/// [`DeviceError::Lost`] where the device is lost meanwhile.
+pub async fn buffer_async(gpu: &Gpu, source: &wgpu::Buffer) -> Result<Vec<u8>, DeviceError> {
+    slices_async(gpu, &[source.slice(..)]).await
+}
+
+/// The bytes of parts of buffers, one after the other, in one go. The buffers must be copy sources, and offsets and sizes multiples of four.
+///
+/// # Errors
+/// [`DeviceError::Lost`] where the device is lost meanwhile.
+pub async fn slices_async(
+    gpu: &Gpu,
+    sources: &[wgpu::BufferSlice<'_>],
+) -> Result<Vec<u8>, DeviceError> {
+    let sizes = sources.iter().map(|source| source.size());
+    let staging = staging(gpu, sizes.sum());
     let mut encoder = gpu.device.create_command_encoder(&Default::default());
-    encoder.copy_buffer_to_buffer(source, 0, &staging, 0, source.size());
+    let mut at = 0;
+    for source in sources {
+        let size = source.size();
+        encoder.copy_buffer_to_buffer(source.buffer(), source.offset(), &staging, at, size);
+        at += size;
+    }
     gpu.queue.submit([encoder.finish()]);
-    mapped(gpu, &staging)
+    mapped(gpu, &staging).await
 }
 
 /// The texels of a texture's first mip and layer, row after row without padding. The texture must be a copy source, and its format must not
 /// be a block format.
 ///
 /// # Errors
-/// [`DeviceError::Lost`] where the device is lost meanwhile.
+/// [`DeviceError::Lost`] where the device is lost meanwhile; [`DeviceError::CannotWait`] in a browser.
 pub fn texture(gpu: &Gpu, source: &wgpu::Texture) -> Result<Vec<u8>, DeviceError> {
+    gpu.block_on(
+        "read_back::texture",
+        "read_back::texture_async",
+        texture_async(gpu, source),
+    )
+}
+
+/// [`texture`], to be awaited.
+///
+/// # Errors
+/// [`DeviceError::Lost`] where the device is lost meanwhile.
+pub async fn texture_async(gpu: &Gpu, source: &wgpu::Texture) -> Result<Vec<u8>, DeviceError> {
     let texel = source.format().block_copy_size(None).unwrap_or(4);
     let row = source.width() * texel;
     let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
@@ -42,7 +86,7 @@ pub fn texture(gpu: &Gpu, source: &wgpu::Texture) -> Result<Vec<u8>, DeviceError
         },
     );
     gpu.queue.submit([encoder.finish()]);
-    let bytes = mapped(gpu, &staging)?;
+    let bytes = mapped(gpu, &staging).await?;
     Ok(bytes
         .chunks(padded as usize)
         .flat_map(|line| line.get(..row as usize).unwrap_or_default())
@@ -60,14 +104,23 @@ fn staging(gpu: &Gpu, size: u64) -> wgpu::Buffer {
 }
 
 /// The bytes of a buffer that is mapped for reading, once all submitted work is done.
-pub(crate) fn mapped(gpu: &Gpu, staging: &wgpu::Buffer) -> Result<Vec<u8>, DeviceError> {
-    staging.map_async(wgpu::MapMode::Read, .., |_| {});
-    gpu.wait()?;
+pub(crate) async fn mapped(gpu: &Gpu, staging: &wgpu::Buffer) -> Result<Vec<u8>, DeviceError> {
+    let (bringer, answer) = arrival();
+    staging.map_async(wgpu::MapMode::Read, .., move |result| bringer.bring(result));
+    if gpu.can_wait() {
+        gpu.wait()?;
+    }
+    match answer.await {
+        Some(Ok(())) => {}
+        Some(Err(error)) => return Err(DeviceError::Lost(error.to_string())),
+        None => return Err(DeviceError::Lost("a buffer was not mapped".to_owned())),
+    }
     let bytes = staging
         .slice(..)
         .get_mapped_range()
         .map_err(|error| DeviceError::Lost(error.to_string()))?
         .to_vec();
     staging.unmap();
+    gpu.check()?;
     Ok(bytes)
 }

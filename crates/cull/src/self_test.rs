@@ -31,54 +31,116 @@ use crate::device::{DeviceError, Gpu};
 
 /// What the self-tests of a device found, by samples a pixel. A report has what was tried so far.
 #[derive(Debug, Default)]
-pub(crate) struct SelfTests(Mutex<BTreeMap<u32, Arc<SelfTestReport>>>);
+pub(crate) struct SelfTests {
+    reports: Mutex<BTreeMap<u32, Arc<SelfTestReport>>>,
+    /// Held by who tries and blocks, so that others wait for what is found.
+    blocking: Mutex<()>,
+}
+
+impl SelfTests {
+    /// What is known with so many samples a pixel.
+    fn known(&self, samples: u32) -> Arc<SelfTestReport> {
+        let mut reports = self.reports.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = reports.entry(samples).or_insert_with(|| {
+            Arc::new(SelfTestReport {
+                samples,
+                outcomes: Vec::new(),
+            })
+        });
+        Arc::clone(known)
+    }
+
+    /// Adds what was found.
+    fn learn(&self, samples: u32, found: Vec<(Capability, Outcome)>) {
+        let known = self.known(samples);
+        let new = found
+            .into_iter()
+            .filter(|(capability, _)| known.outcome(*capability).is_none());
+        let mut outcomes: Vec<_> = known.outcomes.iter().cloned().chain(new).collect();
+        outcomes.sort_by_key(|(capability, _)| *capability);
+        let mut reports = self.reports.lock().unwrap_or_else(PoisonError::into_inner);
+        reports.insert(samples, Arc::new(SelfTestReport { samples, outcomes }));
+    }
+}
 
 impl Gpu {
     /// Tries all that strategies need of the driver, with so many samples a pixel, and returns what was found. It submits and waits. What was tried before, here or when a stage was
     /// made ([`DistrustOptions::self_test`](crate::DistrustOptions)), is not tried again: a host that must not wait there calls this earlier.
     ///
     /// # Errors
-    /// [`DeviceError::Samples`] for samples that the device does not have; [`DeviceError::Lost`] where the device is lost meanwhile.
+    /// As for [`Self::self_test_async`]; [`DeviceError::CannotWait`] in a browser.
     pub fn self_test(&self, samples: u32) -> Result<Arc<SelfTestReport>, DeviceError> {
         let all = Capability::ALL.into_iter().collect();
         self.tried(samples, &all)
     }
 
+<<<<<<< HEAD
     /// The same of these capabilities alone.
+=======
+    /// [`Self::self_test`], to be awaited: a page does that before it makes stages, which cannot wait there.
+    ///
+    /// # Errors
+    /// [`DeviceError::Samples`] for samples that the device does not have; [`DeviceError::Lost`] where the device is lost meanwhile.
+    pub async fn self_test_async(&self, samples: u32) -> Result<Arc<SelfTestReport>, DeviceError> {
+        self.check_samples(samples)?;
+        let new = self.untried(samples, &Capability::ALL.into_iter().collect());
+        let found = run(self, samples, new, &mut Pipelines::default()).await?;
+        self.self_tests.learn(samples, found);
+        Ok(self.self_tests.known(samples))
+    }
+
+    /// The same of these capabilities alone, with the pipelines of a stage.
+>>>>>>> 4511fd440722f4a717d620e65eefc8e143e8e38d
     pub(crate) fn tried(
         &self,
         samples: u32,
         capabilities: &BTreeSet<Capability>,
     ) -> Result<Arc<SelfTestReport>, DeviceError> {
         self.check_samples(samples)?;
-        let tests = &self.self_tests.0;
-        let mut tests = tests.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = tests.entry(samples).or_insert_with(|| {
-            Arc::new(SelfTestReport {
-                samples,
-                outcomes: Vec::new(),
-            })
-        });
-        let mut new = capabilities.clone();
-        new.retain(|capability| known.outcome(*capability).is_none());
+        let blocking = self.self_tests.blocking.lock();
+        let _blocking = blocking.unwrap_or_else(PoisonError::into_inner);
+        let new = self.untried(samples, capabilities);
         if !new.is_empty() {
+<<<<<<< HEAD
             let mut outcomes = known.outcomes.clone();
             outcomes.extend(run(self, samples, new)?);
             outcomes.sort_by_key(|(capability, _)| *capability);
             *known = Arc::new(SelfTestReport { samples, outcomes });
+=======
+            let found = self.block_on(
+                "the self-test of a driver",
+                "`Gpu::self_test_async`, before any stage is made, or `DistrustOptions::OFF`",
+                run(self, samples, new, pipelines),
+            )?;
+            self.self_tests.learn(samples, found);
+>>>>>>> 4511fd440722f4a717d620e65eefc8e143e8e38d
         }
-        Ok(Arc::clone(known))
+        Ok(self.self_tests.known(samples))
+    }
+
+    /// Those of the capabilities that were not tried yet.
+    fn untried(&self, samples: u32, capabilities: &BTreeSet<Capability>) -> BTreeSet<Capability> {
+        let known = self.self_tests.known(samples);
+        let capabilities = capabilities.iter().copied();
+        capabilities
+            .filter(|capability| known.outcome(*capability).is_none())
+            .collect()
     }
 }
 
 /// Runs the trials that the device has what it takes for.
-fn run(
+async fn run(
     gpu: &Gpu,
     samples: u32,
     capabilities: BTreeSet<Capability>,
 ) -> Result<Vec<(Capability, Outcome)>, DeviceError> {
+<<<<<<< HEAD
     let mut bench = Bench::new(gpu, samples);
     let scene = bench.attempt(Scene::new);
+=======
+    let mut bench = Bench::new(gpu, pipelines, samples);
+    let scene = bench.attempt(Scene::new).await;
+>>>>>>> 4511fd440722f4a717d620e65eefc8e143e8e38d
     let mut trials = Vec::new();
     for capability in capabilities {
         let trial = match (lacking(gpu, samples, capability), &scene) {
@@ -86,11 +148,12 @@ fn run(
             (None, Err(failure)) => Err(Outcome::Failed(failure.clone())),
             (None, Ok(scene)) => bench
                 .attempt(|bench| record(bench, scene, capability))
+                .await
                 .map_err(Outcome::Failed),
         };
         trials.push((capability, trial));
     }
-    let answers = bench.finish()?;
+    let answers = bench.finish().await?;
     let judged = trials.into_iter().map(|(capability, trial)| {
         let outcome = match trial {
             Ok(trial) => trial.judged(&answers),

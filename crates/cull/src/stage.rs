@@ -484,8 +484,24 @@ impl Stage {
     /// A view's verdicts of the last frame. Verdicts that exist on the GPU alone are read back, which waits: for measuring, not for every frame.
     ///
     /// # Errors
-    /// [`StageError::Device`] when the device is lost meanwhile; [`StageError::Input`] for a view that does not exist or no frame yet.
+    /// As for [`Self::verdicts_async`]; [`StageError::Device`] in a browser.
     pub fn verdicts(&self, view: usize, scene: &dyn StageScene) -> Result<Verdicts, StageError> {
+        self.gpu.block_on(
+            "`Stage::verdicts`",
+            "`Stage::verdicts_async`",
+            self.verdicts_async(view, scene),
+        )
+    }
+
+    /// [`Self::verdicts`], to be awaited.
+    ///
+    /// # Errors
+    /// [`StageError::Device`] when the device is lost meanwhile; [`StageError::Input`] for a view that does not exist or no frame yet.
+    pub async fn verdicts_async(
+        &self,
+        view: usize,
+        scene: &dyn StageScene,
+    ) -> Result<Verdicts, StageError> {
         let missing = || StageError::Input(format!("view {view}, which has no verdicts yet"));
         let built = self.built.views.get(view).ok_or_else(missing)?;
         let plan = &self.built.plan;
@@ -494,7 +510,8 @@ impl Stage {
                 plan.get(verdicts).ok_or_else(missing)?.clone()
             }
             SetVerdicts::DrawnBySlot(drawn) => {
-                let bytes = read_back::buffer(&self.gpu, plan.buffer(drawn).ok_or_else(missing)?)?;
+                let buffer = plan.buffer(drawn).ok_or_else(missing)?;
+                let bytes = read_back::buffer_async(&self.gpu, buffer).await?;
                 let frame = built.last.as_ref().ok_or_else(missing)?;
                 let mut candidates = Candidates::default();
                 candidates.find(scene.table(), frame);
@@ -511,13 +528,14 @@ impl Stage {
             }) => {
                 if let Some(adapted) = adapted {
                     let buffer = plan.buffer(adapted.buffer).ok_or_else(missing)?;
-                    let bytes = read_back::buffer(&self.gpu, buffer)?;
+                    let bytes = read_back::buffer_async(&self.gpu, buffer).await?;
                     let found: GpuThreshold = bytemuck::pod_read_unaligned(&bytes);
                     rule.threshold = found.threshold;
                 }
                 let candidates = plan.get(candidates).ok_or_else(missing)?;
                 let queried: &Queried = plan.get(queried).ok_or_else(missing)?;
-                let bytes = read_back::buffer(&self.gpu, plan.buffer(counts).ok_or_else(missing)?)?;
+                let buffer = plan.buffer(counts).ok_or_else(missing)?;
+                let bytes = read_back::buffer_async(&self.gpu, buffer).await?;
                 let mut samples = Samples::default();
                 samples.take(queried, layout, &bytes);
                 let mut verdicts = Verdicts::default();

@@ -6,13 +6,17 @@
 //! | `layer` | [`layer`] | boxes along an edge of a plane | up to 10,000, 100 |
 //! | `turbine` | [`turbine`] | which of the two aero engines | 1 to 2, 1 |
 //! | `city` | [`city`] | blocks along an edge | 1 to 16, 7 |
-//! | `subsurface` | [`subsurface::SubsurfaceScene::new`] | nodes along a side of a horizon | 2 to 4,096, 432 |
-//! | `terrain` | [`terrain::TerrainSceneOptions::scene`] | vertices of the field | 100,000 |
+//! | `subsurface` | `subsurface::SubsurfaceScene::new` | nodes along a side of a horizon | 2 to 4,096, 432 |
+//! | `terrain` | `terrain::TerrainSceneOptions::scene` | vertices of the field | 100,000 |
 //!
-//! [`by_name`] builds the first four, which have no other options than a size and a seed. All scenes are deterministic:
-//! one seed gives one scene.
+//! [`by_name`] builds the first four, which have no other options than a size and a seed. The last two are features of this crate, both on by default. All
+//! scenes are deterministic: one seed gives one scene.
 //!
-//! ```
+#![cfg_attr(all(feature = "subsurface", feature = "terrain"), doc = "```")]
+#![cfg_attr(
+    not(all(feature = "subsurface", feature = "terrain")),
+    doc = "```ignore"
+)]
 //! use antumbra_demo_scenes::subsurface::{SubsurfaceScene, SubsurfaceSceneOptions};
 //! use antumbra_demo_scenes::terrain::TerrainSceneOptions;
 //! use antumbra_demo_scenes::{CityOptions, TurbineOptions, by_name, city, turbine};
@@ -45,11 +49,18 @@ mod grid;
 mod lathe;
 mod layer;
 mod names;
+// Some of it is for the scenes that are features.
+#[cfg_attr(
+    not(all(feature = "subsurface", feature = "terrain")),
+    allow(dead_code)
+)]
 mod random;
 mod shell;
 mod solid;
+#[cfg(feature = "subsurface")]
 pub mod subsurface;
 mod sun;
+#[cfg(feature = "terrain")]
 pub mod terrain;
 mod tube;
 mod turbine;

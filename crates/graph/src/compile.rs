@@ -29,7 +29,7 @@ impl Graph {
     ///
     /// # Errors
     /// Everything that is wrong, at once: cycles, reads before any write, writers without an order, uses that a format does not allow,
-    /// features and limits that the device lacks, and in embedded mode sync points and host loops.
+    /// features and limits that the device lacks, in embedded mode sync points and host loops, and in a browser sync points.
     pub fn compile(mut self, options: &CompileOptions<'_>) -> Result<Plan, CompileErrors> {
         let mut errors = std::mem::take(&mut self.faults);
         let versions = Versions::new(&self);
@@ -41,6 +41,8 @@ impl Graph {
         device::device(&self, &kept, &capabilities, &mut errors);
         if options.mode == Mode::Embedded {
             self.check_embedded(&kept, &mut errors);
+        } else if !can_wait(options.device) {
+            self.check_browser(&kept, &mut errors);
         }
         if !errors.is_empty() {
             return Err(self.refused(errors));
@@ -113,6 +115,21 @@ impl Graph {
         }
     }
 
+    /// Refuses what waits for the GPU.
+    fn check_browser(&self, kept: &[bool], errors: &mut Vec<CompileError>) {
+        let kept = self.passes.iter().zip(kept).filter(|(_, kept)| **kept);
+        for (pass, used) in
+            kept.flat_map(|(pass, _)| pass.uses.iter().map(move |used| (pass, used)))
+        {
+            if used.access == Access::ReadBack {
+                errors.push(CompileError::SyncInBrowser {
+                    pass: pass.name.clone(),
+                    resource: self.resources[used.resource()].name.clone(),
+                });
+            }
+        }
+    }
+
     /// Adds the texture usages that clears outside of the passes, and outputs, need.
     fn add_usages(
         &self,
@@ -156,8 +173,16 @@ impl Graph {
     }
 }
 
-/// Runs `make` and returns the error that the device reports meanwhile, where it reports at once (everywhere but in browsers).
+/// Whether the host can wait for this device: everywhere but in browsers.
+fn can_wait(device: &wgpu::Device) -> bool {
+    device.adapter_info().backend != wgpu::Backend::BrowserWebGpu
+}
+
+/// Runs `make` and returns the error that the device reports meanwhile. In a browser it reports later, to whoever listens to its errors.
 fn guarded<T>(device: &wgpu::Device, make: impl FnOnce() -> T) -> Result<T, String> {
+    if !can_wait(device) {
+        return Ok(make());
+    }
     let memory = device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
     let validation = device.push_error_scope(wgpu::ErrorFilter::Validation);
     let made = make();

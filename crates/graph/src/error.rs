@@ -264,6 +264,16 @@ pub enum CompileError {
         /// What it reads back.
         resource: String,
     },
+    /// A browser cannot wait.
+    #[error(
+        "pass `{pass}` reads `{resource}` back within the frame, a sync point; a browser cannot wait for the GPU. Use `read_previous`, or a strategy's frame-late or on-gpu form"
+    )]
+    SyncInBrowser {
+        /// The host node.
+        pass: String,
+        /// What it reads back.
+        resource: String,
+    },
     /// A plan that records into the caller's encoder cannot loop.
     #[error(
         "host loop `{pass}` cannot run in an embedded plan; run the plan on its own, or use a frame-late form"

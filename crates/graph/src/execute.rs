@@ -1,7 +1,9 @@
 //! Executes a frame: checks the bindings, records the steps, copies late read-backs, submits, and cleans up, also when a body fails.
 
 use std::cell::RefCell;
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use web_time::Instant;
 
 use crate::access::Access;
 use crate::error::ExecuteError;

@@ -3,7 +3,8 @@
 mod raster;
 
 use std::cell::RefCell;
-use std::time::Instant;
+
+use web_time::Instant;
 
 use crate::access::Access;
 use crate::bind::Caches;

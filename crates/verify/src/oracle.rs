@@ -18,7 +18,7 @@ use std::sync::Arc;
 use antumbra_cull::{
     Alpha, Candidates, Counting, DEPTH_FORMAT, DepthTest, DrawList, Gpu, GpuView, ListDraws,
     MeshDetail, SceneFrame, SceneLayout, SceneTable, StageError, StageScene, Verdicts, ViewFrame,
-    ViewInputs,
+    ViewInputs, read_back,
 };
 use antumbra_draw::passes::{self, PassSpec, Signatures};
 use antumbra_draw::{PassPipelines, PipelineKind};
@@ -70,7 +70,8 @@ struct Built {
     scene: Host<SceneFrame>,
     view: Host<ViewFrame>,
     entities: Host<OwnedSet>,
-    image: Host<IdBuffer>,
+    owners: Owners,
+    sums: Option<Signatures>,
 }
 
 /// An [`EntitySet`] without borrows, as the graph needs it.
@@ -156,9 +157,27 @@ impl Oracle {
     /// synced.
     ///
     /// # Errors
+    /// As for [`Self::render_async`]; [`StageError::Device`] in a browser.
+    pub fn render(
+        &mut self,
+        scene: &dyn StageScene,
+        camera: &Camera,
+        entities: EntitySet<'_>,
+    ) -> Result<IdBuffer, StageError> {
+        let gpu = self.gpu.clone();
+        gpu.block_on(
+            "`Oracle::render`",
+            "`Oracle::render_async`",
+            self.render_async(scene, camera, entities),
+        )
+    }
+
+    /// [`Self::render`], to be awaited.
+    ///
+    /// # Errors
     /// [`StageError::Camera`] for an invalid camera, [`StageError::Device`] for samples and [`StageError::Compile`] for a size that the device cannot draw,
     /// [`StageError::Execute`] or [`StageError::Device`] when the device fails.
-    pub fn render(
+    pub async fn render_async(
         &mut self,
         scene: &dyn StageScene,
         camera: &Camera,
@@ -200,8 +219,7 @@ impl Oracle {
         plan.set(built.entities, entities)?;
         plan.execute(&self.gpu.device, &self.gpu.queue)?;
         self.gpu.check()?;
-        let image = plan.get(built.image).cloned();
-        image.ok_or_else(|| StageError::Input("an oracle that returned no image".to_owned()))
+        read(&self.gpu, built).await
     }
 }
 
@@ -224,8 +242,11 @@ fn build(
     let sums = lists
         .transparent
         .map(|list| sum_transparent(g, gpu, &layout, inputs, list, owners.depth, image));
-    let image = read_back(g, owners, sums);
-    g.output(image);
+    owners.output(g);
+    if let Some(sums) = sums {
+        g.output(sums.by_pixel);
+        g.output(sums.by_slot);
+    }
     let plan = graph
         .compile(&gpu.compile_options())
         .map_err(|errors| StageError::Compile {
@@ -238,7 +259,8 @@ fn build(
         scene,
         view,
         entities,
-        image,
+        owners,
+        sums,
     })
 }
 
@@ -386,26 +408,32 @@ fn sum_transparent(
     passes::signature_pass(g, &spec, inputs, draws, test, sums)
 }
 
-/// Reads the results back into an [`IdBuffer`]: the one sync point of the plan.
-fn read_back(g: &mut Graph, owners: Owners, sums: Option<Signatures>) -> Host<IdBuffer> {
-    let image = g.host::<IdBuffer>("image");
-    let mut node = g.host_node("read");
-    owners.declare(&mut node);
-    if let Some(sums) = sums {
-        node.read_back(sums.by_pixel).read_back(sums.by_slot);
-    }
-    let image = node.write(image);
-    node.run(move |ctx| {
-        let mut image = ctx.get_mut(image)?;
-        owners.read(ctx, &mut image)?;
-        image.transparent = match sums {
-            Some(sums) => Some(TransparentSums {
-                signatures: bytemuck::pod_collect_to_vec(ctx.bytes(sums.by_pixel)?),
-                samples: bytemuck::pod_collect_to_vec(ctx.bytes(sums.by_slot)?),
-            }),
-            None => None,
-        };
-        Ok(())
+/// Reads what a frame has drawn, in one go.
+async fn read(gpu: &Gpu, built: &Built) -> Result<IdBuffer, StageError> {
+    let none = || StageError::Input("an oracle that returned no image".to_owned());
+    let [width, height] = built.owners.image.size.map(u64::from);
+    let slots = u64::from(built.layout.slots.max(1));
+    let sums = built.sums.map(|sums| {
+        [
+            (sums.by_pixel, width * height * 4),
+            (sums.by_slot, slots * 4),
+        ]
     });
-    image
+    let drawn = built.owners.copies().chain(sums.into_iter().flatten());
+    // A plan's buffers may be larger than what was asked for.
+    let slices = drawn
+        .map(|(buffer, bytes)| Some(built.plan.buffer(buffer)?.slice(..bytes)))
+        .collect::<Option<Vec<_>>>();
+    let bytes = read_back::slices_async(gpu, &slices.ok_or_else(none)?).await?;
+    let mut image = IdBuffer::default();
+    let rest = built.owners.read(&bytes, &mut image);
+    if built.sums.is_some() {
+        let by_pixel = (width * height * 4) as usize;
+        let (signatures, samples) = rest.split_at_checked(by_pixel).ok_or_else(none)?;
+        image.transparent = Some(TransparentSums {
+            signatures: bytemuck::pod_collect_to_vec(signatures),
+            samples: bytemuck::pod_collect_to_vec(samples),
+        });
+    }
+    Ok(image)
 }

@@ -38,7 +38,7 @@ fn masked_vertex(
     return out;
 }
 
-// Whether the mask leaves nothing of a fragment.
+// Whether the mask leaves nothing of a fragment. It samples, so all fragments must call it.
 fn is_cut_out(in: MaskedVarying) -> bool {
     let material = materials[instances[in.slot].material];
     return base_colour(material, in.uv, in.colour).a < material.alpha_cutoff;

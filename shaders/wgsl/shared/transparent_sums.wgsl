@@ -37,10 +37,10 @@ fn hashed(id: u32) -> u32 {
     return h ^ (h >> 16u);
 }
 
-// Takes a visible fragment down. Less than half of an 8-bit step of opacity does not change the image.
-fn note(in: Varying) {
+// Takes a fragment down if it is visible. Less than half of an 8-bit step of opacity does not change the image. It samples, so hidden fragments must call it too: their neighbours need them.
+fn note(in: Varying, visible: bool) {
     let base = base_colour(materials[instances[in.slot].material], in.uv, in.colour);
-    if base.a >= 0.002 {
+    if visible && base.a >= 0.002 {
         let pixel = vec2<u32>(in.clip.xy);
         atomicAdd(&signatures[pixel.y * u32(view.pixels_wide) + pixel.x], hashed(in.slot + 1u));
         atomicAdd(&samples[in.slot], 1u);

@@ -102,15 +102,16 @@ impl<'a> Bench<'a> {
     }
 
     /// Records with an encoder of its own. Where the device refuses a command, all of them are dropped, and the failure says what it reported.
-    pub fn attempt<T>(&mut self, record: impl FnOnce(&mut Self) -> T) -> Result<T, Failure> {
+    pub async fn attempt<T>(&mut self, record: impl FnOnce(&mut Self) -> T) -> Result<T, Failure> {
         let device = &self.gpu.device;
         let internal = device.push_error_scope(wgpu::ErrorFilter::Internal);
         let validation = device.push_error_scope(wgpu::ErrorFilter::Validation);
         let (answers, bytes) = (self.answers.len(), self.bytes);
         let made = record(self);
         let recorded = std::mem::replace(&mut self.encoder, encoder(self.gpu)).finish();
-        let refused = pollster::block_on(validation.pop());
-        let refused = refused.or(pollster::block_on(internal.pop()));
+        let (validation, internal) = (validation.pop(), internal.pop());
+        let refused = validation.await;
+        let refused = refused.or(internal.await);
         let Some(error) = refused else {
             self.recorded.push(recorded);
             return Ok(made);
@@ -127,7 +128,7 @@ impl<'a> Bench<'a> {
     }
 
     /// Submits what was recorded, waits, and returns all answers.
-    pub fn finish(mut self) -> Result<Vec<u8>, DeviceError> {
+    pub async fn finish(mut self) -> Result<Vec<u8>, DeviceError> {
         let all = self.gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("self-test: answers"),
             size: (self.bytes as u64).max(4),
@@ -142,7 +143,7 @@ impl<'a> Bench<'a> {
         }
         self.recorded.push(self.encoder.finish());
         self.gpu.queue.submit(self.recorded);
-        read_back::mapped(self.gpu, &all)
+        read_back::mapped(self.gpu, &all).await
     }
 }
 

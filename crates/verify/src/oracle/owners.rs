@@ -6,9 +6,7 @@
 use antumbra_cull::{DEPTH_FORMAT, IDENTITY_FORMAT, IdTargets, ListDraws, ViewInputs};
 use antumbra_draw::passes::{self, PassSpec};
 use antumbra_draw::{PipelineKind, SAMPLE_IDENTITY_FORMAT};
-use antumbra_graph::{
-    AccessError, Buffer, BufferDesc, Clear, Graph, HostBuilder, HostContext, Texture, TextureDesc,
-};
+use antumbra_graph::{Buffer, BufferDesc, Clear, Graph, Texture, TextureDesc};
 
 use super::Image;
 use super::id_buffer::IdBuffer;
@@ -18,7 +16,7 @@ use super::padded_rows::PaddedRows;
 pub(super) struct Owners {
     /// The depth of the solid entities.
     pub depth: Texture,
-    image: Image,
+    pub image: Image,
     /// One for each sample of a pixel.
     copies: Vec<Buffer>,
 }
@@ -82,24 +80,41 @@ impl Owners {
         }
     }
 
-    /// Declares the copies on the node that reads them.
-    pub fn declare(&self, node: &mut HostBuilder<'_>) {
+    /// Makes the copies outputs of the graph.
+    pub fn output(&self, g: &mut Graph) {
         for copy in &self.copies {
-            node.read_back(*copy);
+            g.output(*copy);
         }
     }
 
-    /// Takes the owners out of the copies.
-    pub fn read(&self, ctx: &HostContext<'_>, image: &mut IdBuffer) -> Result<(), AccessError> {
+    /// The copies, each with its bytes.
+    pub fn copies(&self) -> impl Iterator<Item = (Buffer, u64)> {
+        let bytes = self.rows().bytes();
+        self.copies.iter().map(move |copy| (*copy, bytes))
+    }
+
+    /// How the rows of a copy lie.
+    fn rows(&self) -> PaddedRows {
+        let texel = match self.copies.as_slice() {
+            [_] => ID_BYTES,
+            _ => HALVES_BYTES,
+        };
+        PaddedRows::new(self.image.size, texel)
+    }
+
+    /// Takes the owners out of the copies, which lie one after the other, and returns what lies behind them.
+    pub fn read<'a>(&self, bytes: &'a [u8], image: &mut IdBuffer) -> &'a [u8] {
+        let rows = self.rows();
+        let all = (rows.bytes() as usize).saturating_mul(self.copies.len());
+        let (copies, rest) = bytes.split_at_checked(all).unwrap_or((bytes, &[]));
         image.size = self.image.size;
         image.ids.clear();
-        if let [ids] = self.copies.as_slice() {
-            let rows = PaddedRows::new(image.size, ID_BYTES);
-            let ids = rows.texels::<ID_BYTES>(ctx.bytes(*ids)?);
+        if self.copies.len() == 1 {
+            let ids = rows.texels::<ID_BYTES>(copies);
             image
                 .ids
                 .extend(ids.map(|texel| u32::from_le_bytes(*texel)));
-            return Ok(());
+            return rest;
         }
         let samples = self.copies.len();
         let pixels = image
@@ -108,15 +123,15 @@ impl Owners {
             .iter()
             .product::<usize>();
         image.ids.resize(pixels * samples, 0);
-        let rows = PaddedRows::new(image.size, HALVES_BYTES);
-        for (sample, copy) in self.copies.iter().enumerate() {
-            let ids = rows.texels::<HALVES_BYTES>(ctx.bytes(*copy)?);
+        let copies = copies.chunks_exact(rows.bytes().max(1) as usize);
+        for (sample, copy) in copies.enumerate() {
+            let ids = rows.texels::<HALVES_BYTES>(copy);
             let places = image.ids.iter_mut().skip(sample).step_by(samples);
             for (place, texel) in places.zip(ids) {
                 *place = id_of_halves(texel, samples);
             }
         }
-        Ok(())
+        rest
     }
 }
 
