@@ -60,11 +60,7 @@ pub(crate) struct Shared {
     pub colour_format: wgpu::TextureFormat,
     pub samples: u32,
     pub output: StageOutput,
-<<<<<<< HEAD
-=======
     pub frames_in_flight: u32,
-    pub pipelines: Pipelines,
->>>>>>> b09b2aa180182835713c2cec566b6b322515a2b6
     /// The trees, one a shape, for all views.
     pub trees: HashMap<HierarchyShape, Host<Tree>>,
     /// The scene on the device, for all views.
@@ -196,24 +192,15 @@ impl<'g> FrameGraph<'g> {
     /// The pipeline that draws boxes for queries.
     pub fn box_pipeline(&mut self) -> Arc<BoxPipeline> {
         self.relies_on(Capability::OcclusionQueries);
-<<<<<<< HEAD
-        self.shared.gpu.box_pipeline(self.shared.samples)
-=======
-        let Shared {
-            gpu,
-            pipelines,
-            samples,
-            ..
-        } = &mut *self.shared;
-        pipelines.boxes(gpu, *samples, BoxPurpose::Query)
+        let Shared { gpu, samples, .. } = &*self.shared;
+        gpu.box_pipeline(*samples, BoxPurpose::Query)
     }
 
     /// The pipeline that draws boxes into depths of one sample a pixel, and the one that queries boxes against these.
     pub(crate) fn guard_pipelines(&mut self) -> [Arc<BoxPipeline>; 2] {
         self.relies_on(Capability::OcclusionQueries);
-        let Shared { gpu, pipelines, .. } = &mut *self.shared;
-        [BoxPurpose::Hide, BoxPurpose::Query].map(|purpose| pipelines.boxes(gpu, 1, purpose))
->>>>>>> b09b2aa180182835713c2cec566b6b322515a2b6
+        let gpu = &self.shared.gpu;
+        [BoxPurpose::Hide, BoxPurpose::Query].map(|purpose| gpu.box_pipeline(1, purpose))
     }
 
     /// A compute pipeline of one bind group, of the bindings that the entry point uses. It is compiled once a device.

@@ -15,14 +15,8 @@ use crate::device::Gpu;
 /// The pipelines of a device. They live as long as it does.
 #[derive(Debug, Default)]
 pub(crate) struct Pipelines {
-<<<<<<< HEAD
     compute: Kept<Shader, ComputePipeline>,
-    /// By samples a pixel.
-    boxes: Kept<(Cow<'static, str>, u32), BoxPipeline>,
-=======
-    compute: HashMap<Shader, Arc<ComputePipeline>>,
-    boxes: HashMap<(u32, BoxPurpose), Arc<BoxPipeline>>,
->>>>>>> b09b2aa180182835713c2cec566b6b322515a2b6
+    boxes: Kept<Boxes, BoxPipeline>,
 }
 
 /// An entry point of a shader. The text tells shaders of one name apart.
@@ -32,11 +26,18 @@ struct Shader {
     entry: &'static str,
 }
 
+/// What draws boxes.
+#[derive(Debug, PartialEq, Eq, Hash)]
+struct Boxes {
+    source: Cow<'static, str>,
+    samples: u32,
+    purpose: BoxPurpose,
+}
+
 /// What is made once a key. Who asks for the same key meanwhile waits, who asks for another one does not.
 #[derive(Debug)]
 struct Kept<K, V>(Mutex<HashMap<K, Arc<OnceLock<Arc<V>>>>>);
 
-<<<<<<< HEAD
 impl<K, V> Default for Kept<K, V> {
     fn default() -> Self {
         Self(Mutex::default())
@@ -62,15 +63,13 @@ impl Gpu {
     }
 
     /// What draws boxes against depths of `samples` samples a pixel.
-    pub(crate) fn box_pipeline(&self, samples: u32) -> Arc<BoxPipeline> {
-        let source = self.shader_text(&jobs::boxes::JOB);
-        let make = || BoxPipeline::new(self, samples);
-        self.pipelines.boxes.get((source, samples), make)
-=======
-    /// What draws boxes against depths of `samples` samples a pixel.
-    pub fn boxes(&mut self, gpu: &Gpu, samples: u32, purpose: BoxPurpose) -> Arc<BoxPipeline> {
-        let made = self.boxes.entry((samples, purpose));
-        Arc::clone(made.or_insert_with(|| Arc::new(BoxPipeline::new(gpu, samples, purpose))))
->>>>>>> b09b2aa180182835713c2cec566b6b322515a2b6
+    pub(crate) fn box_pipeline(&self, samples: u32, purpose: BoxPurpose) -> Arc<BoxPipeline> {
+        let boxes = Boxes {
+            source: self.shader_text(&jobs::boxes::JOB),
+            samples,
+            purpose,
+        };
+        let make = || BoxPipeline::new(self, samples, purpose);
+        self.pipelines.boxes.get(boxes, make)
     }
 }

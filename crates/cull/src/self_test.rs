@@ -74,9 +74,6 @@ impl Gpu {
         self.tried(samples, &all)
     }
 
-<<<<<<< HEAD
-    /// The same of these capabilities alone.
-=======
     /// [`Self::self_test`], to be awaited: a page does that before it makes stages, which cannot wait there.
     ///
     /// # Errors
@@ -84,13 +81,12 @@ impl Gpu {
     pub async fn self_test_async(&self, samples: u32) -> Result<Arc<SelfTestReport>, DeviceError> {
         self.check_samples(samples)?;
         let new = self.untried(samples, &Capability::ALL.into_iter().collect());
-        let found = run(self, samples, new, &mut Pipelines::default()).await?;
+        let found = run(self, samples, new).await?;
         self.self_tests.learn(samples, found);
         Ok(self.self_tests.known(samples))
     }
 
-    /// The same of these capabilities alone, with the pipelines of a stage.
->>>>>>> 4511fd440722f4a717d620e65eefc8e143e8e38d
+    /// The same of these capabilities alone.
     pub(crate) fn tried(
         &self,
         samples: u32,
@@ -101,19 +97,12 @@ impl Gpu {
         let _blocking = blocking.unwrap_or_else(PoisonError::into_inner);
         let new = self.untried(samples, capabilities);
         if !new.is_empty() {
-<<<<<<< HEAD
-            let mut outcomes = known.outcomes.clone();
-            outcomes.extend(run(self, samples, new)?);
-            outcomes.sort_by_key(|(capability, _)| *capability);
-            *known = Arc::new(SelfTestReport { samples, outcomes });
-=======
             let found = self.block_on(
                 "the self-test of a driver",
                 "`Gpu::self_test_async`, before any stage is made, or `DistrustOptions::OFF`",
-                run(self, samples, new, pipelines),
+                run(self, samples, new),
             )?;
             self.self_tests.learn(samples, found);
->>>>>>> 4511fd440722f4a717d620e65eefc8e143e8e38d
         }
         Ok(self.self_tests.known(samples))
     }
@@ -134,13 +123,8 @@ async fn run(
     samples: u32,
     capabilities: BTreeSet<Capability>,
 ) -> Result<Vec<(Capability, Outcome)>, DeviceError> {
-<<<<<<< HEAD
     let mut bench = Bench::new(gpu, samples);
-    let scene = bench.attempt(Scene::new);
-=======
-    let mut bench = Bench::new(gpu, pipelines, samples);
     let scene = bench.attempt(Scene::new).await;
->>>>>>> 4511fd440722f4a717d620e65eefc8e143e8e38d
     let mut trials = Vec::new();
     for capability in capabilities {
         let trial = match (lacking(gpu, samples, capability), &scene) {

@@ -29,13 +29,7 @@ pub(super) fn record(bench: &mut Bench<'_>, scene: &Scene) -> Trial {
         bench.gpu,
         &RasterDesc::depth(DepthUse::Tests, bench.samples),
     );
-<<<<<<< HEAD
-    let boxes = bench.gpu.box_pipeline(bench.samples);
-=======
-    let boxes = bench
-        .pipelines
-        .boxes(bench.gpu, bench.samples, BoxPurpose::Query);
->>>>>>> b09b2aa180182835713c2cec566b6b322515a2b6
+    let boxes = bench.gpu.box_pipeline(bench.samples, BoxPurpose::Query);
     let solids: Vec<GpuBox> = all
         .iter()
         .map(|(rect, _)| {

@@ -143,11 +143,7 @@ pub(super) fn build(
         colour_format: options.colour_format,
         samples: options.samples,
         output: options.output,
-<<<<<<< HEAD
-=======
         frames_in_flight: options.frames_in_flight.max(1),
-        pipelines: std::mem::take(inherited.pipelines),
->>>>>>> b09b2aa180182835713c2cec566b6b322515a2b6
         trees: HashMap::new(),
         resident: None,
         shown: Vec::new(),
