@@ -12,7 +12,7 @@ FUZZ_SECONDS ?= 600
 export NODEVICE_SELECT ?= 1
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test kit lint fmt shaders bench data fuzz bevy test-bevy test-drivers test-web
+.PHONY: help demo test kit mutants lint fmt shaders bench data fuzz bevy test-bevy test-drivers test-web
 
 help: ## list these verbs
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 14
@@ -30,6 +30,10 @@ kit: ## play the whole conformance kit to all strategies, a million trials to de
 	KIT=whole JUDGE_TRIALS=2000 PYRAMID_SEEDS=500 $(CARGO) test --workspace --locked --test conformance --test judge
 	TRIALS=1000000 $(CARGO) test --workspace --locked --test depth_pyramid_trials
 	PYRAMID_SIZES=whole $(CARGO) test --package antumbra-cull --locked --lib pyramid
+
+mutants: ## take each safety away in a copy of the tree, and see a test fail (docs/mutants.md)
+	scripts/vulkan.sh --with-egl
+	scripts/mutants.sh
 
 lint: ## formatting, clippy and rustdoc, warnings as errors
 	$(CARGO) fmt --all --check

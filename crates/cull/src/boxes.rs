@@ -11,6 +11,7 @@ use glam::{DVec3, Vec3};
 use crate::device::Gpu;
 use crate::entities::OrientedBox;
 use crate::renderer::{DEPTH_FORMAT, ViewInputs};
+use crate::subpixel;
 use crate::view::ViewFrame;
 use antumbra_shaders::jobs::boxes::JOB;
 use std::sync::Arc;
@@ -48,10 +49,6 @@ pub struct Widening {
     constant: f64,
 }
 
-/// Widening in pixels: sixteen times the distance by which snapping to 1/256 of a pixel moves two vertices apart.
-const TRIANGLE_PIXELS: f64 = 1.0 / 16.0;
-/// Widening in pixels where there are lines and points, which cover pixels that they do not touch.
-const LINE_PIXELS: f64 = 1.5;
 /// The error of f32 positions, as a fraction of the distance.
 const ROUNDING: f64 = 1e-6;
 
@@ -59,8 +56,8 @@ impl Widening {
     /// For boxes seen by this view.
     pub fn new(view: &ViewFrame, contents: BoxContents) -> Self {
         let pixels = match contents {
-            BoxContents::Triangles => TRIANGLE_PIXELS,
-            BoxContents::AnyTopology => LINE_PIXELS,
+            BoxContents::Triangles => subpixel::DRAWN,
+            BoxContents::AnyTopology => subpixel::LINES,
         };
         let scale = view.pixel_scale();
         let metres = |reach: f64| scale.most_divisor(reach) * pixels / scale.least;

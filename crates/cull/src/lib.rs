@@ -48,6 +48,7 @@ mod split_point;
 mod stage;
 mod stage_scene;
 mod strategy;
+mod subpixel;
 mod tree;
 mod trust;
 mod tuning;

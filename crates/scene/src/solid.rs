@@ -114,7 +114,7 @@ fn is_closed(geometry: &Geometry) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::icosphere;
+    use crate::icosphere::icosphere;
 
     fn part(geometry: &Geometry) -> f32 {
         let points = geometry

@@ -47,9 +47,9 @@ fn three_passes(gpu: &Gpu, latency: &str) -> Vec<String> {
     all
 }
 
-/// All cases on a small image. In other setups a part is played, and all of it with KIT=whole in the environment.
+/// All cases on a small image. In other setups a part is played, and all of it with KIT=whole in the environment; KIT_CASE="camera cut" plays one case alone, and no other setup.
 fn small() -> Kit {
-    Kit {
+    let kit = Kit {
         size: [96, 72],
         random_scenes: 2,
         other_setups: match std::env::var("KIT").as_deref() {
@@ -57,6 +57,15 @@ fn small() -> Kit {
             _ => OtherSetups::Brief,
         },
         ..Kit::default()
+    };
+    let Ok(name) = std::env::var("KIT_CASE") else {
+        return kit;
+    };
+    let case = Case::named(&name).unwrap_or_else(|| panic!("no case is named {name:?}"));
+    Kit {
+        cases: vec![case],
+        other_setups: OtherSetups::LeftOut,
+        ..kit
     }
 }
 

@@ -1,7 +1,7 @@
 //!import view
 // From world space relative to the eye to clip space. All passes use this function.
 
-// Rasterisers snap vertices to 1/256 of a pixel. A rasteriser that computes the slope of depth before it snaps (llvmpipe does) can be wrong by
+// Most rasterisers snap vertices to 1/256 of a pixel. A rasteriser that computes the slope of depth before it snaps (llvmpipe does) can be wrong by
 // metres for a sliver that is seen edge-on, and draw what is far behind it. So vertices are snapped here already.
 const SUBPIXELS: f32 = 256.0;
 

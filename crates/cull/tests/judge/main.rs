@@ -7,6 +7,7 @@ mod play;
 mod refused;
 mod sequence;
 mod trials;
+mod two_views;
 
 use antumbra_cull::judge::*;
 use antumbra_cull::{AdapterChoice, Gpu, Verdict, Verdicts};
