@@ -74,6 +74,7 @@ pub fn place_box(random: &mut Pcg32, view: &ViewFrame) -> Option<OrientedBox> {
         axes: [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| (turned * axis).as_vec3()),
         half: (sides * metres).as_vec3(),
         roundness: OrientedBox::ANGULAR,
+        solid: 0.0,
         parts: 0,
     };
     let nearest =
