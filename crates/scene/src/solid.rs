@@ -138,7 +138,7 @@ mod tests {
             "{}",
             part(&cuboid())
         );
-        let cube = part(&icosphere(1.0, 3));
+        let cube = part(&icosphere(3, 1.0));
         assert!((0.5..0.5774).contains(&cube), "{cube}");
     }
 
