@@ -277,7 +277,8 @@ impl FrameGraph<'_> {
             let (guard, table) = (ctx.get(guard)?, &scene.table);
             let mut asked = ctx.get_mut(asked)?;
             let (mut boxes, mut hiding) = (ctx.get_mut(tests.list)?, ctx.get_mut(occluders.list)?);
-            (boxes.clear(), hiding.clear());
+            boxes.clear();
+            hiding.clear();
             *asked = Asked {
                 stamp: Stamp {
                     epoch: table.epoch(),
