@@ -58,12 +58,12 @@ see_to_glue() {
 }
 
 page() {
-    local server browser watchdog status=0
+    local server browser status=0
     rm -rf "$FOLDER"
     mkdir -p "$FOLDER"
     "$GLUE" --target web --no-typescript --out-dir "$FOLDER" "target/$TARGET/debug/antumbra-web.wasm"
     cp crates/web/index.html "$FOLDER"
-    python3 scripts/web_server.py "$FOLDER" "$work/port" "$work/page.json" >"$work/progress" &
+    timeout "$SECONDS_OF_A_PAGE" python3 scripts/web_server.py "$FOLDER" "$work/port" "$work/page.json" >"$work/progress" &
     server=$!
     while [ ! -s "$work/port" ]; do sleep 0.1; done
     mkdir "$work/profile"
@@ -71,10 +71,8 @@ page() {
         --user-data-dir="$work/profile" --enable-unsafe-webgpu --use-webgpu-adapter=swiftshader --enable-logging=stderr \
         "http://127.0.0.1:$(cat "$work/port")/index.html" >"$work/chromium" 2>&1 &
     browser=$!
-    (sleep "$SECONDS_OF_A_PAGE" && kill "$server") 2>/dev/null &
-    watchdog=$!
     wait "$server" || status=$?
-    kill "$watchdog" "$browser" 2>/dev/null || true
+    kill "$browser" 2>/dev/null || true
     wait "$browser" 2>/dev/null || true
     if [ "$status" -ne 0 ]; then
         say "the page failed; it was at: $(tail -1 "$work/progress")" >&2
@@ -94,8 +92,18 @@ END
     }
 }
 
+# What was started and still runs is ended, too: a browser writes into its folder to the last.
+finish() {
+    local running
+    running=$(jobs -p)
+    # shellcheck disable=SC2086 # Numbers, of which there may be none.
+    if [ -n "$running" ]; then kill $running 2>/dev/null || true; fi
+    wait 2>/dev/null || true
+    rm -rf "$work" || true
+}
+
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+trap finish EXIT
 see_to_browser
 see_to_target
 see_to_glue

@@ -25,7 +25,8 @@ fn fragment_of_samples(in: Varying, @builtin(sample_index) number: u32) {
 
 @fragment @early_depth_test(force)
 fn textured_fragment_of_samples(in: TexturedVarying, @builtin(sample_index) number: u32) {
-    if number < 32u && is_there(in) {
+    // It samples: behind `&&` not all fragments might.
+    if is_there(in) && number < 32u {
         mark(in.patch_number, in.clip);
     }
 }

@@ -46,7 +46,7 @@ fn textured_vertex(
     return out;
 }
 
-// Whether a fragment of a masked or blended surface is visible. Less than half of an 8-bit step does not change the image.
+// Whether a fragment of a masked or blended surface is visible. It samples, so all fragments must call it. Less than half of an 8-bit step does not change the image.
 fn is_there(in: TexturedVarying) -> bool {
     let material = materials[instances[in.slot].material];
     let base = base_colour(material, in.uv, in.colour);
