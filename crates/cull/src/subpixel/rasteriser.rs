@@ -181,10 +181,17 @@ mod tests {
     #[test]
     fn depth_is_linear_between_the_corners() {
         let corners = [at(0.0, 0.0, 0.0), at(16.0, 0.0, 1.0), at(0.0, 16.0, 0.0)];
-        rasteriser(8, Ties::TopLeft).triangle(corners, Faces::Both, |fragment| {
-            let expected = (f64::from(fragment.pixel[0]) + 0.5) / 16.0;
-            assert!((fragment.depth - expected).abs() < 1e-12);
-        });
+        // The corners lie on the grid, so that either way gives the same.
+        for depths in [Depths::OfMovedCorners, Depths::OfCornersBefore] {
+            let rasteriser = Rasteriser {
+                depths,
+                ..rasteriser(8, Ties::TopLeft)
+            };
+            rasteriser.triangle(corners, Faces::Both, |fragment| {
+                let expected = (f64::from(fragment.pixel[0]) + 0.5) / 16.0;
+                assert!((fragment.depth - expected).abs() < 1e-12);
+            });
+        }
     }
 
     #[test]

@@ -85,3 +85,20 @@ impl WideHorizon {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounding_hides_no_more() {
+        // Numbers between those of f32, on either side of its nearest.
+        for number in 1..2_000 {
+            let distance = f64::from(number) * 0.123_456_789;
+            let slope = (distance - 100.0) / 77.7;
+            let rounded = WideHorizon { slope, distance }.rounded();
+            assert!(f64::from(rounded.slope) <= slope - ROUNDING * (1.0 + slope.abs()));
+            assert!(f64::from(rounded.distance) >= distance);
+        }
+    }
+}

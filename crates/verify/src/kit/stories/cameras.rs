@@ -58,6 +58,15 @@ pub(super) fn near_plane(context: &mut CaseContext<'_>) -> Result<(), ViolationK
         let eye = DVec3::new(0.0, 0.0, 1.0 - f64::from(step) * 0.25);
         run.frame(&camera_with(eye, DVec3::new(0.0, 0.0, -5.0), 0.8)?)?;
     }
+    // The eye is in the corner of a ball's box and outside of the ball, which has more triangles than a box: all faces of the box are seen from behind.
+    let mut test = TestScene::new()?;
+    test.sphere(DVec3::new(2.0, 2.0, -1.6), 6.0)?;
+    test.sphere(DVec3::new(-1.0, -0.5, -5.0), 1.0)?;
+    let mut run = Run::new(context, test.scene)?;
+    for step in 0..4 {
+        let eye = DVec3::new(0.0, 0.0, 1.0 - f64::from(step) * 0.25);
+        run.frame(&camera_with(eye, DVec3::new(1.0, 1.0, -5.0), 0.1)?)?;
+    }
     Ok(())
 }
 

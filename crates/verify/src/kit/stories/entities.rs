@@ -61,6 +61,9 @@ pub(super) fn slot_reuse(context: &mut CaseContext<'_>) -> Result<(), ViolationK
 pub(super) fn motion(context: &mut CaseContext<'_>) -> Result<(), ViolationKind> {
     let mut test = TestScene::new()?;
     let hidden = add_wall_and_spheres(&mut test)?;
+    // A mirror image that is half in the wall: of its box, the far faces are hidden and the near ones show.
+    let mirrored = placed(DVec3::new(1.2, 0.9, 0.15), DVec3::new(-0.6, 0.6, 0.6));
+    test.add(test.meshes.sphere, test.materials.opaque[1], mirrored)?;
     let mut run = Run::new(context, test.scene)?;
     let camera = camera(DVec3::new(0.0, 0.0, 6.0), DVec3::ZERO)?;
     run.frame(&camera)?;
