@@ -14,7 +14,7 @@ use crate::view::ViewFrame;
 
 /// Views that are tried: more of them with the variable `SNAPPING_TRIALS`.
 fn trials() -> u64 {
-    std::env::var("SNAPPING_TRIALS").map_or(3_000, |text| text.parse().unwrap())
+    std::env::var("SNAPPING_TRIALS").map_or(15_000, |text| text.parse().unwrap())
 }
 
 /// `FAR_ENDS` of `boxes.wgsl`.
