@@ -162,7 +162,7 @@ fn a_report_keeps_what_was_left_out() {
     let report = std::fs::read_to_string(out.join("report.json")).unwrap();
     let report: serde_json::Value = serde_json::from_str(&report).unwrap();
     let left_out = &report["scene"]["left_out"];
-    assert_eq!(left_out[0]["part"], "image");
+    assert_eq!(left_out[0]["part"], "images");
     assert_eq!(left_out[0]["count"], 2);
     assert_eq!(left_out[0]["reason"], "missing");
 }
