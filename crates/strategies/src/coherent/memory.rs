@@ -294,6 +294,11 @@ impl Memory {
         record.map_or(Visibility::Unknown, |record| record.visibility)
     }
 
+    /// The frames since a slot's last answer.
+    pub fn age(&self, slot: u32) -> u64 {
+        self.frame.saturating_sub(self.answered(slot))
+    }
+
     /// The frame of a slot's last answer.
     pub fn answered(&self, slot: u32) -> u64 {
         let record = self.records.get(slot as usize);

@@ -12,7 +12,7 @@ use antumbra_cull::{
 use antumbra_graph::{Host, HostBuilder, HostContext, ReadBack};
 
 use super::memory::{AfterCut, Answers, Memory, QuerySubject, Visibility};
-use super::picker::TestPicker;
+use super::picker::{Patience, TestPicker};
 use super::queried_list::{ListSource, QueriedList, Sharing, submit_unqueried};
 use super::settings::CoherentSettings;
 use crate::transparent::{submit_transparent, transparent_list};
@@ -87,7 +87,13 @@ pub(super) fn same_frame(
         take_late(ctx, late, table, &frame, &mut memory);
         memory.begin(table, &candidates, AfterCut::KeepVisible);
         memory.sort(table, &frame, settings.resort);
-        let picked = picker.pick(&mut memory, table, &frame, settings.fraction_rule());
+        let picked = picker.pick(
+            &mut memory,
+            table,
+            &frame,
+            settings.fraction_rule(),
+            Patience::Ends,
+        );
         let opaque = |slot: &u32| !table.is_transparent(*slot);
         let mut first: Vec<u32> = Vec::new();
         let mut tested: Vec<u32> = Vec::new();
@@ -223,7 +229,13 @@ pub(super) fn frame_late(
         memory.fraction.update(appeared);
         memory.begin(table, &candidates, AfterCut::Forget);
         memory.sort(table, &frame, settings.resort);
-        let picked = picker.pick(&mut memory, table, &frame, settings.fraction_rule());
+        let picked = picker.pick(
+            &mut memory,
+            table,
+            &frame,
+            settings.fraction_rule(),
+            Patience::Endless,
+        );
         let mut verdicts = ctx.get_mut(verdicts)?;
         judge(&memory, table, &candidates, &mut verdicts);
         let opaque = |slot: &u32| !table.is_transparent(*slot);
