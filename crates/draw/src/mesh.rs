@@ -210,12 +210,12 @@ impl MeshArenas {
     }
 }
 
-/// By how much a box is wider than its contents on every side, in the mesh's own units: a hundredth of half the largest extent, so that flat
-/// boxes get a thickness too, plus the rounding error of f32 at these coordinates.
+/// By how much a box is wider than its contents on every side, in the mesh's own units: three hundredths of half the largest extent, so that flat
+/// boxes get a thickness too, and boxes of eight pixels are wide enough for every rasteriser ([`antumbra_cull::query_detail`]); plus the rounding error of f32 at these coordinates.
 fn box_margin(bounds: &Aabb) -> f64 {
     let largest = (bounds.max - bounds.min).max_element() * 0.5;
     let reach = bounds.min.abs().max(bounds.max.abs()).max_element();
-    largest * 1e-2 + reach * f64::from(f32::EPSILON) * 8.0
+    largest * 3e-2 + reach * f64::from(f32::EPSILON) * 8.0
 }
 
 /// How round a mesh is, in all its forms.
